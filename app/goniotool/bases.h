@@ -12,16 +12,16 @@
 
 namespace gonio::tool {
 
-/// The principal components of materials as trainingFiles() finds them; of none, of the bundled library.
-/// @param seconds how long the learning took, reading included.
+/// The principal components of the materials found by trainingFiles(); without sources, of the bundled library.
+/// @param seconds time of learning, including reading.
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
                                                        const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds);
 
-/// Where the basis of a plan lies: beside it, PLAN.csv has PLAN.basis.
+/// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.
 std::filesystem::path basisBeside(const std::string& plan);
 
-/// By which a plan knows its basis: the first 16 characters of the SHA-256 of the file. @throws Error naming the file.
+/// Identifies the basis in a plan: the first 16 characters of the file's SHA-256. @throws Error with the file name.
 std::string basisDigest(const std::filesystem::path& basis);
 
 }  // namespace gonio::tool

@@ -10,7 +10,7 @@
 
 namespace gonio::tool {
 
-/// Pairs of directions as people write them: angles in degrees, as they stand in the file.
+/// Pairs of directions with angles in degrees, as in the file.
 struct DirectionTable {
   struct Row {
     double thetaI, phiI, thetaO, phiO;
@@ -20,8 +20,8 @@ struct DirectionTable {
   std::vector<DirectionPair> pairs() const;
 };
 
-/// Reads a CSV (core/io/csv_text.h) of columns theta_i, phi_i, theta_o, phi_o: a first line with their names (in any
-/// order, others beside them are ignored), or numbers in this order at once.
+/// Reads a CSV file (core/io/csv_text.h) with the columns theta_i, phi_i, theta_o, phi_o. The first line contains the
+/// names (in any order, further columns are ignored); without names the columns have this order.
 /// @throws Error naming the file, the line, what was found and what was expected.
 DirectionTable readDirections(const std::filesystem::path& path);
 

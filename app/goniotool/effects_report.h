@@ -5,12 +5,12 @@
 #include "app/goniotool/report.h"
 #include "core/rendering/effect_costs.h"
 
-/// How plans of effects are reported.
+/// Reports of effect plans.
 namespace gonio::tool {
 
-/// [{effect, simulated, calledFor, reason}], with the measured costs where there are some: seconds, difference, noise.
+/// [{effect, simulated, calledFor, reason}], with the measured costs if they are given: seconds, difference, noise.
 Json planJson(const EffectPlan& plan, const EffectCosts* costs = nullptr);
-/// A line for each effect.
+/// One line per effect.
 std::string planText(const EffectPlan& plan, const EffectCosts* costs = nullptr);
 
 }  // namespace gonio::tool

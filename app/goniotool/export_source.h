@@ -14,11 +14,11 @@ namespace gonio::tool {
 struct OpenedSource {
   exports::ExportSource material;
   materials::Material base;                  ///< without edits
-  editing::EditList edits;                   ///< of a document
-  std::vector<std::filesystem::path> files;  ///< that must not be overwritten; none of a bundled material
+  editing::EditList edits;                   ///< edits of a document
+  std::vector<std::filesystem::path> files;  ///< files that must not be overwritten; none for a bundled material
 };
 
-/// A material argument for an export: an edited RGL file with its own bytes, everything with its origin in a sentence.
+/// Opens a material argument for an export, with a sentence on its origin and, for an RGL file, the bytes of the file.
 /// @throws Error naming the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
@@ -28,8 +28,8 @@ using exports::writeOwnForm;
 /// The help of an option that names a material to write in any form.
 inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; of UTIA files .bin)"; }
 
-/// A material argument at one wavelength, nm, in three equal channels; 0: as openMaterial(). @throws Error naming a
-/// file without spectra.
+/// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error with
+/// the name of a file without spectra.
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =

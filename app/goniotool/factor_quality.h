@@ -10,7 +10,7 @@
 
 namespace gonio::tool {
 
-/// How well a factorisation represents a material, the same for all methods of `goniotool factor`.
+/// Errors of a factorisation, computed in the same way for all methods of `goniotool factor`.
 struct FactorQuality {
   std::vector<double> errors;  ///< in the order of metrics::allBrdfMetrics()
   double brdfSnr = 0;          ///< dB
@@ -18,7 +18,7 @@ struct FactorQuality {
   double evaluationNs = 0;
 };
 
-/// @param table of the material. @param samples per pixel of the pictures. Some seconds. @throws Cancelled.
+/// @param table table of the material. @param samples per pixel of the pictures. Takes some seconds. @throws Cancelled.
 FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
                             int samples, const Tool& tool);
 

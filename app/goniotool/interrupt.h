@@ -7,8 +7,8 @@
 
 namespace gonio::tool {
 
-/// While alive, an interrupt from the keyboard asks the work to stop; a second one ends the program as always.
-/// One at a time.
+/// During its lifetime, SIGINT requests the work to stop; a second one ends the program as usual. Only one instance may
+/// exist at a time.
 class StopOnInterrupt {
  public:
   StopOnInterrupt();

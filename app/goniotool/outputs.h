@@ -10,16 +10,16 @@
 
 namespace gonio::tool {
 
-/// Refuses a command that would write over a file that it reads: one that its arguments name, or the measured file of
-/// a document among them. Of the parsed subcommand; its outputs are `OUT` and the options `--out`,
-/// `--image`, `--save`, `--csv` and `--latex`, as they stand there.
+/// Checks that a parsed subcommand does not overwrite a file that it reads: one of its arguments, or a file used by a
+/// document among them. The outputs are `OUT` and the options `--out`, `--image`, `--save`, `--csv` and `--latex`,
+/// without added suffixes.
 /// @throws Error naming the file.
 void checkOutputs(const CLI::App& command);
 
-/// The files of an argument: its own, and where it is a document those that it edits, in its blends too.
+/// The files of an argument: the file itself and, for a document, the files that it edits, including those of its
+/// blends.
 std::vector<std::filesystem::path> filesOf(const std::string& argument);
-/// For commands that make the names of their outputs themselves. @throws Error naming the file where it is one of
-/// `files`.
+/// For commands that construct the names of their outputs. @throws Error with the file name if it is one of `files`.
 void checkOutput(const std::filesystem::path& out, std::span<const std::filesystem::path> files);
 
 }  // namespace gonio::tool

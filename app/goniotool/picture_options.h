@@ -14,7 +14,7 @@
 
 namespace gonio::tool {
 
-/// The options of every picture that a subcommand makes.
+/// The options of all subcommands that make pictures.
 struct PictureOptions {
   std::string environment, size = "256", toneMap = "clamp";
   std::vector<double> light;  ///< direction to the light, world; empty: an environment
@@ -24,16 +24,15 @@ struct PictureOptions {
   std::uint64_t seed = 1;
   bool showEnvironment = false, blurBackground = false;
 
-  /// Puts a distant light that was asked for in the place of all lights of the scene, an environment in the place of
-  /// its environment.
-  /// @throws Error when the environment is neither bundled nor a readable picture; UsageError for the rest.
+  /// Replaces all lights of the scene by the distant light, or its environment by the environment, if given.
+  /// @throws Error if the environment is neither bundled nor a readable picture; UsageError for other invalid options.
   void apply(Scene& scene) const;
-  /// @throws UsageError when the size is not understood.
+  /// @throws UsageError if the size cannot be parsed.
   RenderOptions renderOptions() const;
   ToneMap tone() const { return toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp; }
 };
 
-/// Options of the light, the size, the samples and the display.
+/// Adds the options for light, size, samples and display.
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options);
 
 /// Writes a picture by the suffix of `out`: .exr (linear, with the attributes) or .png (displayed).

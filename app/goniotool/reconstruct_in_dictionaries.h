@@ -9,7 +9,7 @@
 
 namespace gonio::tool {
 
-/// The name of that method beside those of reconstructionMethodNames.
+/// Name of this method, in addition to reconstructionMethodNames.
 inline constexpr const char* dictionariesMethod = "dictionaries";
 
 struct DictionaryReconstructionRequest {

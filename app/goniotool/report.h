@@ -10,16 +10,16 @@
 #include "core/math/types.h"
 #include "core/study/fit_ranking.h"
 
-/// What subcommands print. JSON keys keep the order in which they are documented (docs/command-line.md).
+/// Output of the subcommands. JSON keys have the documented order (docs/command-line.md).
 namespace gonio::tool {
 
 using Json = nlohmann::ordered_json;
 
-/// One result: as JSON where that was asked for, else as text for people.
-/// @throws Error when standard output does not take it.
+/// Prints a result as JSON if requested, else as text.
+/// @throws Error if writing to standard output fails.
 void print(const Tool& tool, const Json& json, const std::string& text);
 
-/// An error text of several lines (the refusals of all readers) as one.
+/// Joins the lines of an error message (e.g. of several readers) to one line.
 std::string oneLine(const std::string& message);
 
 /// Six significant digits.
@@ -30,7 +30,7 @@ Json rgbJson(const Rgb& value);
 
 /// {"log": 0.01, ...} of values in the order of metrics::allBrdfMetrics().
 Json errorsJson(const std::vector<double>& errors);
-/// A line for each metric: id, error, unit, and what it is.
+/// One line per metric: id, error, unit and description.
 std::string errorsText(const std::vector<double>& errors);
 
 /// {"mse": 0.01, ...} of values in the order of metrics::imageMetricRecords(), and a line for each.
@@ -41,12 +41,12 @@ std::string imageErrorsText(const std::vector<double>& errors);
 Json parametersJson(const models::ModelSpec& spec, const models::ParameterValues& values);
 std::string parametersText(const models::ModelSpec& spec, const models::ParameterValues& values);
 
-/// Keys of the design: model, parameters, errors, seconds; and the cells that were used and left out.
+/// Keys: model, parameters, errors, seconds, and the numbers of used and omitted cells.
 Json fitJson(const fitting::FitResult& result);
-/// The same of a row of a ranking, with renderedSnr and parameterCount.
+/// The same for a row of a ranking, with renderedSnr and parameterCount.
 Json rankedFitJson(const study::RankedFit& row);
 
-/// Decibels as JSON: null where they are not a finite number (equal materials, a black reference).
+/// Decibels as JSON; null if not finite (equal materials, a black reference).
 Json decibelsJson(double value);
 
 /// The ids of all models, for --model.

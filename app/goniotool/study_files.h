@@ -12,52 +12,52 @@
 #include "core/study/machine.h"
 #include "core/study/study_record.h"
 
-/// The files in the folder of a study: for each material and the summary STEM.json, STEM.csv and STEM.svg; for a shard
-/// one file more.
+/// The files in the folder of a study: STEM.json, STEM.csv and STEM.svg for each material and for the summary; one
+/// additional file per shard.
 namespace gonio::tool {
 
-/// What every file of a study states.
+/// Facts stated in every file of a study.
 struct StudyFacts {
   std::string pictures;         ///< study::picturesText()
-  study::MachineFacts machine;  ///< without measured times of the program alone (study::buildFacts())
+  study::MachineFacts machine;  ///< without measured times only those of the program (study::buildFacts())
   std::string settings;         ///< JSON: two studies with equal settings measure the same
 
   bool timed() const { return !machine.processor.empty(); }
 };
 
-/// What is learned from other materials, for the settings: ids of dictionaries, names of the training set.
+/// Training data, as part of the settings: ids of dictionaries, names of the training materials.
 struct StudyTraining {
   std::vector<std::string> dictionaries, components;
 };
-/// The settings are those of the other arguments.
+/// Facts with settings made from the arguments.
 StudyFacts studyFacts(const std::string& pictures, const study::MachineFacts& machine,
                       std::span<const study::Representation> representations, const StudyTraining& training);
 
 /// The records of one material.
 struct StudiedMaterial {
-  std::string stem;    ///< of its files
-  std::string name;    ///< for people
+  std::string stem;    ///< file name without suffix
+  std::string name;    ///< name in texts
   std::string source;  ///< SHA-256 of the material
   std::vector<study::StudyRecord> records;
 };
 
-/// All three files or none. @throws Error naming the file.
+/// Writes the three files with io::writeFilesAtomically(). @throws Error with the file name.
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
-/// The same of medians. `records` are theirs as JSON.
+/// The same for medians. @param records the medians as JSON.
 void writeSummary(const std::filesystem::path& folder, const std::string& title,
                   std::span<const study::StudyRecord> medians, const Json& records, const StudyFacts& facts);
 
-/// With its members in the order of the file. @throws Error that names no file, also for JSON that is nested too
-/// deeply.
+/// Reads JSON with its members in the order of the file. @throws Error without the file name if it is invalid or nested
+/// too deeply.
 Json readOrderedJson(const std::filesystem::path& path);
 
-/// What writeMaterialStudy() wrote. @throws Error naming the file.
+/// The content of the files of writeMaterialStudy().
 struct ReadStudy {
   StudiedMaterial material;
   StudyFacts facts;
 };
 ReadStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
-/// The same where it has equal settings, is of the same material, and has all records; else nothing.
+/// The same if the settings and the material are equal and all records exist; else nullopt.
 std::optional<StudiedMaterial> finishedStudy(const std::filesystem::path& folder, const std::string& stem,
                                              const std::string& source, const StudyFacts& facts);
 

@@ -13,20 +13,20 @@ namespace gonio::tool {
 /// @throws Error naming the folder.
 void makeFolder(const std::string& path);
 
-/// What a study reports at the end, gathered material by material.
+/// Collects the results of a study, material by material, for the final report.
 class StudyOutput {
  public:
   StudyOutput(std::string folder, StudyFacts facts, const study::Budget& budget = {})
       : folder_(std::move(folder)), facts_(std::move(facts)), budget_(budget) {}
 
   void add(const StudiedMaterial& material);
-  /// The files of the medians, where there are several materials.
+  /// Writes the files of the medians if there are several materials.
   void writeSummary();
-  /// `further`: members after those of every study.
+  /// @param further additional members at the end.
   void print(const Tool& tool, bool complete, double seconds, const Json& further = Json::object());
 
  private:
-  /// The best within the limits, where there are some.
+  /// Records the best representation within the limits, if there are limits.
   void choose(const StudiedMaterial& material);
 
   std::string folder_;

@@ -13,15 +13,15 @@
 /// Results of `goniotool study` as JSON and as text.
 namespace gonio::tool {
 
-/// What is empty is left out.
+/// Empty facts are omitted.
 Json machineJson(const study::MachineFacts& machine);
-/// One a record, each with the costs over which it stands on the Pareto front of its fellows.
+/// One entry per record, with the costs for which it is on the Pareto front of the records.
 Json recordsJson(std::span<const study::StudyRecord> records);
-/// Of recordsJson(), with the same bits. @throws Json::exception, Error.
+/// Inverse of recordsJson(), exact. @throws Json::exception, Error.
 std::vector<study::StudyRecord> recordsOf(const Json& json);
-/// The same as recordsJson() of medians, each with the count of materials and the least and largest rendered SNR.
+/// As recordsJson() for medians, each with the number of materials and the minimum and maximum rendered SNR.
 Json summaryJson(std::span<const study::StudySummary> summaries);
-/// A table for people.
+/// A table as text.
 std::string recordsText(std::span<const study::StudyRecord> records);
 
 }  // namespace gonio::tool

@@ -8,11 +8,11 @@
 
 #include "app/goniotool/study_files.h"
 
-/// A study whose materials are divided among several runs.
+/// Division of a study's materials among several runs.
 namespace gonio::tool {
 
-/// Number `number` of `count`, from 1. Material i of the study, from 0, belongs to shard i mod `count` + 1, so that
-/// collections that follow one another are spread evenly.
+/// Shard `number` of `count`, counted from 1. Material i of the study, counted from 0, belongs to shard i mod `count` +
+/// 1, so that consecutive collections are distributed evenly.
 struct Shard {
   std::size_t number = 1, count = 1;
 
@@ -20,18 +20,18 @@ struct Shard {
   std::string text() const { return std::to_string(number) + "/" + std::to_string(count); }
 };
 
-/// "2/5". @throws UsageError.
+/// Parses e.g. "2/5". @throws UsageError.
 Shard parseShard(const std::string& text);
 
 inline constexpr const char* shardStem = "shard";
 
-/// Written when all materials of a shard are done. `stems` are those of the whole study, in its order.
+/// Writes the shard's file after all its materials are finished. @param stems of the whole study, in its order.
 void writeShard(const std::filesystem::path& folder, const Shard& shard, const std::vector<std::string>& stems,
                 const StudyFacts& facts);
 
 /// The results of all materials, in the order of the study.
-/// @throws Error naming the folder or file where a shard is incomplete, missing, given twice or of another study, and
-/// where the result of a material is missing or of another study.
+/// @throws Error with the name of the folder or file if a shard is incomplete, missing, given twice or of another
+/// study, or if the result of a material is missing or of another study.
 std::vector<ReadStudy> joinShards(const std::vector<std::string>& folders);
 
 }  // namespace gonio::tool

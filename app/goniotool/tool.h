@@ -10,25 +10,25 @@
 
 namespace gonio::tool {
 
-/// Reported with exit code 2: the arguments contradict each other. Everything else that is thrown is reported with 1.
+/// Invalid or contradictory arguments, reported with exit code 2. All other exceptions are reported with 1.
 class UsageError : public Error {
  public:
   using Error::Error;
 };
 
-/// What all subcommands share: the global options, and the work that the chosen one has set.
+/// Data shared by all subcommands: the global options and the action of the selected subcommand.
 struct Tool {
   bool json = false;
   bool showProgress = false;
-  bool force = false;        ///< outputs may replace what checkOutputs() refuses, and exports files that exist
+  bool force = false;        ///< permits outputs that checkOutputs() refuses, and exports to existing files
   int threads = 0;           ///< 0: all cores
   std::function<int()> run;  ///< returns the exit code
 
-  /// Shows progress on standard error, on a terminal or when asked for, labelled by `what`. Lives as long as the work.
+  /// A control that shows progress on standard error (on a terminal or if requested), labelled with `what`.
   TaskControl control(const std::string& what) const;
 };
 
-// One a subcommand; each lies in the file of its name.
+// One function per subcommand, each in the file of the same name.
 void addInfo(CLI::App& app, Tool& tool);
 void addEvaluate(CLI::App& app, Tool& tool);
 void addCheck(CLI::App& app, Tool& tool);

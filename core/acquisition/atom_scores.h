@@ -11,29 +11,31 @@
 
 namespace gonio::acquisition {
 
-/// Finds the atoms a of the largest score |R^T a|_1 while the residual R loses one direction after the other, without
-/// evaluating most of them. Single precision, with bounds on what rounding can do.
+/// Finds the atom a with the largest score |R^T a|_1 at each step of a simultaneous pursuit (simultaneous_pursuit.h),
+/// where the residual R loses one direction per step. Bounds on the scores avoid most evaluations. Computes in single
+/// precision; the bounds include its rounding error.
 class AtomScores {
  public:
-  /// Memory: 4 p bytes an atom. @param gain |S^T a|_1 <= gain |a| for all a.
+  /// Memory: 4 p bytes per atom of length p. @param gain bound of the scores of the signals S: |S^T a|_1 <= gain |a|
+  /// for all a.
   AtomScores(const DictionaryAtoms& atoms, double gain);
 
-  /// Those that may have the largest score, ascending: all but atoms proven to be worse than another. To be called once
-  /// after each choice, with what it left. @throws Cancelled.
+  /// The atoms that may have the largest score, ascending: all except those proven worse than another atom. Call it
+  /// once after each choice, with the space after that choice. @throws Cancelled.
   std::vector<Eigen::Index> candidates(const PursuitSpace& space, const TaskControl& control);
-  /// Never again among the candidates.
+  /// Removes an atom from all later candidates.
   void exclude(Eigen::Index atom);
 
  private:
-  /// Neighbouring atoms, in coordinates of `basis_`, and what is known of their scores.
+  /// Neighbouring atoms, in coordinates of `basis_`, and bounds on their scores.
   struct Block {
     Eigen::MatrixXf atoms;
-    Eigen::ArrayXf squaredNorm;  ///< of what the choices leave of the atom
-    Eigen::ArrayXf score;        ///< when it was evaluated last; huge before, far below 0 of an excluded atom
-    Eigen::ArrayXf growth;       ///< by how much it can have risen since: sum of |<removed, a>| reach
-    Eigen::ArrayXf normAtScore;  ///< squaredNorm at that time
-    Eigen::ArrayXf distance;     ///< from the atom in the middle of its group, or more
-    float highest;               ///< the largest bound of the block, as it was seen last
+    Eigen::ArrayXf squaredNorm;  ///< of the atom's part orthogonal to the chosen atoms
+    Eigen::ArrayXf score;        ///< at its last evaluation; +huge before the first, -huge if excluded
+    Eigen::ArrayXf growth;       ///< bound of its increase since then: sum of |<removed, a>| reach
+    Eigen::ArrayXf normAtScore;  ///< squaredNorm at that evaluation
+    Eigen::ArrayXf distance;     ///< upper bound of the distance to the middle atom of its group
+    float highest;               ///< largest score bound of the block at the last scan
   };
   struct Scan;
   struct BlockScan;
@@ -44,9 +46,9 @@ class AtomScores {
   void scoreBlock(Block& block, Scan& scan, std::vector<std::pair<float, Eigen::Index>>& found) const;
 
   std::vector<Block> blocks_;
-  Eigen::MatrixXd basis_;  ///< B: p x d', orthonormal; every complement since it was set lies in its span
+  Eigen::MatrixXd basis_;  ///< B: p x d', orthonormal; its span contains every complement since it was set
   double gain_;
-  double coordinateError_;  ///< bound of the rounding in a block's atoms, each as a vector
+  double coordinateError_;  ///< bound of the rounding error of a block's atom, as a vector norm
 };
 
 }  // namespace gonio::acquisition

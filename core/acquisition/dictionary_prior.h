@@ -8,14 +8,14 @@
 #include "core/dictionary/dictionary.h"
 #include "core/dictionary/training_materials.h"
 
-/// What a training set says about the coefficients over each dictionary of an ensemble.
+/// Prior distribution of the coefficients over each dictionary of an ensemble, learned from a training set.
 namespace gonio::acquisition {
 
-/// Of one dictionary: coefficients taken as independent and Gaussian.
+/// The prior of one dictionary: independent Gaussian coefficients.
 struct CoefficientPrior {
-  std::vector<std::uint32_t> indices;  ///< of the atoms, rising, as those of a ChannelCode
-  Eigen::VectorXf means, variances;    ///< of their coefficients
-  double restVariance = 0;             ///< mean square of what the other atoms add to a cell of a scaled signal
+  std::vector<std::uint32_t> indices;  ///< of the atoms, ascending, numbered as in ChannelCode
+  Eigen::VectorXf means, variances;    ///< of the atoms' coefficients
+  double restVariance = 0;             ///< mean square, per cell, of what the other atoms add to a scaled signal
 };
 
 struct DictionaryPrior {
@@ -27,17 +27,18 @@ struct DictionaryPrior {
 
 struct DictionaryPriorOptions {
   DataTransform transform = DataTransform::logPlus;  ///< logPlus or cosineLog
-  std::size_t atoms = 4096;                          ///< of each dictionary, those of largest mean square
-  /// What a signal that another dictionary keeps better counts beside one that this one keeps best, (0, 1]. With 1
-  /// every dictionary learns from all signals alike.
+  std::size_t atoms = 4096;  ///< per dictionary: those whose coefficients have the largest mean square
+  /// Weight, in (0, 1], of a signal in the priors of all dictionaries other than the one that represents it best, where
+  /// its weight is 1. With 1 every dictionary learns from all signals equally.
   double sharing = 0.1;
 };
 
-/// Means and variances over the signals of the materials (three channels each). The signals are analysed in the
-/// subspace that they share but for 1e-4 of their energy, and there by the atoms of each mode that hold all but as
-/// much; restVariance counts what is left out. Same result for any number of threads. Two passes over the materials,
-/// 0.8 MB a signal; O(materials dictionaries).
-/// @throws Error when there is no material, a grid or an option does not fit; Cancelled; whatever `load` throws.
+/// Weighted means and variances of the coefficients over the signals of the materials (three channels each). The
+/// signals are projected onto a shared subspace that loses at most 1e-4 of their energy, and analysed by those atoms of
+/// each mode that lose at most as much again; restVariance includes both losses. The result does not depend on the
+/// number of threads. Two passes over the materials; 0.8 MB of memory per signal; O(materials dictionaries).
+/// @throws Error if there is no material, the grids differ or an option is out of range; Cancelled; whatever `load`
+/// throws.
 DictionaryPrior learnDictionaryPrior(const dictionary::Ensemble& ensemble,
                                      const dictionary::TrainingMaterials& materials,
                                      const DictionaryPriorOptions& options = {}, const TaskControl& control = {});

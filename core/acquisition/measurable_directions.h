@@ -8,14 +8,14 @@
 
 namespace gonio::acquisition {
 
-/// An interval of angles with its ends, rad.
+/// A closed interval of angles, rad.
 struct AngleRange {
   double lowest = 0, highest = 0;
 
   bool operator==(const AngleRange&) const = default;
 };
 
-/// Pairs that a rig cannot reach: those whose three angles all lie in these ranges.
+/// Direction pairs that a rig cannot reach: those with all three angles in these ranges.
 struct ForbiddenRegion {
   AngleRange thetaI{0, halfPi};         ///< polar angle of the light
   AngleRange thetaO{0, halfPi};         ///< polar angle of the viewer
@@ -24,9 +24,9 @@ struct ForbiddenRegion {
   bool operator==(const ForbiddenRegion&) const = default;
 };
 
-/// What a measuring rig can see: both directions above the horizon and their polar angles small enough, its two arms
-/// far enough apart (one stands before the other), and outside all boxes. Limits belong to what they bound, to 1e-9
-/// rad: nodes of a grid lie on them but for rounding.
+/// The direction pairs that a measuring rig can reach: both directions above the horizon and within a maximum polar
+/// angle, light and viewer far enough apart (otherwise one arm occludes the other), and the pair outside all forbidden
+/// regions. Limits are inclusive, with a tolerance of 1e-9 rad because nodes of a grid lie on them up to rounding.
 struct MeasurableDirections {
   double largestPolarAngle = radians(85);  ///< of both directions, rad, [0, pi/2]
   double smallestSeparation = 0;           ///< angle between light and viewer, rad, [0, pi]
@@ -34,10 +34,10 @@ struct MeasurableDirections {
 
   bool operator==(const MeasurableDirections&) const = default;
 
-  /// @throws Error which limit is not a number, out of its range, or lower than its counterpart.
+  /// @throws Error that names a limit which is not a number or out of range, or a range whose ends are swapped.
   void check() const;
-  /// Whether the pair can be measured. Where a direction is the normal its azimuth is anything: a box forbids the pair
-  /// only if it spans all differences. O(boxes).
+  /// Whether the pair can be measured. If a direction is the normal, its azimuth is undefined: a region then forbids
+  /// the pair only if it spans all azimuth differences. O(regions).
   bool allows(const DirectionPair& pair) const;
 };
 

@@ -9,24 +9,24 @@
 
 namespace gonio::acquisition {
 
-/// What was read at the samples of a plan, in their order.
+/// The values measured at the samples of a plan, in the order of the plan.
 struct MeasuredValues {
-  std::vector<Rgb> rgb;    ///< linear RGB in 1/sr without the cosine, >= 0
-  std::vector<Rgb> noise;  ///< standard deviations of these, 1/sr; empty where they are not known
+  std::vector<Rgb> rgb;    ///< BRDF values: linear RGB, 1/sr, without the cosine, >= 0
+  std::vector<Rgb> noise;  ///< standard deviations of `rgb`, 1/sr; empty if unknown
 };
 
-/// What goes wrong on a simulated goniometer. All Gaussian.
+/// Errors of a simulated goniometer, all Gaussian.
 struct MeasurementNoise {
-  double relative = 0;      ///< standard deviation of a reading as a fraction of its value, of each channel alone
-  double absolute = 0;      ///< and a standard deviation in 1/sr beside it: the floor of the sensor
-  double misalignment = 0;  ///< standard deviation, rad, of each arm's direction along each of two axes
+  double relative = 0;      ///< standard deviation as a fraction of the value, independent per channel
+  double absolute = 0;      ///< additional standard deviation, 1/sr: the noise floor
+  double misalignment = 0;  ///< standard deviation of each arm's direction along each of two axes, rad
   std::uint64_t seed = 1;
 };
 
-/// Measures a material at the directions of a plan. Readings below 0 become 0; an arm that misalignment puts below the
-/// horizon stands on it. `noise` is filled in where the sensor has some. The numbers that are drawn do not depend on
-/// the sizes of the errors: twice the noise is twice each error.
-/// @throws Error when an error is negative or not finite.
+/// Simulates the measurement of a material at the directions of a plan. Negative readings become 0; an arm that
+/// misalignment moves below the horizon is placed on it. Fills in MeasuredValues::noise if relative or absolute noise
+/// is above 0. The random numbers do not depend on the sizes of the errors: twice the noise gives twice each error.
+/// @throws Error if a size of an error is negative or not finite.
 MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const MeasurementNoise& noise = {});
 
 }  // namespace gonio::acquisition

@@ -6,19 +6,20 @@
 
 namespace gonio::acquisition {
 
-/// What a pursuit's chosen atoms leave of the signals: the residual is R = N T.
+/// The residual R = N T of a pursuit: the part of the signals S that is orthogonal to the chosen atoms.
 struct PursuitSpace {
-  Eigen::MatrixXd complement;  ///< N: p x d, orthonormal: all that is orthogonal to the chosen atoms
+  Eigen::MatrixXd complement;  ///< N: p x d, orthonormal basis of the space orthogonal to the chosen atoms
   Eigen::MatrixXd signals;     ///< T = N^T S: d x t
-  Eigen::VectorXd removed;     ///< the unit direction that the last choice took away; empty before the first
+  Eigen::VectorXd removed;     ///< the unit direction that the last choice removed; empty before the first
   double reach = 0;            ///< |S^T removed|_1
 
-  /// Before the first choice.
+  /// The space before the first choice. @param allSignals S, p x t.
   explicit PursuitSpace(const Eigen::MatrixXd& allSignals);
 
-  /// An atom's coordinates in the complement.
+  /// Coordinates of an atom in the complement: the part of it that the chosen atoms leave.
   Eigen::VectorXd left(const Eigen::VectorXd& atom) const { return complement.transpose() * atom; }
-  /// Takes the direction of `left` (not 0) away, by a reflection: nothing is solved and no error grows.
+  /// Removes the direction `left` (not 0) by a Householder reflection, so that rounding errors do not grow from step to
+  /// step.
   void remove(const Eigen::VectorXd& left);
 };
 

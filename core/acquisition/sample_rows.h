@@ -8,24 +8,24 @@
 #include "core/acquisition/measured_values.h"
 #include "core/dictionary/principal_components.h"
 
-/// What measurements say of the coefficients of a basis: one equation a sample.
+/// Linear equations for the coefficients of a basis, one per sample.
 namespace gonio::acquisition {
 
 struct SampleRows {
   std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells
   Eigen::MatrixXd rows;                ///< of D = U Sigma: samples x components
-  Eigen::MatrixX3d values;             ///< mapped values less the mean: samples x channels
-  /// Of the mapped values about what the components give, mean of the channels: what they leave out, and the noise
-  /// where it is known.
+  Eigen::MatrixX3d values;             ///< mapped values minus the mean: samples x channels
+  /// Variance of a sample's mapped values around the values that the components can represent, mean of the channels:
+  /// the part that the components leave out, plus known noise.
   Eigen::VectorXd variances;
-  Eigen::VectorXd knownNoise;  ///< the part of `variances` that is known noise; 0 where none is known
+  Eigen::VectorXd knownNoise;  ///< the part of `variances` that is known noise; 0 if no noise is known
 };
 
-/// nearestNode() of a sample. @throws Error naming it.
+/// nearestNode() of a sample. @throws Error that names the sample.
 std::uint32_t nodeOf(const HalfDifferenceGrid& grid, const PlannedSample& sample);
 
-/// @throws Error when there are no samples, numbers do not fit, or a value or a standard deviation is negative or not
-/// finite, naming the sample.
+/// @throws Error if there are no samples, their number differs from that of the values, or a value or standard
+/// deviation is negative or not finite (the message names the sample).
 void checkMeasured(const SamplingPlan& plan, const MeasuredValues& values);
 
 /// @param components at most basis.count(). @throws Error as reconstruct().

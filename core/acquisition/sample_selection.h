@@ -11,42 +11,43 @@
 #include "core/dictionary/principal_components.h"
 #include "core/support/task_control.h"
 
-/// Which few directions a goniometer should visit so that a material follows from what it reads there.
+/// Choice of the few directions that a goniometer measures to reconstruct a whole material.
 namespace gonio::acquisition {
 
 enum class SelectionMethod {
-  simultaneousPursuit,              ///< FROST over all training signals (dissertation, Algorithm 4)
-  simultaneousPursuitFirstColumns,  ///< as the authors' released code: over the first p training signals alone
+  simultaneousPursuit,              ///< over all training signals: FROST (Tongbuasirilai 2023, Algorithm 4)
+  simultaneousPursuitFirstColumns,  ///< over the first p training signals only, like the authors' released code
   conditionNumber,                  ///< the search of Nielsen et al. 2015
-  random,                           ///< every measurable cell as likely as any other
-  uniform                           ///< spread evenly over the solid angles of light and viewer, the same every time
+  random,                           ///< all measurable cells with equal probability
+  uniform                           ///< evenly spread over the solid angles of light and viewer; deterministic
 };
 
 struct SelectionOptions {
   SelectionMethod method = SelectionMethod::simultaneousPursuit;
-  int samples = 20;    ///< m
-  int components = 0;  ///< p, that the pursuits use; 0: as many as samples. At most those of the basis
+  int samples = 20;    ///< number of samples m
+  int components = 0;  ///< p, for the pursuits; 0: as many as samples; at most those of the basis
   MeasurableDirections measurable;
-  std::uint64_t seed = 1;  ///< of conditionNumber and random
-  int restarts = 5;        ///< of conditionNumber: searches from random starts, of which the best is kept
+  std::uint64_t seed = 1;  ///< for conditionNumber and random
+  int restarts = 5;        ///< for conditionNumber: searches from random starts; the best one is used
 };
 
 struct SampleSelection {
-  std::vector<std::uint32_t> cells;  ///< of the basis' grid, in the order of choice, distinct
-  /// Of the pursuits: |R| / |S| before the first choice and after each, in Frobenius norms; never rises.
+  std::vector<std::uint32_t> cells;  ///< indices into the basis' grid, in the order of choice, distinct
+  /// Pursuits only: |R| / |S| before the first choice and after each, in Frobenius norms; never increases.
   std::vector<double> residuals;
-  /// Of the chosen rows of the dictionary U Sigma, largest over smallest singular value: of as many components as the
-  /// method looked at (p of the pursuits, else min(m, count())). Infinite where the rows are dependent, 0 of none.
+  /// Largest over smallest singular value of the chosen rows of the dictionary U Sigma, in as many components as the
+  /// method uses (pursuits: p, others: min(m, count())). Infinite if the rows are dependent, 0 without rows or
+  /// components.
   double conditionNumber = 0;
-  std::string warning;  ///< why there are fewer cells than were asked for; empty otherwise
+  std::string warning;  ///< why there are fewer cells than requested; empty otherwise
 };
 
-/// Chooses cells of the basis' grid among those of its mapping that can be measured; of the cells of one pair of
-/// directions, the one that is read (pairNode()). Deterministic: the same cells for any number of threads; of equally
-/// good cells the lowest index. @param chosen called on this thread with each cell as it is fixed, in the order of
-/// choice.
-/// @throws Error when fewer than one sample or a negative number of components is asked for, limits are wrong, nothing
-/// can be measured, or (of the pursuits and conditionNumber) the basis has no components; Cancelled.
+/// Chooses cells of the basis' grid among the measurable ones of its mapping; among the cells of one pair of
+/// directions, only the one that reconstruction reads (pairNode()). Deterministic: the cells do not depend on the
+/// number of threads; among equally good cells the lowest index is chosen. @param chosen called on this thread with
+/// each cell as it is fixed, in the order of choice.
+/// @throws Error if fewer than one sample or a negative number of components is requested, a limit is out of range, no
+/// cell can be measured, or (pursuits and conditionNumber) the basis has no components; Cancelled.
 SampleSelection selectSamples(const dictionary::PrincipalComponents& basis, const SelectionOptions& options,
                               const TaskControl& control = {},
                               const std::function<void(std::uint32_t cell)>& chosen = {});

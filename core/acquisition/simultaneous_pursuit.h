@@ -10,9 +10,9 @@
 namespace gonio::acquisition {
 
 enum class PursuitStop {
-  enough,     ///< all samples were chosen
-  explained,  ///< the residual is 0 but for rounding
-  exhausted   ///< no atom is left that is not in the span of those chosen
+  enough,     ///< the requested number of atoms was chosen
+  explained,  ///< the residual is 0 up to rounding
+  exhausted   ///< all other atoms lie in the span of the chosen ones
 };
 
 struct SimultaneousPursuitResult {
@@ -21,16 +21,19 @@ struct SimultaneousPursuitResult {
   PursuitStop stop = PursuitStop::enough;
 };
 
-/// Simultaneous orthogonal matching pursuit (Tropp et al. 2006; dissertation, Algorithm 4) of all signals at once: each
-/// step takes the atom of the largest sum over the signals of |<atom, residual>|, the lowest index among equals, and
-/// the residual becomes what the chosen atoms cannot explain by least squares.
+/// Simultaneous orthogonal matching pursuit of all signals (Tropp, Gilbert and Strauss 2006, "Algorithms for
+/// Simultaneous Sparse Approximation. Part I: Greedy Pursuit"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
+/// Reflectance Modeling and Acquisition", Algorithm 4). Each step chooses the atom with the largest sum of |<atom,
+/// residual>| over the signals, the lowest index among equals; the residual is what the chosen atoms do not explain by
+/// least squares.
 ///
-/// The choice is that of plain evaluation in double, whatever the number of threads. It is found by bounds: the score
-/// of an atom is at most sqrt(t) |S|_2 times the length of what the chosen atoms leave of it, and it rises from one
-/// step to the next by at most as much as the chosen direction can add. Only atoms whose bounds reach the best score so
-/// far are evaluated, in single precision with proven error bounds, and only those that rounding could make the best in
-/// double. Memory: 4 p bytes an atom. Cost: at most samples x p x t x atoms multiplications in single precision.
-/// @param signals S, p x t, finite. @throws Cancelled.
+/// The choice equals that of a plain evaluation in double precision, for any number of threads. Bounds avoid most
+/// evaluations: the score of an atom is at most sqrt(t) |S|_2 times the length of its part orthogonal to the chosen
+/// atoms, and from one step to the next it rises at most by what the chosen direction can add. Atoms whose bounds reach
+/// the best score so far are evaluated in single precision with proven error bounds; only those that could be the best
+/// within rounding are evaluated in double. Memory: 4 p bytes per atom. Cost: at most samples x p x t x atoms
+/// multiplications in single precision.
+/// @param signals S, p x t, finite. @param chosen called with each atom as it is chosen. @throws Cancelled.
 SimultaneousPursuitResult simultaneousPursuit(const DictionaryAtoms& atoms, const Eigen::MatrixXd& signals, int samples,
                                               const TaskControl& control = {},
                                               const std::function<void(Eigen::Index atom)>& chosen = {});

@@ -11,26 +11,26 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/support/task_control.h"
 
-/// Factorisations from the literature beside that over projected-deviation coordinates, for comparisons at equal bytes.
+/// Factorisations from the literature, for comparison with the PDV factors at an equal number of bytes.
 namespace gonio::factorization {
 
 struct ComparedModel {
-  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its factors; samples by the cosine
-  std::size_t bytes = 0;             ///< of its factors and colours in single precision; nodes of axes are not counted
+  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its factors; sample() is cosine-weighted
+  std::size_t bytes = 0;             ///< of its factors and colours in single precision, without the nodes of the axes
 };
 
 struct Baseline {
-  std::string_view id;  ///< on the command line
+  std::string_view id;  ///< name on the command line
   std::string_view name;
   std::string_view reference;
-  /// One model per budget, in their order: the best it does with at most that many bytes, as many terms, or as fine a
-  /// table, as they hold; at least one term. A baseline without terms gives the same model for each. What the models
-  /// share is computed once. Deterministic. @throws Cancelled.
+  /// One model per budget, in the order of the budgets: the largest one (number of terms, or side of the table) that
+  /// fits in that many bytes, with at least one term. A baseline of fixed size returns the same model for every budget.
+  /// Steps common to all models are computed once. Deterministic. @throws Cancelled.
   std::vector<ComparedModel> (*build)(const TabulatedBrdf& table, std::span<const std::size_t> byteBudgets,
                                       const TaskControl& control);
 };
 
-/// All of them.
+/// All baselines.
 std::span<const Baseline> baselines();
 
 }  // namespace gonio::factorization

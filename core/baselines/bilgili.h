@@ -9,42 +9,42 @@
 
 namespace gonio::factorization {
 
-/// A reflectance by its luminance Y alone, a sum of products of curves in half-out coordinates,
-///   ln(1 + Y) = sum_l a_l(theta_h) b_l(|phi_h|) c_l(theta_o),   rho = max(0, kd + ks Y),
+/// A BRDF represented by its luminance Y, as a sum of products of curves in half-out coordinates,
+///   ln(1 + Y) = sum_l a_l(theta_h) b_l(|phi_h|) c_l(theta_o), rho = max(0, kd + ks Y),
 /// with kd and ks one number per channel. Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor
-/// Decomposition": Tucker decompositions of rank (1, 1, ..), each of what those before left. Where the colour changes
-/// from the highlight to the rest in more than this line, it shifts. Not reciprocal.
+/// Decomposition": a sequence of Tucker decompositions of rank (1, 1, 1), each of the residual of the previous ones.
+/// Colours off the line kd + ks Y are changed to lie on it. Not reciprocal.
 ///
-/// Reduced and derived here: isotropic materials alone (three modes, not four); a cell without a light above the
-/// horizon takes the value of the nearest theta_h that has one, where a dense tensor needs one; ln(1 + Y), the
-/// logarithm of all of Gonio's factorisations; kd and ks by least squares in the projected solid angles, kd of either
-/// sign (a coloured body under a white highlight needs it).
+/// Differences from the paper: isotropic materials only (three modes, not four); a cell with the light below the
+/// horizon takes the value of the nearest theta_h where it is above, because a dense tensor needs a value in every
+/// cell; ln(1 + Y), as in all factorisations of Gonio; kd and ks by least squares weighted by the projected solid
+/// angles, where kd may be negative (a coloured body under a white highlight needs it).
 struct BilgiliFactors {
   struct Term {
     std::vector<double> a, b, c;
   };
   HalfOutAxes axes;
   std::vector<Term> terms;
-  double highest = 0;  ///< largest ln(1 + Y) of the measurement: sums between nodes are held below it
+  double highest = 0;  ///< largest ln(1 + Y) of the measurement; sums are clamped to [0, highest]
   Rgb kd{0}, ks{0};
-  /// Norm of what is left of ln(1 + Y), for 0, 1, .. terms, relative: never rises.
+  /// Relative norm of the residual of ln(1 + Y) for 0, 1, ... terms; never increases.
   std::vector<double> residuals;
 
   std::size_t bytes() const;
 };
 
-/// The axes of comparisons: 90 x 45 x 45.
+/// The axes used in comparisons: 90 x 45 x 45 nodes.
 HalfOutAxes bilgiliAxes();
-/// As many terms as fit, at least 1.
+/// The number of terms that fits in the budget, at least 1.
 int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget);
 
-/// Some seconds for 60 terms. @throws Cancelled.
+/// Takes some seconds for 60 terms. @throws Cancelled.
 BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control = {});
 
-/// The model with only its first terms, kd and ks fitted to them. @param samples those that were factorised.
+/// The model of the first `terms` terms, with kd and ks fitted again. @param samples the samples that were factorised.
 BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const HalfOutSamples& samples);
 
-/// Lines between the nodes.
+/// Linear between the nodes.
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors);
 
 }  // namespace gonio::factorization

@@ -11,22 +11,22 @@
 
 namespace gonio::factorization {
 
-/// A reflectance of two angles alone, rho(theta_h, theta_d): the mean over the azimuths phi_d that were measured.
-/// Romeiro, Vasilyev and Zickler 2008, "Passive Reflectometry". Exact where rho does not depend on phi_d; what an
-/// azimuth has of its own (off-specular shadowing, retro-reflection beside the plane of incidence) is lost.
+/// A BRDF of two angles only, rho(theta_h, theta_d): the mean over the measured azimuths phi_d. Romeiro, Vasilyev and
+/// Zickler 2008, "Passive Reflectometry". Exact if rho does not depend on phi_d; variation with the azimuth
+/// (off-specular shadowing, retro-reflection outside the plane of incidence) is lost.
 ///
-/// Derived here: the side is free (the paper's has 90 nodes) so that tables can be compared at equal bytes; the nodes
-/// are those of a MERL table of that side.
+/// Differences from the paper: the side is variable (there 90 nodes), so that tables can be compared at equal bytes;
+/// the nodes are those of a MERL table of that side.
 struct BivariateTable {
-  int side = 0;                   ///< nodes of theta_h and of theta_d
+  int side = 0;                   ///< number of nodes of theta_h and of theta_d
   std::vector<glm::vec3> values;  ///< 1/sr, theta_d fastest
 };
 
-/// The largest side whose single-precision RGB table fits, [2, 90].
+/// The largest side in [2, 90] with which a single-precision RGB table fits in the budget.
 int bivariateSide(std::size_t byteBudget);
 
 /// @param side at least 2. Nodes without a measured azimuth take the value of the nearest theta_h that has one.
-/// About 0.1 s at 90. @throws Cancelled.
+/// About 0.1 s for side 90. @throws Cancelled.
 BivariateTable averageBivariate(const TabulatedBrdf& table, int side, const TaskControl& control = {});
 
 /// Bilinear in (sqrt theta_h, theta_d).

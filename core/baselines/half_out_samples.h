@@ -11,7 +11,7 @@ namespace gonio::factorization {
 /// Nodes in half-out coordinates (core/coordinates/half_out.h), rad, each strictly increasing from 0.
 struct HalfOutAxes {
   std::vector<double> thetaH;
-  std::vector<double> phiH;  ///< of |phi_h|, to pi
+  std::vector<double> phiH;  ///< of |phi_h|, up to pi
   std::vector<double> thetaO;
 
   std::size_t size() const { return thetaH.size() * phiH.size() * thetaO.size(); }
@@ -21,17 +21,18 @@ struct HalfOutAxes {
   }
 };
 
-/// Axes with theta_h dense at the highlight as in MERL tables, the others even; polar angles up to largestPolarAngle.
+/// Axes with theta_h dense at the highlight, as in MERL tables, and the other angles uniform; polar angles up to
+/// largestPolarAngle (core/factorization/deviation_grid.h).
 HalfOutAxes makeHalfOutAxes(int thetaHCount, int phiHCount, int thetaOCount);
 
-/// BRDF values at all nodes: the mean of phi_h and -phi_h.
+/// BRDF values at all nodes: the mean of the values at phi_h and -phi_h.
 using HalfOutSamples = NodeSamples<HalfOutAxes>;
 
 /// About 0.1 s for 200,000 nodes. @throws Cancelled.
 HalfOutSamples sampleHalfOut(const TabulatedBrdf& table, const HalfOutAxes& axes, const TaskControl& control = {});
 
-/// Measure of the cell at a node in both projected solid angles (theta_o, half vector), up to a constant; 0 where
-/// invalid: the weight of a squared error as light transport sees it.
+/// Weight of a node's squared error in light transport: the measure of its cell in projected solid angles of light and
+/// viewer, up to a constant; 0 if invalid.
 double projectedMeasure(const HalfOutSamples& samples, std::size_t h, std::size_t p, std::size_t o);
 
 }  // namespace gonio::factorization

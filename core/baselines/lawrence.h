@@ -9,41 +9,41 @@
 
 namespace gonio::factorization {
 
-/// Counts of products of the factored form.
+/// Numbers of products of the factored form.
 struct LawrenceRanks {
-  int terms = 1;     ///< J, of the first factorisation
-  int products = 1;  ///< K, of each factor of the half vector again
+  int terms = 1;     ///< J, terms of the first factorisation
+  int products = 1;  ///< K, products of the second factorisation, per term
 };
 
-/// A reflectance times the cosine of the light as a sum of non-negative products of curves in half-out coordinates:
+/// A BRDF times the cosine of the light, as a sum of non-negative products of curves in half-out coordinates:
 ///   rho cos theta_i = sum_j F_j(theta_o) sum_k u_jk(theta_h) v_jk(|phi_h|).
 /// Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF Importance Sampling Using a Factored Representation",
-/// eq. 5-7. Cells without a measurement count as 0, as light below the horizon does there. Not reciprocal.
+/// eq. 5-7. Cells without a measurement count as 0, as the paper does for light below the horizon. Not reciprocal.
 ///
-/// Reduced and derived here: isotropic materials alone, so F has no azimuth, and phi_h is folded; colour lies in F
-/// alone (the channels stand side by side in the matrix); theta_h is sampled as in MERL tables, where even steps of
-/// 1 - cos theta_h miss narrow highlights; cells weigh by their solid angle, which the paper does not do and which
-/// helps much (docs/factors.md); the divisor cos theta_i is at least that of largestPolarAngle.
+/// Differences from the paper: isotropic materials only, so F has no azimuth, and phi_h is folded; only F contains
+/// colours (the channels are separate columns of one matrix); theta_h is sampled as in MERL tables, because uniform
+/// steps of 1 - cos theta_h miss narrow highlights; cells are weighted by their solid angle, which improves the result
+/// considerably (docs/factors.md); the divisor cos theta_i is at least cos(largestPolarAngle).
 struct LawrenceFactors {
   HalfOutAxes axes;
   LawrenceRanks ranks;
-  Eigen::MatrixXd viewer;   ///< F: terms x (3 thetaO), the channels of a node side by side
-  Eigen::MatrixXd polar;    ///< u: thetaH x (terms products), the products of a term side by side
+  Eigen::MatrixXd viewer;   ///< F: terms x (3 thetaO); the channels of a node are consecutive
+  Eigen::MatrixXd polar;    ///< u: thetaH x (terms products); the products of a term are consecutive
   Eigen::MatrixXd azimuth;  ///< v: phiH x (terms products)
 
   std::size_t bytes() const { return std::size_t(viewer.size() + polar.size() + azimuth.size()) * sizeof(float); }
 };
 
-/// The axes of comparisons: 90 x 24 x 30.
+/// The axes used in comparisons: 90 x 24 x 30 nodes.
 HalfOutAxes lawrenceAxes();
-/// As many terms of four products as fit; with less room fewer products, then one.
+/// The number of terms of four products that fits in the budget; for small budgets three or two products, else one.
 LawrenceRanks lawrenceRanks(const HalfOutAxes& axes, std::size_t byteBudget);
 
-/// Some seconds for 20 terms. @throws Cancelled.
+/// Takes some seconds for 20 terms. @throws Cancelled.
 LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceRanks& ranks,
                                   const TaskControl& control = {});
 
-/// Lines between the nodes: not negative anywhere.
+/// Linear between the nodes, so never negative.
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors);
 
 }  // namespace gonio::factorization

@@ -10,20 +10,21 @@
 
 namespace gonio::factorization {
 
-/// A reflectance as one positive product, in each channel
+/// A BRDF as one product of positive curves, in each channel
 ///   rho + bias = p(theta_i) q(theta_h) p(theta_o).
 /// McCool, Ang and Ahmad 2001, "Homomorphic Factorization of BRDFs for High-Performance Rendering": linear least
-/// squares of the logarithm. The bias keeps the logarithm finite. Reciprocal; it has no more terms, and no finer curves
-/// than the measurement: its size is what it is.
+/// squares of the logarithm. The bias keeps the logarithm finite. Reciprocal. The size is fixed: there are no further
+/// terms.
 ///
-/// Reduced and derived here: for isotropic materials the least squares have a solution that does not depend on azimuths
-/// (its mean over all rotations), so maps of two dimensions become curves; the size of the bias; cells weigh by their
-/// projected solid angles; curves are held smooth by a small weight of their second differences, as there.
+/// Differences from the paper: for isotropic materials the least squares have a solution that does not depend on
+/// azimuths (the mean over all rotations), so two-dimensional maps become curves; the size of the bias; cells are
+/// weighted by their projected solid angles. As in the paper, a small weight of the second differences smooths the
+/// curves.
 struct McCoolFactors {
   struct Channel {
-    std::vector<double> logP, logQ;  ///< at the nodes
-    double bias = 0;                 ///< 1/sr; 0 for a black channel, of which the curves are 0
-    double highest = 0;  ///< largest ln(rho + bias) of the measurement: products between its cells are held below it
+    std::vector<double> logP, logQ;  ///< ln p and ln q at the nodes
+    double bias = 0;                 ///< 1/sr; 0 for a black channel, where the model is 0
+    double highest = 0;              ///< largest ln(rho + bias) of the measurement; products are clamped to it
   };
   std::vector<double> theta;   ///< nodes of p, rad
   std::vector<double> thetaH;  ///< nodes of q, rad
@@ -32,13 +33,13 @@ struct McCoolFactors {
   std::size_t bytes() const { return 3 * (theta.size() + thetaH.size() + 2) * sizeof(float); }
 };
 
-/// The axes of comparisons: 90 x 90 x 10; p has 90 nodes too.
+/// The axes used in comparisons: 90 x 90 x 10 nodes; p also has 90 nodes.
 HalfDifferenceAxes mcCoolAxes();
 
 /// About 0.1 s. @throws Cancelled.
 McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskControl& control = {});
 
-/// Lines between the nodes of the logarithms.
+/// The logarithms are linear between the nodes.
 std::shared_ptr<const Brdf> makeMcCoolBrdf(McCoolFactors factors);
 
 }  // namespace gonio::factorization

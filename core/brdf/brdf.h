@@ -11,15 +11,15 @@ namespace gonio {
 class RglBrdf;
 class TabulatedBrdf;
 
-/// A reflectance function. Values are linear RGB in 1/sr without the cosine (core/math/types.h has the conventions).
-/// Immutable: every method may be called from any number of threads.
+/// A BRDF. Values are linear RGB, 1/sr, without the cosine; core/math/types.h defines the conventions. Immutable: every
+/// method may be called from several threads at once.
 class Brdf {
  public:
   virtual ~Brdf() = default;
 
-  /// Evaluates pairs.size() pairs into `values` (same size). A pair with a direction below the horizon, and one
-  /// without a half vector, gives 0. Never non-finite. A channel is negative only where a measurement holds a colour
-  /// outside the sRGB gamut (RglBrdf): what takes a logarithm or a root sets it to 0 first.
+  /// Evaluates pairs.size() pairs into `values` (same size). Pairs with a direction below the horizon or without a half
+  /// vector give 0. Values are finite. A channel is negative only where a measurement contains a colour outside the
+  /// sRGB gamut (RglBrdf): set it to 0 before a logarithm or root.
   virtual void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const = 0;
 
   /// One pair. For many pairs the batch form is faster.
@@ -32,30 +32,29 @@ class Brdf {
 
   /// Whether the value depends on the difference of the azimuths only.
   virtual bool isIsotropic() const { return true; }
-  /// Whether the value stays when wi and wo are exchanged, as physics asks for; false where that is not so or not
-  /// known.
+  /// Whether exchanging wi and wo leaves the value unchanged, as physics requires; false if unknown.
   virtual bool isReciprocal() const { return true; }
 
-  /// Whether the value of a pair is known: false below the horizon, and where a measurement has no data. It is 0 there,
-  /// or what a class documents as its continuation beyond the measured angles.
+  /// Whether the value of a pair is known: false below the horizon and where a measurement has no data. There
+  /// evaluate() returns 0, or the extrapolation that the class documents.
   virtual bool hasData(const DirectionPair& pair) const { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
-  /// This BRDF where it is a table, so that its nodes can be read exactly; null for all others.
+  /// This BRDF if it is a table, to read its nodes exactly; otherwise null.
   virtual const TabulatedBrdf* asTable() const { return nullptr; }
-  /// The same for a file of the RGL database in its own parameterisation.
+  /// This BRDF if it is an RGL file in its own parameterisation; otherwise null.
   virtual const RglBrdf* asRgl() const { return nullptr; }
 
-  /// Whether sample() knows this BRDF better than a cosine does.
+  /// Whether sample() follows this BRDF better than cosine-weighted sampling does.
   virtual bool hasImportanceSampling() const { return false; }
-  /// The time of a picture's sample with sample() and pdf(), about, in units of one from a lobe of closed form.
+  /// Approximate rendering time per sample with sample() and pdf(), relative to a closed-form lobe.
   virtual double samplingCost() const { return 1; }
 
-  /// Samples a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
-  /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the
-  /// direction. Above the horizon with a positive density, or lost: with the density 0. Cosine-weighted where a BRDF
-  /// knows no better.
+  /// Importance sampling: samples a direction of light wi for the viewer wo (z > 0) with the density pdf(), which is
+  /// roughly proportional to the value times cos theta_i. `u`: three numbers in [0, 1), one to select the lobe and two
+  /// for the direction. The result is above the horizon with a positive density, or a failed sample with density 0.
+  /// Default: cosine-weighted.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
-  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of samples that are not
-  /// lost; 0 below the horizon.
+  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of samples that do not fail;
+  /// 0 below the horizon.
   virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
 

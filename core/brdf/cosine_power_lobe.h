@@ -8,8 +8,9 @@
 
 namespace gonio {
 
-/// A lobe (core/brdf/lobe_mixture.h): (n + 1) / (2 pi) max(0, a . w)^n about the axis a = scale * wo, normalised (Phong
-/// 1975 with the mirror direction; Lafortune et al. 1997 with other scales). Exponents up to 1e6 and beyond.
+/// A lobe (core/brdf/lobe_mixture.h) with density (n + 1) / (2 pi) max(0, a . w)^n about the axis a, which is scale *
+/// wo normalised: the mirror direction in Phong 1975, other scales in Lafortune et al. 1997. Accurate for exponents
+/// above 1e6.
 struct CosinePowerLobe {
   double exponent;
   Direction scale{-1, -1, 1};

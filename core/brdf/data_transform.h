@@ -10,21 +10,21 @@
 
 namespace gonio {
 
-/// What factorisations make of a reflectance before they work on it, so that a highlight does not drown the rest
-/// (dissertation 2.4).
+/// Transforms of BRDF values before a factorisation, so that highlights do not dominate the error (Tongbuasirilai 2023,
+/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section 2.4).
 enum class DataTransform {
   logPlus,    ///< y = ln(1 + rho): eq. 2.29, 4.26
   cosineLog,  ///< y = ln(1 + rho w), w = max(cos theta_i cos theta_o, 1e-3): eq. 2.30, 4.34
   root,       ///< y = rho^(1/2): eq. 2.31 with gamma 2
   none        ///< y = rho
 };
-/// In JSON, in files and on the command line, in the order of the enumeration.
+/// Names in JSON, in files and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 4> dataTransformNames{"log-plus", "cosine-log", "root", "none"};
 
-/// w of the cosine-weighted logarithm: floored, since its inverse divides by it.
+/// w of the cosine-weighted logarithm. It has a lower bound because the inverse divides by it.
 inline double cosineWeight(double cosI, double cosO) { return std::max(cosI * cosO, 1e-3); }
 
-/// @param rho 1/sr, >= 0; @param weight cosineWeight() of the pair. Without cancellation at any size.
+/// y of a BRDF value, without cancellation. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
 inline double transformed(DataTransform transform, double rho, double weight) {
   switch (transform) {
     case DataTransform::logPlus:
@@ -38,8 +38,8 @@ inline double transformed(DataTransform transform, double rho, double weight) {
   }
 }
 
-/// d rho / d y, by which a small error of y is one of the reflectance; at least 0.01, where that of the root vanishes.
-/// @param rho 1/sr, >= 0; @param weight cosineWeight() of the pair.
+/// d rho / d y: the factor from a small error of y to the error of the BRDF value. That of the root, which vanishes at
+/// 0, is at least 0.01. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
 inline double reflectanceSlope(DataTransform transform, double rho, double weight) {
   switch (transform) {
     case DataTransform::logPlus:
@@ -53,11 +53,11 @@ inline double reflectanceSlope(DataTransform transform, double rho, double weigh
   }
 }
 
-/// What inverses give at most, 1/sr: beyond y = 89 a logarithm's inverse leaves the range of the tables' floats.
-/// Whoever fills a table with inverses counts those that reach it.
+/// Upper bound of the inverse transforms, 1/sr: beyond y = 89 the inverse of a logarithm exceeds the range of the
+/// tables' floats. Code that fills a table with inverses counts the values that reach the bound.
 inline constexpr double largestReflectance = std::numeric_limits<float>::max();
 
-/// The reflectance again, 1/sr, in [0, largestReflectance]; values of y that no reflectance has give 0.
+/// Inverse of transformed(): the BRDF value, 1/sr, in [0, largestReflectance]; 0 for y <= 0 or NaN.
 inline double inverseTransformed(DataTransform transform, double y, double weight) {
   if (!(y > 0)) return 0;
   switch (transform) {
@@ -72,8 +72,8 @@ inline double inverseTransformed(DataTransform transform, double y, double weigh
   }
 }
 
-/// y = rho^(1/gamma), gamma in [1, 3] (eq. 2.31 with the factor 1): what reconstructions are compared in. Negative
-/// values, which a reconstruction may have, count as 0.
+/// y = rho^(1/gamma), gamma in [1, 3] (eq. 2.31 with the factor 1), in which reconstructions are compared. Negative
+/// values, which a reconstruction may contain, count as 0.
 inline double gammaTransformed(double rho, double gamma) {
   if (!(rho > 0)) return 0;
   return gamma == 2 ? std::sqrt(rho) : std::pow(rho, 1 / gamma);

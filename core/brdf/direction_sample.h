@@ -6,8 +6,7 @@
 
 namespace gonio {
 
-/// A direction sampled from a density, with the density in 1/sr. pdf = 0 marks a sample that failed (contributes
-/// nothing).
+/// A sampled direction of light and its density, 1/sr. pdf = 0: the sample failed and contributes nothing.
 struct DirectionSample {
   Direction wi{0, 0, 1};
   double pdf = 0;

@@ -9,12 +9,13 @@
 
 namespace gonio {
 
-/// A lobe (core/brdf/lobe_mixture.h) on the unit disk of projected directions, round about the mirror direction of the
-/// viewer: for models of the projected deviation Dp = wi_xy + wo_xy. `Radial` is a density in the plane
-///   double sample(double u) const;      // |Dp|
-///   double density(double r) const;     // per unit area; 0 beyond `reach`, integrates to 1
-/// Points off the disk are brought back by inversion at its rim (x becomes x / |x|^2), so that the density integrates
-/// to 1: d omega cos theta = dx dy, and inversion shrinks areas by |x|^-4.
+/// A lobe (core/brdf/lobe_mixture.h) on the unit disk of projected directions, rotationally symmetric about the mirror
+/// direction of the viewer: for models of the projected deviation Dp = wi_xy + wo_xy. `Radial` is a density in the
+/// plane:
+///   double sample(double u) const; // |Dp|
+///   double density(double r) const; // per unit area; 0 beyond `reach`, integrates to 1
+/// Points outside the disk are moved inside by inversion at its rim (x becomes x / |x|^2), so that the density
+/// integrates to 1: d omega cos theta = dx dy, and inversion scales areas by |x|^-4.
 template <typename Radial>
 struct DiskLobe {
   Radial radial;
@@ -39,10 +40,10 @@ struct DiskLobe {
 template <typename Radial>
 DiskLobe(Radial) -> DiskLobe<Radial>;
 
-/// How far apart two points of the unit disk can be: where the radial densities end.
+/// The largest distance of two points of the unit disk: the radial densities end there.
 inline constexpr double diskReach = 2;
 
-/// exp(-r^2 / s^2) up to the reach.
+/// Proportional to exp(-r^2 / s^2) for r <= diskReach, s = `width`.
 struct GaussianRadial {
   double width;
 
@@ -55,7 +56,8 @@ struct GaussianRadial {
   double mass() const { return -std::expm1(-diskReach * diskReach / (width * width)); }
 };
 
-/// (1 + B r^2)^-C up to the reach, C >= 0: the ABC distribution (Low et al. 2012).
+/// Proportional to (1 + B r^2)^-C for r <= diskReach, C >= 0: the ABC distribution (Löw et al. 2012, "BRDF Models for
+/// Accurate and Efficient Rendering of Glossy Surfaces").
 struct RationalRadial {
   double b, c;
 

@@ -10,23 +10,23 @@ namespace gonio {
 
 class TabulatedLobe;
 
-/// The part of a density that follows the grain of an anisotropic BRDF: visible normals of a GGX surface with two
-/// widths (Heitz 2018), turned with the grain.
+/// The part of a sampling density that follows the grain of an anisotropic BRDF: visible normals of an anisotropic GGX
+/// distribution (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"), rotated with the grain.
 struct GrainLobe {
-  double alphaX = 1, alphaY = 1;  ///< [1e-3, 1], along the lobe's x and across it
-  double rotation = 0;            ///< rad, of the lobe's x from the tangent, counter-clockwise
-  double fraction = 0;            ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: there is no grain
+  double alphaX = 1, alphaY = 1;  ///< [1e-3, 1], along the lobe's x and y axes
+  double rotation = 0;            ///< angle of the lobe's x axis from the tangent, rad, counter-clockwise
+  double fraction = 0;            ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: no grain
 
   TurnedLobe<VisibleNormalLobe> lobe() const { return {VisibleNormalLobe(alphaX, alphaY), rotation}; }
 };
 
-/// The grain that makes the second moment of the estimator f cos theta_i / pdf smallest, over three polar angles and
-/// five azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`; the fraction is 0 for
-/// an isotropic BRDF and where the moment stays above half of that without a grain. Some 20,000 evaluations and a
-/// search: under 0.1 s.
+/// Fits the grain: it minimises the second moment of the estimator f cos theta_i / pdf over three polar angles and five
+/// azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`. The fraction is 0 for an
+/// isotropic BRDF, and if the grain does not at least halve the moment. About 20,000 evaluations and a search, under
+/// 0.1 s. @param cosineShare fraction of cosine-weighted samples.
 GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare);
 
-/// Whether two sample about as well as each other.
+/// Whether two lobes sample about equally well.
 bool areSimilar(const GrainLobe& a, const GrainLobe& b);
 
 }  // namespace gonio

@@ -11,9 +11,9 @@ namespace gonio {
 /// A lobe (core/brdf/lobe_mixture.h) that samples half vectors and reflects the viewer about them. `Normals` is a
 /// density of unit vectors h with z >= 0:
 ///   Direction sample(const glm::dvec2& u) const;
-///   double density(const Direction& h) const;      // 1/sr, integrates to 1 over the upper hemisphere
-/// d omega_i = 4 |h . wo| d omega_h. A half vector turned away from the viewer counts too, so each direction of the
-/// sphere has one half vector above the horizon and the density integrates to 1 over the sphere.
+///   double density(const Direction& h) const; // 1/sr, integrates to 1 over the upper hemisphere
+/// d omega_i = 4 |h . wo| d omega_h. Half vectors that face away from the viewer count too, so each direction of the
+/// sphere has one half vector above the horizon, and the density integrates to 1 over the sphere.
 template <typename Normals>
 struct HalfVectorLobe {
   Normals normals;
@@ -35,8 +35,8 @@ struct HalfVectorLobe {
 template <typename Normals>
 HalfVectorLobe(Normals) -> HalfVectorLobe<Normals>;
 
-/// D(h) cos theta_h of Beckmann's distribution with root mean square slopes alphaX, alphaY (Ward 1992, eq. 6, 7; Walter
-/// et al. 2007, eq. 28, 35): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
+/// D(h) cos theta_h of Beckmann's distribution of slope roughness alphaX, alphaY (Ward 1992, eq. 6, 7; Walter et al.
+/// 2007, eq. 28, 35): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
 struct BeckmannNormals {
   double alphaX, alphaY;
 
@@ -59,7 +59,7 @@ struct CosinePowerNormals {
   double exponentX, exponentY;
 
   Direction sample(const glm::dvec2& u) const {
-    // atan2 finds the quadrant that the published formula needs a case distinction for.
+    // atan2 selects the quadrant, for which the published formula needs a case distinction.
     const double phi = std::atan2(std::sqrt(exponentX + 1) * std::sin(2 * pi * u.y),
                                   std::sqrt(exponentY + 1) * std::cos(2 * pi * u.y));
     const double c = std::cos(phi), s = std::sin(phi);
@@ -74,7 +74,7 @@ struct CosinePowerNormals {
     if (!(sin2 > 0)) return norm;
     if (!(h.z > 0)) return 0;
     const double exponent = (exponentX * h.x * h.x + exponentY * h.y * h.y) / sin2;
-    // Near the pole from the sine, near the horizon from the cosine: neither loses digits.
+    // From the sine near the pole and from the cosine near the horizon, so that no digits are lost.
     return norm * std::exp(exponent * (h.z > 0.5 ? std::log1p(-sin2 / (1 + h.z)) : std::log(h.z)));
   }
 };

@@ -9,32 +9,32 @@
 
 namespace gonio {
 
-/// Values for some angles of incidence, each over the directions about an axis: what instruments and optical design
-/// programs measure and write. Angles in radians, ascending.
+/// BRDF values for several angles of incidence, each over polar angle and azimuth about an axis, as instruments and
+/// optical design programs write them. Angles are in radians, ascending.
 struct IncidenceTable {
   enum class Axis {
-    mirror,  ///< the mirror direction of the light: polar 0 is the highlight, azimuth 0 points from it to the normal
-    normal   ///< the normal: polar angle of the viewer, azimuth from that of the light
+    mirror,  ///< the mirror direction of the light: the highlight is at polar angle 0; azimuth 0 points from it to the
+             ///< normal
+    normal   ///< the normal: polar angle of the viewer; azimuth relative to the light's
   };
 
   Axis axis = Axis::mirror;
-  bool symmetric = true;          ///< the other side of the plane of incidence is the mirror image: azimuths in [0, pi]
+  bool symmetric = true;          ///< the two sides of the plane of incidence are mirror images: azimuths in [0, pi]
   std::vector<double> incident;   ///< polar angles of the light, [0, pi/2]
   std::vector<double> azimuths;   ///< about the axis, counter-clockwise seen from outside, [0, 2 pi]
   std::vector<double> polars;     ///< from the axis, [0, pi]
-  std::vector<glm::vec3> values;  ///< [incident][azimuth][polar], linear RGB in 1/sr without the cosine
+  std::vector<glm::vec3> values;  ///< [incident][azimuth][polar], linear RGB, 1/sr, without the cosine
 };
 
-/// An isotropic BRDF by such a table. Linear in polar angle and azimuth about the axis; between two angles of incidence
-/// linear at equal angles about the mirror direction, so that a highlight moves with the light and does not fade from
-/// one place to another. Nodes below the horizon are dropped and the weights renormalised. The values at polar angle 0,
-/// one direction, are replaced by their mean. Before the first and after the last node of each coordinate the value at
-/// that node stays; hasData() is false there. Not reciprocal, as measured. About 0.3 us per pair.
+/// An isotropic BRDF that interpolates an IncidenceTable: linearly in polar angle and azimuth about the axis, and
+/// between two angles of incidence linearly at equal angles about the mirror direction, so that a highlight moves with
+/// the light. Nodes below the horizon are dropped and the weights renormalised. All values at polar angle 0 belong to
+/// one direction and are replaced by their mean. Before the first and after the last node of a coordinate the value is
+/// constant and hasData() is false. Not reciprocal, as measured. About 0.3 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
-  /// Negative values become 0 and are counted.
-  /// @throws Error where angles are not ascending in their ranges, the number of values is not that of the nodes, or a
-  /// value is not finite, naming it.
+  /// Negative values become 0 (negativeCount()). @throws Error if angles are out of range or not ascending, the number
+  /// of values differs from that of the nodes, or a value is not finite (the message names it).
   explicit IncidenceTableBrdf(IncidenceTable table);
 
   using Brdf::evaluate;
@@ -43,9 +43,10 @@ class IncidenceTableBrdf final : public Brdf {
   bool hasData(const DirectionPair& pair) const override;
 
   const IncidenceTable& table() const { return table_; }
-  /// Whether the direction of a node, in the order of the values, is above the horizon: others do not count.
+  /// Whether the viewing direction of a node is above the horizon; other nodes are ignored. @param node index into the
+  /// values.
   bool isAboveHorizon(std::size_t node) const { return aboveHorizon_[node] != 0; }
-  /// Channels of values that were below 0 and were set to 0.
+  /// Number of channel values that were below 0 and were set to 0.
   std::size_t negativeCount() const { return negativeCount_; }
 
  private:

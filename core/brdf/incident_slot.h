@@ -9,22 +9,23 @@
 
 namespace gonio {
 
-/// Which direction takes the place of a file's incident direction. It matters where a measurement is not reciprocal.
+/// Which direction of a pair is used as a file's incident direction. It matters if the measurement is not reciprocal.
 enum class IncidentSlot {
-  viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light from the viewer
+  viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light for a given viewer
   light,   ///< wi, as the file names it
   mean     ///< the mean of both, which is reciprocal
 };
 inline constexpr IncidentSlot allIncidentSlots[] = {IncidentSlot::viewer, IncidentSlot::light, IncidentSlot::mean};
-/// "viewer", "light", "mean": in files.
+/// The name in files: "viewer", "light" or "mean".
 const char* incidentSlotId(IncidentSlot slot);
 
-/// The slot of a measurement that can be read in any order (RGL and UTIA files); nothing for all other BRDFs.
+/// The slot of an RGL or UTIA file, which can be read in any order; empty for other BRDFs.
 std::optional<IncidentSlot> incidentSlotOf(const Brdf& brdf);
-/// A BRDF with this direction in the slot; the same object where it has the slot already, or no choice of it.
+/// The BRDF read with this slot; the same object if it has the slot already or does not support slots.
 std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot);
 
-/// The value of a pair in an order. @param stored the value at the file's own incident and outgoing directions.
+/// The value of a pair when it is read with a slot. @param stored callable as Rgb(incident, outgoing) with the file's
+/// own incident and outgoing directions.
 template <class Stored>
 Rgb valueInOrder(IncidentSlot slot, const DirectionPair& pair, const Stored& stored) {
   switch (slot) {

@@ -10,13 +10,13 @@
 #include "core/brdf/direction_sample.h"
 
 /// Densities for importance sampling. A lobe is a small value with
-///   Direction sample(const Direction& wo, const glm::dvec2& u) const;    // u in [0, 1)^2, any point of the sphere;
-///                                                                        // the zero vector: the sample is lost
-///   double density(const Direction& w, const Direction& wo) const;       // 1/sr, integrates over the sphere to the
-///   share that is not lost
-/// Half-vector and cosine lobes reach below the horizon, most of all for grazing viewers. LobeMixture folds the lower
-/// hemisphere up (z becomes |z|), so that no sample is lost there and the densities integrate to 1 above the horizon
-/// exactly.
+///   Direction sample(const Direction& wo, const glm::dvec2& u) const;  // u in [0, 1)^2; any point of the sphere, or
+///                                                                      // the zero vector: the sample failed
+///   double density(const Direction& w, const Direction& wo) const;     // 1/sr; integrates over the sphere to the
+///                                                                      // fraction of samples that do not fail
+/// Half-vector and cosine-power lobes reach below the horizon, mostly for grazing viewers. LobeMixture mirrors the
+/// lower hemisphere up (z becomes |z|), so that no sample fails there and the densities integrate to exactly 1 above
+/// the horizon.
 namespace gonio {
 
 /// Cosine-weighted directions: for matte materials.
@@ -28,8 +28,8 @@ struct CosineLobe {
   double density(const Direction& w, const Direction&) const { return std::max(0.0, w.z) / pi; }
 };
 
-/// Fractions of a diffuse part and a highlight for a mixture: by their albedos (of white light, about), but at least a
-/// tenth of each that is there, so that no part of the value is far above the density.
+/// Fractions of samples for a diffuse part and a highlight: proportional to their approximate albedos for white light,
+/// but at least a tenth for each part with an albedo > 0, so that no part of the value is far above the density.
 inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlbedo) {
   if (!(specularAlbedo > 0)) return {1, 0};
   if (!(diffuseAlbedo > 0)) return {0, 1};
@@ -37,7 +37,8 @@ inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlb
   return {1 - specular, specular};
 }
 
-/// Fractions of any number of parts by their albedos, but at least about a tenth of each that is there.
+/// Fractions of any number of parts: proportional to their albedos, but at least about a tenth for each with an albedo
+/// > 0.
 template <std::size_t count>
 std::array<double, count> lobeShares(const std::array<double, count>& albedos) {
   double total = 0, sum = 0;
@@ -52,7 +53,7 @@ std::array<double, count> lobeShares(const std::array<double, count>& albedos) {
   return fractions;
 }
 
-/// A weighted sum of lobes, folded to the upper hemisphere: Brdf::sample() and pdf() of a model.
+/// A weighted sum of lobes, mirrored to the upper hemisphere; implements Brdf::sample() and pdf() of a model.
 template <typename... Lobes>
 class LobeMixture {
  public:
@@ -63,7 +64,7 @@ class LobeMixture {
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     Direction wi = drawn<0>(wo, u.x, {u.y, u.z});
     if (wi == Direction(0)) return {{0, 0, 1}, 0};
-    // A sample on the horizon itself is lifted by less than any cosine resolves.
+    // Moves a sample on the horizon up by a negligible amount, so that its density is positive.
     wi.z = std::max(std::abs(wi.z), smallestCosine);
     return {wi, pdf(wi, wo)};
   }
@@ -99,7 +100,7 @@ class LobeMixture {
 using CosineSampler = LobeMixture<CosineLobe>;
 inline CosineSampler cosineSampler() { return {{1.0}, CosineLobe{}}; }
 
-/// The usual pair: a matte part and one highlight. @param diffuseAlbedo, specularAlbedo of the brightest channel.
+/// The usual mixture: a diffuse part and one highlight. @param diffuseAlbedo, specularAlbedo of the brightest channel.
 template <typename Lobe>
 LobeMixture<CosineLobe, Lobe> diffuseAnd(double diffuseAlbedo, double specularAlbedo, Lobe lobe) {
   return {lobeShares(diffuseAlbedo, specularAlbedo), CosineLobe{}, lobe};

@@ -8,12 +8,12 @@
 #include "core/math/fast_atan2.h"
 #include "core/math/types.h"
 
-/// The unit square of half vectors of core/brdf/tabulated_lobe.h: x is tan(theta/2)^(1/4), which resolves mirrors and
-/// needs no trigonometry, y the azimuth relative to the viewer's over a whole turn, (phi + pi) / 2 pi. Twin:
-/// shaders/preview/sampling_lobe.glsl.
+/// The unit square of half vectors of core/brdf/tabulated_lobe.h: x = tan(theta/2)^(1/4), which resolves mirror-like
+/// highlights without trigonometric functions; y = (phi + pi) / (2 pi), with phi the azimuth relative to the viewer's.
+/// The same functions in GLSL: shaders/preview/sampling_lobe.glsl.
 namespace gonio {
 
-/// The horizontal direction that azimuths are relative to; that of x for a viewer at the normal.
+/// The horizontal direction of azimuth 0: the viewer's, or the x axis for a viewer at the normal.
 inline glm::dvec2 lobeAxis(const Direction& wo) {
   const double length = std::sqrt(wo.x * wo.x + wo.y * wo.y);
   return length > 0 ? glm::dvec2(wo.x, wo.y) / length : glm::dvec2(1, 0);
@@ -32,10 +32,10 @@ inline Direction fromLobeSquare(const glm::dvec2& square, const glm::dvec2& axis
   return {sine * (axis.x * c - axis.y * s), sine * (axis.y * c + axis.x * s), (1 - t * t) * scale};
 }
 
-/// Area of the square that a solid angle of reflected directions covers, 1/sr.
-/// @param cosD of the half vector and one of the two directions.
+/// Area of the square per solid angle of reflected directions, 1/sr. @param x of the square. @param cosD cosine of the
+/// angle between the half vector and either direction.
 inline double lobeSquarePerSolidAngle(double x, double cosD) {
-  // Within some nano-radians of the pole the map stretches without bound; nothing is sampled there.
+  // The stretch vanishes within some nano-radians of the pole, where nothing is sampled.
   constexpr double smallest = 1e-30;
   const double x2 = x * x, x4 = x2 * x2, one = 1 + x4 * x4;
   const double stretch = 32 * pi * x4 * x2 * x / (one * one);

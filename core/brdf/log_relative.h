@@ -10,31 +10,32 @@
 
 namespace gonio {
 
-/// Added to both sides of the ratio, so that black cells have a logarithm.
+/// e: added to numerator and denominator of the ratio, so that the logarithm of black cells is finite.
 inline constexpr double logRelativeEpsilon = 1e-3;
 
 /// The log-relative mapping of one cell (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance
-/// Acquisition"; dissertation eq. 5.7):
-///   y = ln((rho w + e) / (reference + e)),  w = cosineWeight() of the pair, e = 1e-3.
-/// Without cancellation: about the reference, where y is exactly 0, by ln(1 + x), far below it by the ratio itself.
-/// @param rho 1/sr, >= 0; @param reference of rho w, >= 0.
+/// Acquisition"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq.
+/// 5.7):
+///   y = ln((rho w + e) / (reference + e)), w = cosineWeight() of the pair, e = 1e-3.
+/// Free of cancellation; exactly 0 at the reference. @param rho 1/sr, >= 0. @param reference of rho w, >= 0, 1/sr.
 inline double logRelative(double rho, double weight, double reference) {
   const double weighted = rho * weight, excess = (weighted - reference) / (reference + logRelativeEpsilon);
   return excess > -0.5 ? std::log1p(excess)
                        : std::log((weighted + logRelativeEpsilon) / (reference + logRelativeEpsilon));
 }
-/// The reflectance again, 1/sr, in [0, largestReflectance]; 0 where y is not a number.
+/// Inverse of logRelative(): the BRDF value, 1/sr, in [0, largestReflectance]; 0 if y is NaN.
 inline double inverseLogRelative(double y, double weight, double reference) {
   const double scale = reference + logRelativeEpsilon;
   const double weighted = y > -0.5 ? reference + scale * std::expm1(y) : scale * std::exp(y) - logRelativeEpsilon;
   return weighted > 0 ? std::min(weighted / weight, largestReflectance) : 0;
 }
 
-/// Of values none of which is NaN, the middle one, or the mean of the two in the middle; 0 of none. Reorders them.
+/// The median of values without NaN (the mean of the two middle ones for an even number); 0 for no values. Reorders
+/// them.
 float medianOf(std::span<float> values);
 
-/// The reference of a set of materials: for each cell the median over all columns.
-/// @param columns rho w >= 0, each of as many cells; @return as many values. In parallel, deterministic.
+/// The reference of a set of materials: per cell the median over all columns. @param columns rho w >= 0, all of the
+/// same number of cells. @return one value per cell. Parallel, deterministic.
 std::vector<float> medianReference(std::span<const std::span<const float>> columns);
 
 }  // namespace gonio

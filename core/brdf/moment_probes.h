@@ -6,24 +6,25 @@
 
 #include "core/brdf/brdf.h"
 
-/// Densities for importance sampling are judged by the second moment of the estimator f cos theta_i / pdf, in which
-/// every viewer counts alike.
+/// Densities for importance sampling are compared by the second moment of the estimator f cos theta_i / pdf, with equal
+/// weight for every viewer.
 namespace gonio {
 
-/// One direction in which the estimator is looked at.
+/// One direction pair at which the estimator is evaluated.
 struct MomentProbe {
   DirectionPair pair;
-  double energy = 0;  ///< (f cos theta_i)^2 times the solid angle, relative to the viewer's squared albedo and number
+  double energy = 0;  ///< (f cos theta_i)^2 times the solid angle, divided by the viewer's squared albedo and the
+                      ///< number of viewers
 };
 
-/// Where the BRDF reflects anything: four polar angles of the viewer, of an anisotropic one three and five azimuths;
-/// half vectors on logarithmic rings about the normal. 1,400 evaluations, of an anisotropic one 20,000.
+/// Probes where the BRDF is not 0: for four polar angles of the viewer (anisotropic BRDFs: three polar angles, five
+/// azimuths each) and half vectors on logarithmic rings about the normal. 1,400 evaluations (anisotropic: 20,000).
 std::vector<MomentProbe> momentProbes(const Brdf& brdf);
-/// The same for three polar angles at one azimuth, whatever the BRDF: what lobes are fitted to.
+/// The same for three polar angles at one azimuth for every BRDF, for the fits of lobes.
 std::vector<MomentProbe> isotropicMomentProbes(const Brdf& brdf);
 
-/// The second moment of the estimator relative to the squared albedo, the mean over the viewers of the probes: 1 where
-/// the density is proportional to f cos theta_i. @param density const MomentProbe& -> 1/sr.
+/// The second moment of the estimator relative to the squared albedo, averaged over the viewers: 1 if the density is
+/// proportional to f cos theta_i. @param density callable with a MomentProbe, returns 1/sr.
 template <typename Density>
 double secondMoment(const std::vector<MomentProbe>& probes, Density density) {
   double sum = 0;
@@ -31,7 +32,7 @@ double secondMoment(const std::vector<MomentProbe>& probes, Density density) {
   return sum;
 }
 
-/// The same of a sampler with Brdf's pdf().
+/// The second moment for a sampler with a member pdf(wi, wo), such as a Brdf.
 template <typename Sampler>
 double samplerMoment(const std::vector<MomentProbe>& probes, const Sampler& sampler) {
   return secondMoment(probes, [&](const MomentProbe& probe) { return sampler.pdf(probe.pair.wi, probe.pair.wo); });

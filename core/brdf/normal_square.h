@@ -7,12 +7,11 @@
 
 #include "core/math/types.h"
 
-/// The unit square of half vectors (microfacet normals) in which densities of reflected directions are tabulated: x is
-/// sqrt(theta 2/pi), so that the highlight is finely resolved, y the azimuth over a whole turn, (phi + pi) / 2 pi.
-/// Dupuy and Jakob 2018, section 4.
+/// The unit square of half vectors (microfacet normals) in which densities of reflected directions are tabulated: x =
+/// sqrt(2 theta / pi), which resolves the highlight finely; y = (phi + pi) / (2 pi). Dupuy and Jakob 2018, section 4.
 namespace gonio {
 
-/// @param half any length; @param turn azimuth that is subtracted, rad.
+/// @param half any length. @param turn azimuth that is subtracted, rad.
 inline glm::dvec2 toNormalSquare(const Direction& half, double turn) {
   const double y = (azimuth(half) - turn + pi) / (2 * pi);
   return {std::sqrt(polarAngle(half) * (2 / pi)), y - std::floor(y)};
@@ -22,22 +21,22 @@ inline Direction fromNormalSquare(const glm::dvec2& square, double turn) {
   return fromSpherical(square.x * square.x * halfPi, 2 * pi * square.y - pi + turn);
 }
 
-/// Whether a sum of two unit vectors points to a normal above the surface.
+/// Whether the sum of two unit vectors defines a half vector above the horizon.
 inline bool isHalfVector(const Direction& sum) {
   constexpr double minSquaredLength = 1e-24;
   return sum.z > 0 && glm::dot(sum, sum) > minSquaredLength;
 }
 
-/// The mirror image of a direction; the zero vector where it does not see the front of the normal.
+/// The direction reflected about a normal; the zero vector if it is behind the microfacet (w . normal <= 0).
 inline Direction reflected(const Direction& w, const Direction& normal) {
   const double cosine = glm::dot(w, normal);
   return cosine > 0 ? 2 * cosine * normal - w : Direction(0);
 }
 
-/// Area of the square that a solid angle of reflected directions covers, 1/sr.
-/// @param sum of the two directions; @param w one of them.
+/// Area of the square per solid angle of reflected directions, 1/sr. @param sum of the two directions. @param w either
+/// of them.
 inline double squarePerSolidAngle(const glm::dvec2& square, const Direction& sum, const Direction& w) {
-  // Within some nano-radians of the pole the map stretches without bound; nothing is sampled there.
+  // The stretch vanishes within some nano-radians of the pole, where nothing is sampled.
   constexpr double smallestStretch = 1e-12;
   const double length = glm::length(sum);
   const double sinTheta = std::sqrt(sum.x * sum.x + sum.y * sum.y) / length;

@@ -9,9 +9,9 @@
 
 namespace gonio {
 
-/// An isotropic BRDF by a function of one pair, which is asked only for pairs with no direction below the horizon.
-/// @tparam Reflectance callable as Rgb(const Direction& wi, const Direction& wo), const, from any number of threads:
-/// linear RGB in 1/sr without the cosine, never non-finite.
+/// An isotropic BRDF that calls a function per pair, only for pairs with both directions at or above the horizon.
+/// @tparam Reflectance callable as Rgb(const Direction& wi, const Direction& wo), const, from several threads at once;
+/// returns finite linear RGB, 1/sr, without the cosine.
 template <typename Reflectance>
 class PairwiseBrdf final : public Brdf {
  public:

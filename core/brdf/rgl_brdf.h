@@ -9,48 +9,51 @@
 
 namespace gonio {
 
-/// The reflectance of a `_spec` file over the same square as RglData::rgb, per wavelength.
+/// The spectral values of a `_spec` file, over the same square as RglData::rgb.
 struct RglSpectra {
   std::vector<float> nanometres;  ///< ascending
   std::vector<float> values;      ///< [slice][wavelength][row][column]
 };
 
-/// What an RGL file holds, as far as evaluation and sampling need it. The unit square of the microfacet normal has
-/// x = sqrt(theta 2/pi), y = (phi + pi) / 2 pi.
+/// The fields of an RGL file that evaluation and sampling need. The unit square of microfacet normals is that of
+/// core/brdf/normal_square.h; a slice is one incident direction.
 struct RglData {
   ParameterGrid incident{{0}, {0}};  ///< azimuths and polar angles of the incident direction, rad
   SliceStack<float> ndf;             ///< distribution of microfacet normals, one slice
   SliceStack<float> sigma;           ///< projected microfacet area seen from the incident direction, one slice
-  SliceStack<float> vndf;            ///< distribution of visible normals, a slice an incident direction
-  SliceStack<float> luminance;       ///< of the reflectance over the square that the vndf warps to, a slice each
-  SliceStack<glm::vec3> rgb;         ///< the reflectance over that square, a slice each
+  SliceStack<float> vndf;            ///< distribution of visible normals, one slice per incident direction
+  SliceStack<float> luminance;       ///< luminance of the values over the square that the vndf warps to, one slice per
+                                     ///< incident direction
+  SliceStack<glm::vec3> rgb;         ///< the values over that square, one slice per incident direction
   bool isotropic = true;
-  /// How many times the measured range of incident azimuths covers the circle: 2 for materials that are the same after
-  /// half a turn, 4 for those with two planes of symmetry. The range starts at -pi.
+  /// Number of copies of the measured range of incident azimuths that cover the circle: 2 for materials that are
+  /// symmetric under a rotation by pi, 4 for those with two planes of symmetry. The range starts at -pi.
   int azimuthReduction = 1;
   bool jacobian = true;  ///< rgb is divided by ndf / (4 sigma)
-  /// Of a `_spec` file, else null: `rgb` is what the CIE 1931 observer sees of them under D65.
+  /// Of a `_spec` file, else null. `rgb` is the colour of these spectra under D65 for the CIE 1931 observer.
   std::shared_ptr<const RglSpectra> spectra;
 };
 
-/// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, of any scale
-/// (Dupuy and Jakob 2018, eq. 8). Of an isotropic file, whose distribution has two rows, as many rows as columns.
+/// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, not normalised
+/// (Dupuy and Jakob 2018, eq. 8). For an isotropic file, where `ndf` has two rows, the result has as many rows as
+/// columns.
 SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGrid& incident, bool isotropic);
 
 /// A material of the EPFL RGL database in its own adaptive parameterisation: Dupuy and Jakob, "An Adaptive
-/// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. What the file stores includes
-/// the cosine of its outgoing direction, so that evaluation divides by it (by 0.001 at least); directions on the
-/// horizon give 0. A channel may be negative: colours outside the sRGB gamut, kept as Mitsuba keeps them, since cut
-/// values would add up to another colour. Not exactly reciprocal, as measured. About 0.2 us per pair.
+/// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. The stored values include the
+/// cosine of the file's outgoing direction; evaluation divides by it (by at least 0.001). Directions on the horizon
+/// give 0. A channel may be negative for colours outside the sRGB gamut, as in Mitsuba: clipping would change the
+/// colour of integrals. Not exactly reciprocal, as measured. About 0.2 us per pair.
 class RglBrdf final : public Brdf {
  public:
-  /// @throws Error where the vndf or the luminance is no density.
+  /// @throws Error if the vndf is not a density: negative values, or a slice of zeros. Invalid values of the luminance
+  /// count as 0; in a slice of zeros it is uniform.
   explicit RglBrdf(RglData data, IncidentSlot slot = IncidentSlot::viewer);
-  /// The same file read in another order; shares its data.
+  /// The same file read with another slot; shares the data.
   std::shared_ptr<const RglBrdf> withIncident(IncidentSlot slot) const;
   IncidentSlot incidentSlot() const { return slot_; }
-  /// The same parameterisation with other colours, without spectra. @param rgb of the size of the data's `rgb`.
-  /// @param luminance what is sampled, a slice for each incident direction.
+  /// The same parameterisation with other values and without spectra. @param rgb of the size of the data's `rgb`.
+  /// @param luminance for sampling, one slice per incident direction.
   std::shared_ptr<const RglBrdf> withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const;
 
   using Brdf::evaluate;
@@ -59,14 +62,14 @@ class RglBrdf final : public Brdf {
   bool isReciprocal() const override { return slot_ == IncidentSlot::mean; }
   const RglBrdf* asRgl() const override { return this; }
 
-  /// The file's own importance sampling (section 5.2): its luminance, then its visible normals, both seen by the
-  /// viewer, beside a tenth of cosine-weighted directions. The density is that of the viewer's slot in every order.
+  /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident
+  /// direction, mixed with a tenth of cosine-weighted directions. The density is the same for every slot.
   bool hasImportanceSampling() const override { return true; }
   double samplingCost() const override { return 1.9; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override;
   double pdf(const Direction& wi, const Direction& wo) const override;
 
-  /// What is shared between the orders; the field vndf of the data is moved into its warp, as is the luminance.
+  /// Data that all slots share. The fields `vndf` and `luminance` are moved out of `data` into the warps.
   struct Tables {
     RglData data;
     MarginalWarp visibleNormals, luminance;

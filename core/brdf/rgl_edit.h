@@ -10,17 +10,17 @@ namespace gonio {
 struct EditedRgl {
   SliceStack<glm::vec3> rgb;  ///< the field `rgb` after the edits
   bool changed = false;       ///< whether any value of it differs from the file's
-  std::size_t clipped = 0;    ///< channels that would have become negative and were set to 0
+  std::size_t clipped = 0;    ///< number of channel values that would have become negative and were set to 0
 };
 
-/// What becomes of changed channels that would be negative: colours outside sRGB.
+/// Treatment of changed channels that would be negative (colours outside the sRGB gamut): set to 0, or kept.
 enum class NegativeColours { cut, kept };
 
-/// The colours of an RGL file under edits, at its own nodes: what the file has, plus the difference that the edits make
-/// there. So a value that no edit changes stays, bit for bit, negative ones (colours outside sRGB) too. Nodes whose
-/// light lies below the horizon, which loaders read for their neighbours, change as the node before them in the row.
-/// @param file with the viewer in the slot of the incident direction
-/// @param edited the same material as it is shown, or another one that is to have these nodes
+/// The field `rgb` of an RGL file after edits: the file's values plus the difference edited - file at its own nodes.
+/// Values that the edits do not change remain bitwise equal, also negative ones. Nodes with the light below the
+/// horizon, which loaders interpolate too, change by the difference of the previous node in the row.
+/// @param file read with IncidentSlot::viewer.
+/// @param edited the material after edits, or another material that is sampled at these nodes. @throws Cancelled.
 EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control = {},
                         NegativeColours negative = NegativeColours::cut);
 

@@ -6,9 +6,9 @@
 
 namespace gonio {
 
-/// The field `luminance` of an RGL file for its colours: their luminance, in each slice at least 1/1000 of its largest
-/// value (so that no direction is left out), and 1 everywhere where that is 0: the loaders divide by the integral of a
-/// slice, and would read NaN.
+/// The field `luminance` of an RGL file for a field `rgb`: the luminance, in each slice at least 1/1000 of the slice's
+/// maximum, so that every direction can be sampled. A slice of zeros becomes 1: loaders divide by the integral of a
+/// slice and would get NaN.
 SliceStack<float> samplingLuminance(const SliceStack<glm::vec3>& rgb);
 
 }  // namespace gonio

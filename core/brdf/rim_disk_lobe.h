@@ -9,26 +9,26 @@
 
 namespace gonio {
 
-/// How far a point of the unit disk lies on its way from the mirror point of the viewer, -wo_xy, to the rim: the square
-/// of that fraction, in [0, 1]. @param deviation Dp = wi_xy + wo_xy. 0 at the mirror point. O(1).
+/// Squared fraction, in [0, 1], of the distance from the viewer's mirror point -wo_xy to the rim of the unit disk at
+/// which a point lies: 0 at the mirror point, 1 on the rim. @param deviation Dp = wi_xy + wo_xy of the point.
 inline double squaredRimFraction(const glm::dvec2& deviation, const Direction& wo) {
   // The rim lies at the distance d . wo_xy + sqrt((d . wo_xy)^2 + cos^2 theta_o) in the direction d of Dp.
   const double squared = glm::dot(deviation, deviation), along = glm::dot(deviation, glm::dvec2(wo));
   if (!(squared > 0)) return 0;
   const double root = std::sqrt(along * along + wo.z * wo.z * squared);
-  // Of the two forms the one that does not cancel.
+  // Uses the form without cancellation.
   const double fraction = along > 0 ? squared / (along + root) : (root - along) / (wo.z * wo.z);
   return std::min(1.0, fraction * fraction);
 }
 
 /// A lobe (core/brdf/lobe_mixture.h) on the unit disk of projected directions: (n + 1) / pi (1 - u^2)^n with the
-/// fraction u of squaredRimFraction(). It integrates to 1 for every viewer: over a ray of length L from the mirror
-/// point to L^2 / (2 pi), and the squares of these lengths add up to twice the area of the disk.
+/// fraction u of squaredRimFraction(). It integrates to 1 for every viewer: a ray of length L from the mirror point
+/// contributes L^2 / (2 pi) per radian, and the integral of L^2 over all rays is twice the area of the disk.
 struct RimPowerLobe {
   double exponent;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
-    // A uniformly sampled point has the right azimuth, and the square of its fraction is uniform: only that is changed.
+    // A uniformly sampled point has the right azimuth and a uniform squared fraction; only the fraction is changed.
     const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
     glm::dvec2 deviation = glm::dvec2(r * std::cos(phi), r * std::sin(phi)) + glm::dvec2(wo);
     const double drawn = squaredRimFraction(deviation, wo);

@@ -6,23 +6,24 @@
 
 namespace gonio {
 
-/// A stand-in density for importance sampling any isotropic BRDF: a cosine-weighted part and the visible normals of a
-/// GGX lobe (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"). The preview's shader uses the same two
-/// numbers. pdf > 0 over the whole hemisphere, so estimates stay unbiased however bad the fit of the lobe is.
+/// An approximate density for importance sampling of any isotropic BRDF: a cosine-weighted part and the visible normals
+/// of a GGX lobe (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"). The preview's shader uses the same
+/// two parameters. pdf > 0 over the whole hemisphere, so estimates are unbiased even if the lobe fits badly.
 struct SamplingLobe {
   double roughness = 0.3;      ///< GGX alpha, [1e-3, 1]
   double specularShare = 0.5;  ///< fraction of samples taken from the lobe, [0, 0.95]
 
-  /// Samples wi for a viewer wo (z > 0). `u` are three numbers in [0, 1): which part, then two for the direction.
+  /// Samples wi for a viewer wo (z > 0). `u`: three numbers in [0, 1), one to select the part and two for the
+  /// direction.
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   /// Density of sample() at wi, 1/sr; 0 below the horizon.
   double pdf(const Direction& wi, const Direction& wo) const;
 };
 
-/// Fits the lobe to a BRDF from its values about the mirror direction at a few angles (some ms).
+/// Fits the lobe to a BRDF: minimises the second moment of the estimator at isotropicMomentProbes(). Takes some ms.
 SamplingLobe estimateSamplingLobe(const Brdf& brdf);
 
-/// Whether two draw about as well as each other.
+/// Whether two lobes sample about equally well.
 bool areSimilar(const SamplingLobe& a, const SamplingLobe& b);
 
 }  // namespace gonio

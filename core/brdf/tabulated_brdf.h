@@ -14,31 +14,33 @@ namespace gonio {
 
 struct HalfDifferenceBlock;
 
-/// How a table is read between its nodes.
+/// Interpolation between the nodes of a table.
 enum class TableLookup {
   nearest,   ///< the cell that contains the coordinates, as the MERL reference code does
-  trilinear  ///< trilinear in (sqrt theta_h, theta_d, phi_d); invalid corners are dropped, the weights renormalised
+  trilinear  ///< linear in (sqrt theta_h, theta_d, phi_d); invalid corners are dropped and the weights renormalised
 };
 
-/// An isotropic BRDF as a table over a half-difference grid: immutable, float, RGB interleaved, with a mask of the
-/// invalid cells (below the horizon or not measured; their stored value is 0). Values are finite and >= 0.
+/// An isotropic BRDF as a table over a half-difference grid, with a mask of the invalid cells (below the horizon or not
+/// measured; their stored value is 0). Values are finite floats >= 0, RGB interleaved, 1/sr, without the cosine.
 class TabulatedBrdf final : public Brdf {
  public:
   using Value = glm::vec3;
 
-  /// @param values grid.size() values, linear RGB in 1/sr; those of invalid cells are ignored and stored as 0.
-  /// @param valid one flag a cell (1 valid, 0 invalid).
-  /// Valid negative values and -0 become 0 and are counted (clampedCount()).
-  /// @throws Error when the sizes differ from the grid's or a valid value is not finite; the text names the cell.
+  /// @param values grid.size() values, linear RGB, 1/sr, without the cosine; those of invalid cells are ignored and
+  /// stored as 0.
+  /// @param valid one flag per cell (1 valid, 0 invalid).
+  /// Valid negative values become 0 (clampedCount()).
+  /// @throws Error if the sizes differ from the grid's or a valid value is not finite; the message names the cell.
   TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid);
 
   using Brdf::evaluate;
-  /// Trilinear. About 50 ns per pair (long batches; a single pair costs some 100 ns).
+  /// Trilinear. About 50 ns per pair in long batches, about 100 ns for a single pair.
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
-  /// @param measured when not empty: a flag a pair, 0 where all corners are invalid.
+  /// @param measured if not empty: receives one flag per pair, 0 where all corners are invalid.
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup,
                 std::span<std::uint8_t> measured = {}) const;
-  /// At half-difference coordinates; 0 where all corners are invalid, and `*valid` (when given) says which.
+  /// The value at half-difference coordinates; 0 if all corners are invalid. `*valid`, if given, receives whether any
+  /// is valid.
   Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
 
   bool isReciprocal() const override { return grid_.reciprocal; }
@@ -49,7 +51,7 @@ class TabulatedBrdf final : public Brdf {
   std::span<const Value> values() const { return values_; }
   std::span<const std::uint8_t> valid() const { return valid_; }
   std::size_t validCount() const { return validCount_; }
-  /// Channels of valid cells that held a negative value and were set to 0.
+  /// Number of channel values of valid cells that were negative and were set to 0.
   std::size_t clampedCount() const { return clampedCount_; }
   std::size_t bytes() const { return values_.size() * sizeof(Value) + valid_.size() + interior_.size(); }
 
@@ -62,17 +64,17 @@ class TabulatedBrdf final : public Brdf {
   HalfDifferenceGrid grid_;
   std::vector<Value> values_;
   std::vector<std::uint8_t> valid_;
-  /// 1 where all eight corners of the cell that starts here are valid: no weights to renormalise.
+  /// 1 where all eight corners of the cell that starts here are valid, so that weights need no renormalisation.
   std::vector<std::uint8_t> interior_;
   std::size_t validCount_ = 0;
   std::size_t clampedCount_ = 0;
 };
 
-/// Samples any isotropic BRDF at the nodes of a grid; nodes below the horizon are invalid. In parallel, deterministic.
-/// What the grid does not distinguish is averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and
-/// on a reciprocal grid one that is not reciprocal over both orders of the directions, since no reciprocal table is
-/// nearer to it in least squares. Finite values beyond the range of float are stored as the largest float.
-/// @throws Cancelled; Error when the BRDF returns a non-finite value.
+/// Samples any BRDF at the nodes of a grid; nodes below the horizon are invalid. Dimensions that the grid lacks are
+/// averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and, on a reciprocal grid, a BRDF that is
+/// not reciprocal over both orders of the directions, which is the best reciprocal approximation in least squares.
+/// Finite values beyond the range of float are stored as the largest float. Parallel, deterministic.
+/// @throws Cancelled; Error if the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
                                                const TaskControl& control = {}, int azimuths = 16);
 

@@ -13,31 +13,31 @@
 
 namespace gonio {
 
-/// A density for importance sampling any BRDF that has none of its own: its value times the cosine, tabulated
-/// for some viewers over the unit square of half vectors (core/brdf/lobe_square.h) with the
-/// azimuth relative to the viewer's; of an anisotropic BRDF the mean over some azimuths, beside which grain() follows
-/// its highlight. A lobe for LobeMixture; the preview's shader reads the same numbers. Draws whose half vector the
-/// viewer cannot see, and those below the horizon, are lost (some per mille, at grazing viewers).
+/// A density for importance sampling of any BRDF that has none of its own: its value times cos theta_i, tabulated for
+/// several viewers over the unit square of half vectors (core/brdf/lobe_square.h). For an anisotropic BRDF the table is
+/// the mean over several azimuths, and grain() follows the highlight. A lobe for LobeMixture; the preview's shader
+/// reads the same table. Samples with a half vector that faces away from the viewer or a direction below the horizon
+/// fail (some per mille, for grazing viewers).
 class TabulatedLobe {
  public:
-  /// Evaluates the BRDF about 40,000 times: some ms; an anisotropic one ten times as often.
+  /// Evaluates the BRDF about 40,000 times (some ms), an anisotropic one ten times as often.
   explicit TabulatedLobe(const Brdf& brdf);
 
-  /// Of the samples that are cosine-weighted in tabulatedMixture(), so that what lies between the nodes is found too.
+  /// Fraction of cosine-weighted samples in tabulatedMixture(); they also find highlights between the nodes.
   static constexpr double cosineShare = 0.1;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const;
   double density(const Direction& w, const Direction& wo) const;
 
   static constexpr std::size_t columns = 96, rows = 21, viewerCount = 24;
-  /// Slices are the viewers.
+  /// The tabulated density; one slice per viewer.
   const MarginalWarp& warp() const { return warp_; }
-  /// To be mixed with sample(); its fraction is 0 for isotropic BRDFs.
+  /// The lobe along the grain, to mix with sample(); its fraction is 0 for isotropic BRDFs.
   const GrainLobe& grain() const { return grain_; }
   const TurnedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
-  /// What serves an isotropic BRDF with less noise at equal time, where a lobe of closed form does.
+  /// The closed-form lobe to use instead, if it gives less noise than the table at equal time.
   const std::optional<SamplingLobe>& round() const { return round_; }
-  /// The time of a picture's sample, about, in units of one from a lobe of closed form.
+  /// Approximate rendering time per sample, relative to a closed-form lobe.
   static constexpr double cost = 1.2;
 
  private:
@@ -47,10 +47,10 @@ class TabulatedLobe {
   std::optional<SamplingLobe> round_;
 };
 
-/// Whether two lobes sample about as well as each other: their densities have nine tenths in common.
+/// Whether two lobes sample about equally well: their densities overlap by at least nine tenths.
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b);
 
-/// Refers to a lobe that lives elsewhere.
+/// A lobe that refers to a TabulatedLobe, which must outlive it.
 struct TabulatedLobeView {
   const TabulatedLobe& lobe;
 
@@ -58,7 +58,7 @@ struct TabulatedLobeView {
   double density(const Direction& w, const Direction& wo) const { return lobe.density(w, wo); }
 };
 
-/// The lobe with its grain beside a tenth of cosine-weighted directions.
+/// The lobe and its grain, mixed with a tenth of cosine-weighted directions. `lobe` must outlive the mixture.
 using TabulatedMixture = LobeMixture<CosineLobe, TurnedLobe<VisibleNormalLobe>, TabulatedLobeView>;
 inline TabulatedMixture tabulatedMixture(const TabulatedLobe& lobe) {
   constexpr double rest = 1 - TabulatedLobe::cosineShare;

@@ -9,13 +9,13 @@
 
 namespace gonio {
 
-/// Normals (core/brdf/half_vector_lobe.h) of a rotationally symmetric distribution that has no closed inverse: between
-/// circles of theta_h, close at the pole (logarithmic from 1e-5 rad) and wide at the horizon, the density is linear in
-/// 1 - cos theta_h. That density is exact for the draws, and about that of the distribution.
+/// Normals (core/brdf/half_vector_lobe.h) of a rotationally symmetric distribution without a closed-form inverse. The
+/// density is piecewise linear in 1 - cos theta_h between 97 values of theta_h, logarithmic from 1e-5 rad; it matches
+/// sample() exactly and the distribution approximately.
 class TabulatedNormals {
  public:
-  /// @param weight of theta_h (rad), not negative: about D cos theta_h, of any scale. Called once a circle;
-  /// where it is not finite it counts as 0; 0 everywhere gives cosine-weighted normals.
+  /// @param weight unnormalised density at theta_h (rad), such as D cos theta_h, >= 0. Called once per node; non-finite
+  /// values count as 0. If all are 0, normals are cosine-weighted.
   explicit TabulatedNormals(const std::function<double(double thetaH)>& weight);
 
   /// Integral of the weight over the upper hemisphere.
@@ -29,7 +29,7 @@ class TabulatedNormals {
 
   double total_ = 0;
   std::array<double, circles> density_;     ///< 1/sr
-  std::array<double, circles> cumulative_;  ///< share inside the circle: 0 to 1
+  std::array<double, circles> cumulative_;  ///< fraction inside the circle, 0 to 1
 };
 
 }  // namespace gonio

@@ -7,11 +7,11 @@
 
 namespace gonio {
 
-/// A lobe (core/brdf/lobe_mixture.h) of a surface whose grain is turned about the normal.
+/// A lobe (core/brdf/lobe_mixture.h) rotated about the normal.
 template <typename Lobe>
 class TurnedLobe {
  public:
-  /// @param rotation rad, of the lobe's axis of x from the tangent, counter-clockwise seen from above.
+  /// @param rotation angle of the lobe's x axis from the tangent, rad, counter-clockwise seen from above.
   TurnedLobe(Lobe lobe, double rotation) : lobe_(lobe), toGrain_(-rotation), fromGrain_(rotation) {}
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const { return fromGrain_(lobe_.sample(toGrain_(wo), u)); }

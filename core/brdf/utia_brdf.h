@@ -11,24 +11,24 @@ namespace gonio {
 
 /// An anisotropic material of the UTIA database (Filip and Vávra 2014, "Template-Based Sampling of Anisotropic BRDFs"):
 /// values for 288 incident by 288 viewing directions, each 6 polar angles (0 to 75 degrees, every 15) by 48 azimuths
-/// (every 7.5 degrees). Linear in the four angles between nodes, as in the interpolation that the authors publish,
-/// with these differences:
-/// - At the pole all azimuths are one direction: the 48 stored values of polar angle 0 are replaced by their mean, so
-///   that the BRDF is continuous there.
-/// - From 75 degrees to the horizon the value at 75 degrees stays (the published code extrapolates linearly, which can
+/// (every 7.5 degrees). Linear in the four angles between nodes, as in the authors' published interpolation, with these
+/// differences:
+/// - At polar angle 0 all azimuths are one direction, so the 48 stored values are replaced by their mean, which makes
+///   the BRDF continuous there.
+/// - From 75 degrees to the horizon the value at 75 degrees is used (the published code extrapolates linearly and can
 ///   become negative); hasData() is false there.
-/// Not reciprocal, as measured, save in the mean of both orders. About 0.2 us per pair.
+/// Not reciprocal, as measured, except with IncidentSlot::mean. About 0.2 us per pair.
 class UtiaBrdf final : public Brdf {
  public:
   static constexpr std::size_t polarCount = 6, azimuthCount = 48, directionCount = polarCount * azimuthCount;
   static constexpr double polarStep = radians(15), azimuthStep = radians(7.5);
   static constexpr double maxPolarAngle = polarStep * double(polarCount - 1);
 
-  /// @param values of [incident direction][viewing direction], each polar angle * 48 + azimuth, linear RGB in 1/sr.
-  /// Negative values become 0 and are counted (negativeCount()).
-  /// @throws Error when there are not 288 x 288 or one is not finite, naming it.
+  /// @param values [incident direction][viewing direction], where a direction has the index polar angle * 48 + azimuth;
+  /// linear RGB, 1/sr, without the cosine. Negative values become 0 (negativeCount()).
+  /// @throws Error if there are not 288 x 288 values or one is not finite (the message names it).
   explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot = IncidentSlot::viewer);
-  /// The same file read in another order; shares its values.
+  /// The same file read with another slot; shares the values.
   std::shared_ptr<const UtiaBrdf> withIncident(IncidentSlot slot) const;
   IncidentSlot incidentSlot() const { return slot_; }
 
@@ -39,10 +39,10 @@ class UtiaBrdf final : public Brdf {
   /// Whether both polar angles are at most 75 degrees.
   bool hasData(const DirectionPair& pair) const override;
 
-  /// [incident direction][viewing direction]: the 48 values of a pole are their mean. Shared between the orders.
+  /// [incident direction][viewing direction]; the 48 values of polar angle 0 are equal. All slots share them.
   using Values = std::vector<glm::vec3>;
   const std::shared_ptr<const Values>& values() const { return values_; }
-  /// Channels of values that were below 0 and were set to 0.
+  /// Number of channel values that were below 0 and were set to 0.
   std::size_t negativeCount() const { return negativeCount_; }
 
  private:

@@ -10,17 +10,17 @@
 
 namespace gonio {
 
-/// The sum of weight times BRDF value, the weights >= 0; terms of weight 0 are left out. Samples directions from the
-/// terms' own densities, each as often as its weight says.
+/// The weighted sum of BRDFs, weights >= 0, at least one > 0; terms of weight 0 are dropped. sample() selects a term in
+/// proportion to its weight and uses its density.
 std::shared_ptr<const Brdf> weightedSum(std::vector<std::shared_ptr<const Brdf>> terms, std::vector<double> weights);
 
-/// The same of tables on one grid, cell by cell; a cell is valid where it is in all tables of a weight > 0.
-/// In parallel. @throws Cancelled.
+/// The weighted sum of tables on the same grid, cell by cell; a cell is valid if it is valid in all tables of weight >
+/// 0. Parallel. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> weightedSum(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
                                                  std::span<const double> weights, const TaskControl& control = {});
 
-/// A table on another grid: its values between the nodes, valid where it has data. The table itself where the grid is
-/// its own. @throws Cancelled.
+/// Resamples a table on another grid (trilinear); cells without data are invalid. Returns the table itself if it has
+/// that grid. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> onGrid(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const HalfDifferenceGrid& grid, const TaskControl& control = {});
 

@@ -7,7 +7,7 @@
 namespace gonio {
 
 /// Half-difference coordinates of Rusinkiewicz, "A New Change of Variables for Efficient BRDF Representation" (1998).
-/// phi_h is left out: isotropic materials do not depend on it.
+/// phi_h is omitted: isotropic materials do not depend on it.
 struct HalfDifference {
   double thetaH = 0;  ///< angle between the half vector and the normal, rad, [0, pi/2] above the horizon
   double thetaD = 0;  ///< half the angle between wi and wo, rad, [0, pi/2]
@@ -15,9 +15,9 @@ struct HalfDifference {
   bool valid = true;  ///< false when wi = -wo: no half vector exists
 };
 
-/// In the safe vector form: exact to rounding at the pole of the half vector (phi_d from default axes), at
-/// retro-reflection (phi_d := 0) and at grazing. Reciprocity: exchanging wi and wo adds pi to phi_d. O(1); for many
-/// pairs core/coordinates/half_difference_block.h is faster.
+/// Computed from vectors without inverse cosines, so accurate to rounding everywhere: for a half vector at the normal
+/// (phi_d is relative to the x axis), at retro-reflection (phi_d = 0) and at grazing angles. Exchanging wi and wo adds
+/// pi to phi_d. O(1); for many pairs core/coordinates/half_difference_block.h is faster.
 HalfDifference toHalfDifference(const Direction& wi, const Direction& wo);
 
 /// phi_d folded to [0, pi) by reciprocity, as MERL does.
@@ -27,14 +27,14 @@ inline double foldPhiD(double phiD) {
   return phiD < 0 ? 0 : phiD;
 }
 
-/// Inverse with phi_h = 0. Either direction can come out below the horizon: see isAboveHorizon(). O(1).
+/// Inverse, with phi_h = 0. Either direction can be below the horizon: see isAboveHorizon(). O(1).
 DirectionPair fromHalfDifference(double thetaH, double thetaD, double phiD);
 
 /// Whether both directions of these coordinates have z >= 0:
 /// cos thetaH cos thetaD >= sin thetaH sin thetaD |cos phiD|.
 bool isAboveHorizon(double thetaH, double thetaD, double phiD);
 
-/// The two of sines and cosines that are known already.
+/// The same two functions for given sines and cosines.
 inline DirectionPair fromHalfDifference(double sinH, double cosH, double sinD, double cosD, double sinPhi,
                                         double cosPhi) {
   const double dx = sinD * cosPhi, dy = sinD * sinPhi;

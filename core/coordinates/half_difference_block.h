@@ -9,7 +9,7 @@
 
 namespace gonio {
 
-/// Half-difference coordinates of a few pairs as separate arrays: what long loops over tables work on, in vector code.
+/// Half-difference coordinates of a block of pairs as separate arrays, for vectorised loops over tables.
 struct HalfDifferenceBlock {
   static constexpr std::size_t capacity = 64;
   double thetaH[capacity];
@@ -18,7 +18,8 @@ struct HalfDifferenceBlock {
   std::int64_t valid[capacity];  ///< 1, or 0 where wi = -wo
 };
 
-/// Fills the first pairs.size() (<= capacity) entries: the same bits as toHalfDifference(), about 15 ns per pair.
+/// Fills the first pairs.size() (<= capacity) entries. Bitwise equal to toHalfDifference() of one pair; about 15 ns per
+/// pair.
 void toHalfDifference(std::span<const DirectionPair> pairs, HalfDifferenceBlock& block);
 
 }  // namespace gonio

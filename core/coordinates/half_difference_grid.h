@@ -17,7 +17,8 @@ struct HalfDifferenceGrid {
   int thetaHCount = 90;
   int thetaDCount = 90;
   int phiDCount = 180;
-  /// Reciprocal tables fold phi_d to [0, pi); others (360 phi_d samples in MERL files) cover the whole circle.
+  /// Whether phi_d is folded to [0, pi), which only represents reciprocal materials; otherwise it covers the whole
+  /// circle (360 samples of phi_d in MERL files).
   bool reciprocal = true;
 
   bool operator==(const HalfDifferenceGrid&) const = default;
@@ -37,12 +38,12 @@ struct HalfDifferenceGrid {
   bool nodeAboveHorizon(std::size_t index) const;
   /// Whether both polar angles of the node are at most `maxPolarAngle` (rad).
   bool nodeWithin(std::size_t index, double maxPolarAngle) const;
-  /// Solid-angle weight of the cell at a node (unnormalised measure of d wi d wo over phi_h):
-  /// sin thetaH dThetaH sin thetaD dThetaD dPhiD 4 cos thetaD, of the cell's own bounds (nodes are its midpoints).
+  /// Solid-angle weight d wi d wo of the cell at a node, sr^2 per radian of phi_h, without cosines: the integral of 4
+  /// cos thetaD sin thetaH sin thetaD dThetaH dThetaD dPhiD over the cell, whose bounds are half a step from the node.
   double cellMeasure(std::size_t index) const;
 
-  /// Continuous grid position of coordinates: x = thetaHCount sqrt(thetaH / (pi/2)) and so on; phi folded or wrapped.
-  /// Not clamped at the upper ends of theta.
+  /// Continuous grid position of coordinates: thetaHCount sqrt(thetaH / (pi/2)) and so on; phi_d is folded or wrapped.
+  /// theta_h and theta_d are not clamped to the last node.
   struct Position {
     double thetaH, thetaD, phiD;
   };
@@ -54,7 +55,7 @@ struct HalfDifferenceGrid {
     return {std::sqrt((thetaH > 0 ? thetaH : 0.0) / halfPi) * thetaHCount, thetaD / halfPi * thetaDCount,
             phi * (phiDCount / phiDPeriod())};
   }
-  /// MERL's own look-up: the floor of each position, clamped.
+  /// The look-up of the MERL reference code: the floor of each position, clamped.
   std::size_t nearestIndex(const HalfDifference& coordinates) const;
 };
 

@@ -8,17 +8,17 @@
 
 namespace gonio::dictionary {
 
-/// The rotations R_j = U_j^T V_j that carry coefficients over V into coefficients over U (dissertation eq. 4.43): the
-/// polar factors of these products, which are the products themselves for square dictionaries (proposition 4.1).
+/// The rotations R_j = U_j^T V_j that convert coefficients over V into coefficients over U (Tongbuasirilai 2023,
+/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 4.43). Computed as the polar factors
+/// of these products, which equal the products for square dictionaries (proposition 4.1).
 std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dictionary& v);
 
-/// The code between codes, sum of weight times code in the transformed domain (dissertation eq. 4.42-4.44), with at
-/// most `coefficients` per channel: codes over another dictionary than the first one's are carried over by their
-/// rotations, which makes them dense, and the largest coefficients are kept. Since the rotations lose nothing, this is
-/// the linear interpolation of the transformed materials, re-sparsified. A weight of 1 gives its code back bit for bit.
-/// @param weights as many as codes, each in [0, 1], with the sum 1 (to 1e-9).
-/// @throws Error for other weights, for codes of different transforms (encode one of them again), and for those that
-/// cannot be of the ensemble.
+/// The weighted sum of codes in the transformed domain (Tongbuasirilai 2023, eq. 4.42-4.44), with at most
+/// `coefficients` per channel. Codes over a dictionary other than the first code's are converted by rotationsBetween(),
+/// which makes them dense; of the sum the largest coefficients remain. The rotations lose nothing, so this is the
+/// linear interpolation of the transformed materials, made sparse again. A code of weight 1 is returned bitwise
+/// unchanged. @param weights one per code, each in [0, 1], with sum 1 (within 1e-9). @throws Error for other weights,
+/// codes of different transforms (encode one of them again), and codes that do not fit the ensemble.
 SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t coefficients);
 

@@ -9,25 +9,26 @@
 
 #include "core/dictionary/sparse_code.h"
 
-/// The bytes of a code. Coefficients stand in the order of their indices; of each index the distance from the one
-/// before is written, seven bits a byte, the lowest first, the eighth bit says that more follow.
+/// Serialisation of a code. Coefficients are sorted by index; each index is stored as the difference from the previous
+/// one, in a variable number of bytes: seven bits per byte, lowest first, with the eighth bit set if more bytes follow.
 namespace gonio::dictionary {
 
-/// How the values of the coefficients are written.
+/// Number format of the coefficients.
 enum class CodePrecision : std::uint8_t {
   single,  ///< float32
-  half     ///< float16 of the value over the channel's largest: relative error 2^-11, far below what is left out
+  half     ///< float16 of the value divided by the channel's largest: relative error 2^-11
 };
 
-/// For each channel: uint8 dictionary, uint16 count of coefficients, float32 scale, float32 highest value, the indices,
-/// the values. Little-endian. @throws Error for more than 65535 coefficients or 256 dictionaries.
+/// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32
+/// ChannelCode::highest, the indices, the values. Little-endian. @throws Error for more than 65535 coefficients or 256
+/// dictionaries.
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision);
-/// Their inverse, into the channels of `code`, whose grid is set.
-/// @throws Error when the bytes end before, hold more, or hold an index beyond the grid or a value that is not finite.
+/// Inverse of packChannels(): sets the channels of `code`; set its grid before the call. @throws Error if there are too
+/// few or too many bytes, an index is repeated or outside the grid, or a value is not finite.
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code);
 
-/// The largest truncation of a code that packs (in half precision) into so many bytes; one without coefficients where
-/// there is none.
+/// The code truncated to as many coefficients per channel as fit in `bytes` in half precision; without coefficients if
+/// none fits.
 SparseCode truncatedToBytes(const SparseCode& code, std::size_t bytes);
 
 }  // namespace gonio::dictionary

@@ -11,32 +11,31 @@
 
 namespace gonio::dictionary {
 
-/// What few coefficients compose, but for the last product: the block is slabs * atoms.
+/// The composition of a few coefficients before the last product: the block is slabs * atoms.
 template <typename Scalar>
 struct ComposedSlabs {
-  Matrix<Scalar> slabs;  ///< modes 0 and 1 (rows) of each atom of mode 2 that has a coefficient
+  Matrix<Scalar> slabs;  ///< one column per atom of mode 2 that has a coefficient; rows: modes 0 and 1
   Matrix<Scalar> atoms;  ///< these atoms as rows
 };
 template <typename Scalar>
 ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients);
 
-/// S x_0 U_0 x_1 U_1 x_2 U_2 of few coefficients, into `block` (count(sizes) numbers): one mode at a time, so that the
-/// cost is that of one product with as many columns as there are distinct atoms of mode 2.
+/// Writes S x_0 U_0 x_1 U_1 x_2 U_2 for a few coefficients S to `block` (count(sizes) numbers), one mode after another.
+/// The cost is about that of one matrix product with as many columns as there are distinct atoms of mode 2.
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The atoms divided by the importance of their nodes: what composes transformed values and not scaled signals.
+/// The atoms divided by the importance of their nodes. They compose transformed values instead of scaled signals.
 std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry);
 
-/// The transformed values of every cell of a code, in single precision.
+/// The transformed values of a code in every cell, one array per channel, in single precision. @throws as checkCode().
 std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
 
-/// The table that a code stands for; cells below the horizon are invalid. Negative values become 0. Under 50 ms on two
-/// cores for a MERL grid.
-/// @throws Error when the code's grid or a dictionary is not of the ensemble.
+/// The table of a code; cells below the horizon are invalid, negative values become 0. Under 50 ms on two cores for a
+/// MERL grid. @throws as checkCode().
 std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const SparseCode& code);
 
-/// @throws Error when a code cannot be of this ensemble.
+/// @throws Error if a code does not fit the ensemble: another grid, a dictionary or index out of range.
 void checkCode(const Ensemble& ensemble, const SparseCode& code);
 
 }  // namespace gonio::dictionary

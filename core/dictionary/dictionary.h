@@ -11,24 +11,26 @@
 
 /// Sparse codes over an ensemble of small orthonormal dictionaries: Miandji et al., "Compressive Image Reconstruction
 /// in Reduced Union of Subspaces" (2015), "A Unified Framework for Compression and Compressed Sensing of Light Fields
-/// and Light Field Videos" (2019), for measured BRDFs dissertation 4.3.2.
+/// and Light Field Videos" (2019); for measured BRDFs Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
+/// Reflectance Modeling and Acquisition", section 4.3.2.
 ///
-/// The modes are those of a table in memory: 0 phi_d (runs fastest), 1 theta_d, 2 theta_h.
+/// Modes are the axes of a table in the order of memory: 0 phi_d (fastest), 1 theta_d, 2 theta_h.
 namespace gonio::dictionary {
 
-/// Three square orthonormal matrices: a table Y is the sum over l of S(l0, l1, l2) u0_l0 o u1_l1 o u2_l2.
+/// Three square orthonormal matrices. A table Y with coefficients S is the sum over l of S(l0, l1, l2) u0_l0 o u1_l1 o
+/// u2_l2, where o is the outer product.
 struct Dictionary {
-  std::array<Eigen::MatrixXd, 3> modes;  ///< mode's size x the same; the columns are the atoms
-  int sparsity = 0;                      ///< coefficients a signal was allowed while it was trained
+  std::array<Eigen::MatrixXd, 3> modes;  ///< per mode size x size; the columns are the atoms
+  int sparsity = 0;                      ///< number of coefficients per signal in training
 };
 
-/// The aggregated ensemble: all dictionaries, of every trained sparsity.
+/// The dictionaries of all trained sparsities.
 struct Ensemble {
   HalfDifferenceGrid grid;
   std::vector<Dictionary> dictionaries;
-  std::vector<std::string> learnedFrom;  ///< names of the materials
+  std::vector<std::string> learnedFrom;  ///< names of the training materials
 
-  /// In single precision, as the file holds it.
+  /// Size of the dictionaries in single precision, as in the file.
   std::size_t bytes() const;
 };
 
@@ -36,12 +38,12 @@ inline std::array<int, 3> modeSizes(const HalfDifferenceGrid& grid) {
   return {grid.phiDCount, grid.thetaDCount, grid.thetaHCount};
 }
 
-/// Largest entry in size of U^T U - I over all matrices.
+/// Largest absolute entry of U^T U - I over all matrices.
 double orthonormalityError(const Ensemble& ensemble);
 double orthonormalityError(const Eigen::MatrixXd& matrix);
 
-/// The nearest orthonormal matrix to one that is so up to the rounding of single precision: one step of Newton and
-/// Schulz, U (3 I - U^T U) / 2, whose error is the square of the former one.
+/// Orthonormalises a matrix that is orthonormal up to single-precision rounding: one Newton-Schulz step, U (3 I - U^T
+/// U) / 2, which squares the error.
 Eigen::MatrixXd polished(const Eigen::MatrixXd& nearlyOrthonormal);
 
 }  // namespace gonio::dictionary

@@ -13,48 +13,48 @@
 namespace gonio::dictionary {
 
 struct EncodeOptions {
-  std::size_t coefficients = 262;  ///< per channel, at most (dissertation 4.3.2.4: 262, the size of Bagher et al. 2016)
-  /// Fewer coefficients where the squared error of the signal, scaled by GridGeometry::importance, is then at most this
-  /// fraction of its energy.
+  std::size_t coefficients = 262;  ///< maximum per channel (Tongbuasirilai 2023, section 4.3.2.4: 262, the size of
+                                   ///< Bagher et al. 2016)
+  /// If set, uses only as many coefficients as needed for a squared error of the signal (scaled by
+  /// GridGeometry::importance) of at most this fraction of its energy.
   std::optional<double> relativeError;
-  /// Fewer coefficients where the packed code would have more bytes than this.
+  /// If set, maximum size of the packed code (truncatedToBytes()).
   std::optional<std::size_t> bytes;
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
-  double gamma = 2;          ///< of the error by which the transform is chosen, in [1, 3]
-  int refinements = 15;      ///< rounds in which the invalid cells take the code's own values
-  int trialRefinements = 3;  ///< those of them that each transform gets; the others are for the chosen one
+  double gamma = 2;          ///< exponent of the error that selects the transform, in [1, 3]
+  int refinements = 15;      ///< rounds that update the invalid cells, see encode()
+  int trialRefinements = 3;  ///< rounds before the transform is selected; the others refine the selected one
 };
 
-/// One transform that was tried.
+/// The code of one transform.
 struct EncodedCandidate {
   SparseCode code;
   /// Mean over the valid cells to 85 degrees, weighted by the projected solid angles of both directions, of
-  /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4, where all cells count the same).
+  /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (Tongbuasirilai 2023, section 4.3.2.4, there without weights).
   double gammaError = 0;
-  /// Mean of (rho - rho')^2 over the same cells with the same weights: what the selection does not go by.
+  /// Mean of (rho - rho')^2, 1/sr^2, over the same cells with the same weights; for information only.
   double squaredError = 0;
 };
 
 struct Encoded {
-  SparseCode code;  ///< that of the candidate with the least gamma error; the first among equals
+  SparseCode code;                           ///< of the candidate with the smallest gamma error; the first among equals
   std::vector<EncodedCandidate> candidates;  ///< in the order of the transforms
   double seconds = 0;
 };
 
-/// Prepares an ensemble for encoding many materials. Immutable.
+/// Encodes materials as sparse codes over an ensemble. Immutable.
 class Encoder {
  public:
-  /// @param ensemble must live on.
+  /// @param ensemble must outlive this object.
   explicit Encoder(const Ensemble& ensemble);
 
-  /// For each transform and channel: the dictionary that holds most of the signal in its largest coefficients, those
-  /// coefficients (the exact minimiser: the dictionaries are orthonormal), and rounds in which the invalid cells, whose
-  /// values nobody sees, take those that the code gives them, so that it spends its coefficients on the valid ones.
-  /// The rounds are iterative hard thresholding of the valid cells alone, with the momentum of Beck and Teboulle 2009,
-  /// "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems": each takes the values a step
-  /// further in the direction of the last change. The chosen code keeps its trial where more rounds do not lower the
-  /// gamma error.
-  /// @throws Error when the grid is another; Cancelled.
+  /// For each transform and channel, chooses the dictionary with the most energy in its largest coefficients, and takes
+  /// these coefficients (the exact minimiser, because the dictionaries are orthonormal). Then refinement rounds replace
+  /// the values of invalid cells, which are free, by those that the code gives them, so that the coefficients represent
+  /// the valid cells. This is iterative hard thresholding on the valid cells, with the momentum of Beck and Teboulle
+  /// 2009, "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems". The transform with the
+  /// smallest gamma error is selected and refined further; if that does not lower its error, the code before it is
+  /// returned. @throws Error if the table has another grid; Cancelled.
   Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
 

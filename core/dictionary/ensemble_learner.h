@@ -13,36 +13,36 @@
 
 namespace gonio::dictionary {
 
-/// Learns one ensemble of K orthonormal dictionaries at one sparsity (dissertation eq. 4.36). In a round every signal
-/// goes to the dictionary that leaves the least error; then, some times over with the memberships kept, each signal
-/// keeps its largest coefficients (the exact minimiser, since the dictionaries are orthonormal) and each mode of each
-/// dictionary is renewed by orthogonal Procrustes (Schoenemann 1966). No step raises the error, and none reconstructs a
-/// signal: the error is the signal's energy less that of its coefficients. A pass with kept memberships projects each
-/// signal on one dictionary instead of all K, and most signals stay where they are anyway.
+/// Learns one ensemble of K orthonormal dictionaries at one sparsity (Tongbuasirilai 2023, "Data-Driven Approaches for
+/// Sparse Reflectance Modeling and Acquisition", eq. 4.36). Each round assigns every signal to the dictionary with the
+/// smallest error. Then, in one or more passes with fixed memberships, each signal keeps its largest coefficients (the
+/// exact minimiser, because the dictionaries are orthonormal) and each mode of each dictionary is updated by orthogonal
+/// Procrustes (Schoenemann 1966). No step increases the error. Signals are never reconstructed: the error is the
+/// signal's energy minus that of its coefficients. Passes with fixed memberships are cheaper, as they project each
+/// signal on one dictionary instead of K.
 ///
-/// Same bits for any number of threads.
+/// Results are bitwise equal for any number of threads.
 template <typename Scalar>
 class EnsembleLearner {
  public:
-  /// @param signals one a column, count(sizes) long; must live on. Columns of 0 are allowed.
+  /// @param signals one per column, of count(sizes) values; must outlive this object. Zero columns are allowed.
   EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries, int sparsity);
 
-  /// Dictionaries from the higher-order SVD of random parts of the signals.
+  /// Starts with the higher-order SVDs of random subsets of the signals.
   void start(std::uint64_t seed, const TaskControl& control = {});
-  /// Dictionaries of an earlier run.
+  /// Starts with the dictionaries of an earlier run.
   void start(std::vector<ModeMatrices<double>> dictionaries);
 
-  /// One round: the memberships, then `passes` over the dictionaries. Returns the relative squared error of the
-  /// dictionaries before it, with the memberships made anew.
-  /// @throws Cancelled with the dictionaries as they were.
+  /// One round: updates the memberships, then makes `passes` passes. Returns the relative squared error of the new
+  /// memberships with the dictionaries before the passes. @throws Cancelled; the dictionaries are then unchanged.
   double iterate(const TaskControl& control = {}, int passes = 1);
-  /// The relative squared error with the memberships made anew, without a change of the dictionaries.
+  /// Updates only the memberships and returns the relative squared error.
   double assign(const TaskControl& control = {});
 
   const std::vector<ModeMatrices<double>>& dictionaries() const { return dictionaries_; }
-  /// Of each signal: its dictionary.
+  /// Index of each signal's dictionary.
   std::span<const int> memberships() const { return memberships_; }
-  /// Of each signal: squared error.
+  /// Squared error of each signal.
   std::span<const double> errors() const { return errors_; }
   int sparsity() const { return sparsity_; }
 

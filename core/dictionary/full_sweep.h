@@ -7,21 +7,21 @@
 
 namespace gonio::dictionary {
 
-/// An ensemble of one sparsity over whole tables, with the dictionary of each signal.
+/// The dictionaries of one sparsity over whole tables, and the index of each signal's dictionary.
 struct AssignedEnsemble {
   int sparsity = 0;
   std::vector<ModeMatrices<double>> dictionaries;
   std::vector<int> memberships;
 };
 
-/// Relative squared errors of every ensemble over all signals, by the dictionary of each signal. One pass.
+/// Relative squared error of every ensemble over all signals, each with its own dictionary. One pass over the
+/// materials.
 std::vector<double> fullErrors(const std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials,
                                const SignalOptions& options, const TaskControl& control = {});
 
-/// One round of training in the whole space with the memberships kept: coefficients by the hard threshold, then each
-/// mode in turn by Procrustes. What a shared subspace left out is learned here; no error grows. Three passes over the
-/// materials. Returns the errors before it, as fullErrors().
-/// @throws Cancelled with the ensembles as they were.
+/// One round of training in the whole space with fixed memberships, to learn what the shared subspace left out: the
+/// largest coefficients, then each mode by orthogonal Procrustes. No error increases. Three passes over the materials.
+/// Returns fullErrors() before the round. @throws Cancelled; the ensembles are then unchanged.
 std::vector<double> sweepFullSpace(std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials,
                                    const SignalOptions& options, const TaskControl& control = {});
 

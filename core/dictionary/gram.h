@@ -6,7 +6,7 @@
 
 namespace gonio::dictionary {
 
-/// Adds X_(mode) X_(mode)^T of a block to `gram`. The products are made in the block's precision.
+/// Adds X_(mode) X_(mode)^T of a block to `gram`. Computes the matrix product in the block's precision.
 template <typename Scalar>
 void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd& gram) {
   using Map = Eigen::Map<const Matrix<Scalar>>;
@@ -25,7 +25,7 @@ void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd&
   }
 }
 
-/// The least count of leading eigenvectors, at least 1, that leaves at most this fraction of the energy out.
+/// The smallest number of leading eigenvectors, at least 1, that loses at most the fraction `maxLoss` of the energy.
 /// @param eigenvalues of a Gram matrix, descending.
 int rankFor(const Eigen::VectorXd& eigenvalues, double maxLoss);
 

@@ -12,26 +12,25 @@
 
 namespace gonio::dictionary {
 
-/// A part of a block that holds invalid cells: neighbouring rows of modes 0 and 1, in the slices of mode 2 from one on.
-/// In a half-difference table they are about a third of all cells: the horizon cuts off large theta_h.
+/// A range of consecutive rows (modes 0 and 1 flattened) and slices (mode 2) of a block that contains invalid cells. In
+/// a half-difference table about a third of all cells are invalid: large theta_h lie below the horizon.
 struct InvalidBand {
   Eigen::Index firstRow, rows, firstSlice, slices;
 };
-/// Bands that together hold all invalid cells. @param valid one flag per cell, of `sizes`.
+/// Bands that together contain all invalid cells. @param valid one flag per cell of a block of `sizes`.
 std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const Sizes& sizes);
 
-/// One signal over one dictionary, whose invalid cells take the values of its code, round after round. What stays the
-/// same between rounds is not computed again: only the change of the bands is projected onto the atoms of mode 2.
+/// Refinement rounds of Encoder::encode() for one signal and one dictionary: the invalid cells of the signal take the
+/// values of its code. Incremental: each round projects only the change of the bands onto the atoms of mode 2.
 class InvalidCellRounds {
  public:
-  /// @param signal of `sizes`, changed by the rounds in the invalid cells. It, the flags and the matrices must outlive
-  /// this object.
+  /// @param signal of `sizes`; update() changes its invalid cells. Signal, flags and matrices must outlive this object.
   InvalidCellRounds(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
                     const ModeMatrices<float>& matrices);
 
-  /// The signal's `count` largest coefficients, in no order.
+  /// The `count` largest coefficients of the signal, in no particular order.
   void keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const;
-  /// The invalid cells take the values that `code` gives them, and `momentum` times their change since the last round.
+  /// Sets the invalid cells to the values of `code`, plus `momentum` times their change since the last round.
   void update(const std::vector<Coefficient<float>>& code, float momentum);
 
  private:
@@ -40,7 +39,7 @@ class InvalidCellRounds {
   Sizes sizes_;
   const ModeMatrices<float>& matrices_;
   std::vector<InvalidBand> bands_;
-  std::vector<Eigen::MatrixXf> decoded_;  ///< one per band, of the last round; empty before the first
+  std::vector<Eigen::MatrixXf> decoded_;  ///< values of the last round, one matrix per band; empty before the first
   std::vector<float> slices_;             ///< the signal projected onto the atoms of mode 2
 };
 

@@ -10,34 +10,34 @@
 
 namespace gonio::dictionary {
 
-/// A number of a block and where it stands.
+/// An entry of a block and its index.
 template <typename Scalar>
 struct Coefficient {
   std::uint32_t index = 0;
   Scalar value = 0;
 };
 
-/// Larger in size first; among equals the lower index, so that the choice never depends on the order of work.
+/// Orders by decreasing absolute value, then by index, so that a selection does not depend on the order of computation.
 template <typename Scalar>
 bool isLarger(const Coefficient<Scalar>& a, const Coefficient<Scalar>& b) {
   const Scalar sizeA = std::abs(a.value), sizeB = std::abs(b.value);
   return sizeA > sizeB || (sizeA == sizeB && a.index < b.index);
 }
 
-/// The largest coefficients among blocks that come one after the other, in any order, with a threshold that rises: most
-/// values are compared once.
+/// Selects the largest coefficients of blocks that are added one after another, in any order. A rising threshold
+/// rejects most values after one comparison.
 template <typename Scalar>
 class LargestCoefficients {
  public:
-  /// @param kept the result, in no order; its memory is used again. @param count at most so many.
+  /// @param kept the result, in no particular order; its memory is reused. @param count maximum number of coefficients.
   LargestCoefficients(std::vector<Coefficient<Scalar>>& kept, std::size_t count) : kept_(kept), count_(count) {
     kept_.clear();
   }
 
-  /// What is smaller in size is not among the largest.
+  /// Values of smaller absolute value are not among the largest.
   Scalar threshold() const { return threshold_; }
 
-  /// Values with consecutive indices. Zeros are left out.
+  /// Adds values with consecutive indices; zeros are skipped.
   void add(std::span<const Scalar> values, std::size_t firstIndex) {
     if (count_ == 0) return;
     constexpr std::size_t stretch = 32;
@@ -52,7 +52,7 @@ class LargestCoefficients {
       if (kept_.size() >= 2 * count_ + 64) prune();
     }
   }
-  /// To be called after the last block.
+  /// Reduces the result to `count`. Call it after the last block.
   void prune() {
     if (kept_.size() <= count_) return;
     if (count_ > 0) {
@@ -68,9 +68,9 @@ class LargestCoefficients {
   Scalar threshold_ = 0;
 };
 
-/// The at most `count` largest entries in size other than 0, in no order: the hard threshold, the exact minimiser of
-/// the error at that many coefficients where the dictionary is orthonormal.
-/// @param kept the result; its memory is used again.
+/// Hard thresholding: the `count` entries of largest absolute value, without zeros, in no particular order. They
+/// minimise the error with that many coefficients if the dictionary is orthonormal. @param kept the result; its memory
+/// is reused.
 template <typename Scalar>
 void keepLargest(std::span<const Scalar> values, std::size_t count, std::vector<Coefficient<Scalar>>& kept) {
   LargestCoefficients<Scalar> largest(kept, count);
@@ -78,7 +78,7 @@ void keepLargest(std::span<const Scalar> values, std::size_t count, std::vector<
   largest.prune();
 }
 
-/// Sum of the squares, in double.
+/// Sum of squares, in double.
 template <typename Scalar>
 double energy(std::span<const Coefficient<Scalar>> coefficients) {
   double sum = 0;

@@ -8,21 +8,21 @@
 #include <cstddef>
 #include <vector>
 
-/// Products of three-mode blocks of numbers with matrices, in the working precision: what training and encoding spend
-/// their time in. Blocks are as those of gonio::Tensor: the first index runs fastest.
+/// Products of three-mode blocks (third-order tensors) with matrices, in the precision of the block; training and
+/// encoding spend most of their time here. As in Tensor, the first index of a block runs fastest.
 namespace gonio::dictionary {
 
 template <typename Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 using Sizes = std::array<int, 3>;
-/// One matrix a mode.
+/// One matrix per mode.
 template <typename Scalar>
 using ModeMatrices = std::array<Matrix<Scalar>, 3>;
 
 inline std::size_t count(const Sizes& sizes) { return std::size_t(sizes[0]) * sizes[1] * sizes[2]; }
 
-/// target = block x_mode M^T: every fibre of the mode, sizes[mode] long, becomes M.cols() long. `target` must not
-/// overlap `block`. 2 count(sizes) M.cols() operations at the rate of Eigen's matrix product.
+/// target = block x_mode M^T: every fibre of the mode, of length sizes[mode], is mapped to length M.cols(). `target`
+/// must not overlap `block`. 2 count(sizes) M.cols() operations by Eigen's matrix product.
 template <typename Scalar>
 void transposedModeProduct(const Scalar* block, const Sizes& sizes, int mode, const Matrix<Scalar>& m, Scalar* target) {
   assert(m.rows() == sizes[std::size_t(mode)]);
@@ -39,14 +39,14 @@ void transposedModeProduct(const Scalar* block, const Sizes& sizes, int mode, co
   }
 }
 
-/// Two blocks to compute back and forth in, kept between calls.
+/// Two scratch blocks, reused between calls.
 template <typename Scalar>
 struct Workspace {
   std::vector<Scalar> first, second;
 };
 
-/// block x_0 M_0^T x_1 M_1^T x_2 M_2^T but for the mode `skipped` (-1: none). The result lies in the workspace.
-/// @param order in which the modes are taken: first those that make the block smaller.
+/// block x_0 M_0^T x_1 M_1^T x_2 M_2^T without the mode `skipped` (-1: none). The result points into the workspace.
+/// @param order of the modes; put those first that make the block smaller.
 template <typename Scalar>
 const Scalar* transposedModeProducts(const Scalar* block, Sizes sizes, const ModeMatrices<Scalar>& matrices,
                                      Workspace<Scalar>& workspace, int skipped = -1,

@@ -14,67 +14,69 @@
 
 namespace gonio::dictionary {
 
-/// The cells of a grid that count, and how their reflectances are mapped (core/brdf/log_relative.h).
+/// The cells of a grid that a basis covers, and the data of their log-relative mapping (core/brdf/log_relative.h).
 struct MappedCells {
   HalfDifferenceGrid grid;
   std::vector<std::uint32_t> cells;  ///< indices into the grid, ascending: those valid in every material of the set
   std::vector<float> weights;        ///< cosineWeight() of each
-  std::vector<float> reference;      ///< of rho w: the set's median
+  std::vector<float> reference;      ///< median of rho w over the set, 1/sr
 };
 
 /// Principal components of measured materials, in the form of Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling
-/// for Reflectance Acquisition": every colour channel of every material is a column of log-relative values over the
-/// cells, less their mean; X - mean = U Sigma V^T. A material is then
-///   y = mean + U c, three times p coefficients c. Immutable.
+/// for Reflectance Acquisition": every colour channel of every material is a column of X, its log-relative values over
+/// the cells, and X - mean = U Sigma V^T. A material is then y = mean + U c, with p coefficients c per channel.
 struct PrincipalComponents {
   MappedCells mapping;
   std::vector<float> mean;  ///< of the mapped values, one per cell
   GramSvd svd;              ///< U: cells x components; the rows of V are material * 3 + channel
-  /// Of each cell, the variance over the training signals of what the components that were not kept would add to the
-  /// mapped value; empty where all were kept.
+  /// Per cell, the variance over the training signals of the mapped value's part in components that were dropped; empty
+  /// if none was dropped.
   std::vector<float> leftOut;
 
   int count() const { return int(svd.singularValues.size()); }
-  /// What has to be kept to decode materials of `components` coefficients per channel, in single precision.
+  /// Size of the data needed to decode materials of `components` coefficients per channel, in single precision.
   std::size_t bytes(int components) const;
 };
 
-/// A material: coefficients of the first components for red, green, blue; as many in each.
+/// A material: coefficients of the first components for red, green and blue, the same number in each.
 struct ComponentCode {
   std::array<Eigen::VectorXf, 3> channels;
 
   int components() const { return int(channels[0].size()); }
   std::size_t bytes() const { return 3 * std::size_t(components()) * sizeof(float); }
-  /// What a file of half precision would hold: values over the channel's largest as float16, and that as float32.
+  /// The code as a half-precision file stores it: the values divided by the channel's largest as float16, and that as
+  /// float32.
   ComponentCode inHalfPrecision() const;
-  /// Bytes of such a file.
+  /// Size of that file's content in bytes.
   static std::size_t halfBytes(int components);
-  /// The code of the first components alone: the same as encoding with so many.
+  /// The code of the first components; equal to encode() with that number.
   ComponentCode truncated(int components) const;
 };
 
-/// Of each of the cells [begin, end), the variance over the training signals of what the first `components` leave out
-/// of the mapped value: sigma_k^2 u_k^2 / signals of the others, and `leftOut`. O(cells x other components).
+/// For the cells [begin, end), the variance over the training signals of the part of the mapped value that the first
+/// `components` leave out: the sum of sigma_k^2 u_k^2 / signals over the other components, plus `leftOut`. O(cells x
+/// other components).
 std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin, std::size_t end);
 
 struct PcaOptions {
   int maxComponents = std::numeric_limits<int>::max();
 };
 
-/// @param load the table of a material, of one grid for all; asked for one after another, so that memory holds one.
-/// Memory: 4 bytes x 3 materials x cells (411 columns of 1.1 million cells: 1.8 GB) and some ten MB.
-/// @throws Error when there are no materials, their grids differ, or no cell is valid in all; Cancelled.
+/// Learns the components. @param load returns the table of a material; all must have the same grid. Called for one
+/// material after another, so that only one table is in memory. Memory: 4 bytes x 3 materials x cells (411 columns of
+/// 1.1 million cells: 1.8 GB) and some ten MB.
+/// @throws Error if there are no materials, their grids differ, or no cell is valid in all of them; Cancelled.
 PrincipalComponents learnPrincipalComponents(
     std::size_t materials, const std::function<std::shared_ptr<const TabulatedBrdf>(std::size_t material)>& load,
     const PcaOptions& options = {}, const TaskControl& control = {});
 
-/// Projects a material: the nearest in the span of the first components, by mapped values. A cell that is not valid in
-/// it counts as the mean. @param components at most count(). @throws Error when the grid is another; Cancelled.
+/// Projects the mapped values of a material on the first components. Invalid cells count as the mean. @param components
+/// limited to count(). @throws Error if the grids differ; Cancelled.
 ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table, int components,
                      const TaskControl& control = {});
 
-/// The table that a code stands for; cells that do not count are invalid. Values beyond the range of float are its
-/// largest number, and counted in `*cappedCount` when given. @throws Error when the code has more components;
+/// The table of a code; cells outside the mapping are invalid. Values beyond the range of float become the largest
+/// float and are counted in `*cappedCount`, if given. @throws Error if the code has more components than the basis;
 /// Cancelled.
 std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, const ComponentCode& code,
                                             const TaskControl& control = {}, std::size_t* cappedCount = nullptr);

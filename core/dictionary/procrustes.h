@@ -11,13 +11,12 @@
 namespace gonio::dictionary {
 
 /// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A
-/// generalized solution of the orthogonal Procrustes problem"). Orthonormal to rounding whatever the rank of Z, also
-/// for Z = 0.
+/// generalized solution of the orthogonal Procrustes problem"). Orthonormal up to rounding for any rank of Z, also for
+/// Z = 0.
 Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z);
 
-/// Adds X_(mode) (S x_other U)_(mode)^T of one signal to `z`, from the signal's products with the two other modes:
-/// only the coefficients that are not 0 are touched.
-/// @param projected X x_q U_q^T over the two other modes, of the block's sizes.
+/// Adds X_(mode) (S x_other U)_(mode)^T of one signal X with coefficients S to `z`; the cost is proportional to the
+/// number of coefficients. @param projected X x_q U_q^T over the two other modes q, of size `sizes`.
 template <typename Scalar>
 void addCorrelation(const Scalar* projected, const Sizes& sizes, int mode,
                     std::span<const Coefficient<Scalar>> coefficients, Eigen::MatrixXd& z) {

@@ -7,22 +7,25 @@
 
 namespace gonio::dictionary {
 
-/// Where nearly all of a set of signals lies: the truncated higher-order SVD of the set (De Lathauwer et al. 2000).
-/// Training works in its small block; the other directions wait behind it.
+/// A subspace that contains nearly all energy of a set of signals: the truncated higher-order SVD of the set (De
+/// Lathauwer et al. 2000, "A Multilinear Singular Value Decomposition"). Training works on the small blocks of
+/// projected signals.
 struct SharedSubspace {
-  ModeMatrices<double> bases;  ///< square, orthonormal, columns by falling energy
-  Sizes ranks{};               ///< leading columns that span the subspace
+  ModeMatrices<double> bases;  ///< square, orthonormal; columns by decreasing energy
+  Sizes ranks{};               ///< number of leading columns that span the subspace
   double loss = 0;             ///< fraction of the set's energy outside of it
 
-  /// The dictionary of the whole space that is `inner` in the subspace and leaves the rest as it is.
+  /// Extends a dictionary of the subspace to the whole space; the other directions remain the columns of `bases`.
   ModeMatrices<double> lifted(const ModeMatrices<double>& inner) const;
 };
 
-/// The smallest ranks whose left-out energy, summed over the modes, is at most `maxLoss` of the set's. One pass.
+/// Finds the smallest ranks with which the energy that is left out, summed over the modes, is at most the fraction
+/// `maxLoss`. One pass over the materials.
 SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
                                   const TaskControl& control = {});
 
-/// The signals in the subspace, one a column, in single precision; sets the subspace's `loss`. One pass.
+/// The signals projected onto the subspace, one per column, in single precision; sets the subspace's `loss`. One pass
+/// over the materials.
 Matrix<float> projectOnto(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
                           const TaskControl& control = {});
 

@@ -12,13 +12,13 @@
 
 namespace gonio::dictionary {
 
-/// One channel of a material: a few coefficients over one dictionary. The index of a coefficient is that of a table:
-/// l0 + n0 (l1 + n1 l2) of the atoms of the three modes.
+/// One channel of a material: a few coefficients over one dictionary. Like a cell of a table, the coefficient of the
+/// atoms l0, l1, l2 of the three modes has the index l0 + n0 (l1 + n1 l2), with n the sizes of the modes.
 struct ChannelCode {
   int dictionary = 0;
-  std::vector<Coefficient<float>> coefficients;  ///< larger in size first
-  /// No transformed value is more: the largest of the measurement. A sum of few atoms overshoots where cells count
-  /// little, and the inverse of a logarithm makes a cliff of it.
+  std::vector<Coefficient<float>> coefficients;  ///< by decreasing absolute value
+  /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells of
+  /// low importance, and the inverse of the logarithm would amplify that.
   float highest = std::numeric_limits<float>::max();
 };
 
@@ -28,9 +28,9 @@ struct SparseCode {
   DataTransform transform = DataTransform::logPlus;
   std::array<ChannelCode, 3> channels;
 
-  /// Of the channel that has most.
+  /// The largest number of coefficients of a channel.
   std::size_t coefficients() const;
-  /// With at most so many coefficients per channel: the largest.
+  /// The code with only the largest `coefficients` of each channel.
   SparseCode truncated(std::size_t coefficients) const;
 };
 

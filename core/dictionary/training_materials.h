@@ -11,26 +11,25 @@
 
 namespace gonio::dictionary {
 
-/// The materials that dictionaries learn from: read again for every pass over them, so that memory holds a few at a
-/// time.
+/// The materials of a training set. They are loaded again for every pass, so that only a few are in memory at a time.
 struct TrainingMaterials {
   std::vector<std::string> names;
   HalfDifferenceGrid grid;
-  /// The table of a material, of `grid`. Called from several threads.
+  /// Returns the table of a material, which must have `grid`. Called from several threads at once.
   std::function<std::shared_ptr<const TabulatedBrdf>(std::size_t material)> load;
 };
 
-/// Which signals a material gives: three channels for each transform.
+/// The signals of a material: three channels for each transform.
 struct SignalOptions {
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
 
   std::size_t signalsPerMaterial() const { return 3 * transforms.size(); }
 };
 
-/// Calls `work(material, signal, values)` for every signal, those of a material in order on one thread, several
-/// materials at a time; signals are numbered through: material * signalsPerMaterial() + transform * 3 + channel. Then
-/// `finished(material)` on the calling thread, in the order of the materials: sums made there have the same bits for
-/// any number of threads.
+/// Calls `work(material, signal, values)` for every signal (signalsOf()): those of a material in order on one thread,
+/// several materials in parallel. The index of a signal is material * signalsPerMaterial() + transform * 3 + channel.
+/// Then calls `finished(material)` on the calling thread in the order of the materials, so that sums made there do not
+/// depend on the number of threads.
 /// @throws Cancelled; whatever `load` throws.
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,

@@ -8,55 +8,54 @@
 
 namespace gonio::editing {
 
-/// What a document is about that has no file of its own: materials blended in a space. In a document's "source":
+/// The source of a document without a material file of its own: a blend of materials. In a document's "source":
 ///   {"blend": {"space": "linear", "model": "ggx", "materials": [
 ///      {"weight": 0.4, "source": {..}, "edits": [..]}, ..]}, "sha256": ..}
-/// "model" in spaces that have one. The materials are documents of their own, and may be blends again.
+/// "model" is present in spaces that use one. The materials are documents themselves and may be blends.
 struct BlendSource {
   InterpolationSpace space = InterpolationSpace::linear;
-  const models::Model* model = nullptr;  ///< of `parameters` and `differential`; else not looked at
-  std::vector<EditDocument> materials;   ///< their views do not count
+  const models::Model* model = nullptr;  ///< for the spaces `parameters` and `differential`; ignored in others
+  std::vector<EditDocument> materials;   ///< their views are ignored
   std::vector<double> weights;
 };
 
-/// What an editor's blends are prepared with: the bundled dictionary (read at the first call, 0.1 s), few terms of
-/// factors.
+/// The options of blends in the editor: the bundled dictionary (read at the first call, 0.1 s) and three PDV terms.
 InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
-/// A material as one that is blended: with its code while no edit has changed it.
-/// @param base in its own form, in the order of directions that is shown. @param unedited its table. @param edited the
-/// table with `edits`, the same object where there are none.
+/// A material as an end of a blend, with its sparse code if no edit changes it. @param base the material in its own
+/// form, with the incident slot that is displayed. @param unedited its table. @param edited the table with `edits`; the
+/// same object as `unedited` if no edit changes it.
 InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
                             const std::shared_ptr<const TabulatedBrdf>& unedited,
                             const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);
 
-/// @throws Error when an edit's values do not fit its model.
+/// @throws Error if an edit's values do not match its model.
 nlohmann::json toJson(const BlendSource& blend);
-/// How deep blends of blends may be.
+/// Maximum depth of blends inside blends.
 inline constexpr int maxBlendsInBlends = 16;
 /// @param version of the document. @param depth 1 for a document's own blend.
-/// @throws Error as documentFromJson(); weights that are none and blends in too many blends too.
+/// @throws Error as documentFromJson(), and for invalid weights or more than maxBlendsInBlends nested blends.
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
                                                        int version, int depth);
 
-/// Distinguishes a blend from one of other materials, other edits or other weights; those of the sources count, not
-/// their paths. Lower-case hex.
+/// SHA-256 of a blend's content: the hashes of its sources (not their paths), edits, weights, space and model.
+/// Lower-case hex.
 std::string blendSha256(const BlendSource& blend);
 
-/// A blend as a material: named after its materials, without a path. In their own form where all have the same one
-/// (ownFormBlend()), of RGL files with a note about it; where some have another form than a table, the sum of these;
-/// else a table.
-/// @param interpolation of `blend`, prepared. @throws Cancelled.
+/// A blend as a material, named after its materials, without a path. It has the form of the materials if all share one
+/// (ownFormBlend()); for RGL files a note states the accuracy. Otherwise it is a weighted sum if some material is not a
+/// table and the space allows it (mixesOwnForms()), else a table. @param interpolation the prepared interpolation of
+/// `blend`. @throws Cancelled.
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control = {});
 
-/// The files that a document is about, in its blends too; none of them bundled. As their paths stand in the document:
-/// see resolved().
+/// The source files of a document, including those of its blends, without bundled materials. Paths are as in the
+/// document: see resolved().
 std::vector<std::filesystem::path> sourceFiles(const EditDocument& document);
 
-/// Reads what a document is about, without its own edits: the file, or the blend of all files. Each of a blend's
-/// materials takes as long as its file and its edits, the blend up to some seconds.
-/// @param documentPath against which relative paths are resolved. @throws Error naming the file; Cancelled.
+/// Reads the source of a document, without the document's own edits: the file, or the blend of all its files (up to
+/// some seconds, in addition to reading and editing each material). @param documentPath relative paths are resolved
+/// against its folder. @throws Error that names the file; Cancelled.
 materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
                                const TaskControl& control = {});
 

@@ -5,14 +5,14 @@
 #include "core/documents/edit_document.h"
 #include "core/support/json_object.h"
 
-/// What documents and the materials of blends have in common: "source" and "edits".
+/// The JSON that documents and the materials of blends share: "source" and "edits".
 namespace gonio::editing {
 
 nlohmann::json contentToJson(const EditDocument& document);
-/// @param depth how many blends it lies in. @throws Error as documentFromJson().
+/// @param depth number of enclosing blends. @throws Error as documentFromJson().
 EditDocument contentFromJson(const JsonObject& object, int version, int depth = 0);
 
-/// The model named under "model". @throws Error naming the key.
+/// The model named under "model". @throws Error that names the key.
 const models::Model& modelFromJson(const JsonObject& object);
 
 }  // namespace gonio::editing

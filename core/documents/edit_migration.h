@@ -6,8 +6,8 @@
 
 namespace gonio::editing {
 
-/// An edit as EditDocument::currentVersion writes it, from one that a document of `version` holds: the same numbers
-/// under today's names. What is no edit passes through, for the reader to report.
+/// Converts the JSON of an edit from a document of `version` to EditDocument::currentVersion: the same numbers under
+/// current names. JSON that is not an edit is returned unchanged; the reader reports it.
 nlohmann::json migratedEdit(nlohmann::json edit, int version);
 
 }  // namespace gonio::editing

@@ -10,20 +10,21 @@ namespace gonio::editing {
 
 /// A material with edits.
 struct EditedMaterial {
-  materials::Material shown;  ///< with its edits
-  materials::Material base;   ///< without
+  materials::Material shown;  ///< with the edits applied
+  materials::Material base;   ///< without edits
   EditList edits = {};
-  IncidentSlot incident = IncidentSlot::viewer;  ///< in which `base` is, where it is an RGL or UTIA file
+  IncidentSlot incident = IncidentSlot::viewer;  ///< of `base`, if it is an RGL or UTIA file
 };
 
-/// A material with edits applied: a table where it is one, else its own form under the edits. The material itself where
-/// no edit changes anything. @throws Cancelled.
+/// A material with edits applied: a table if it is one, otherwise its own form evaluated with the edits. Anisotropic
+/// edits of a table give both: the table contains the mean over the azimuths. Returns the material itself if no edit
+/// has an effect. @throws Cancelled.
 materials::Material withEdits(const materials::Material& base, std::span<const Edit> edits,
                               const TaskControl& control = {});
 
-/// The material of a .gonio file, its edits applied as by withEdits(). Named after the file. `source.sha256` is that of
-/// the source.
-/// @throws Error naming the file; where the source has changed since; Cancelled.
+/// Reads a .gonio file and applies its edits (withEdits()). The material is named after the file if it has edits or is
+/// a blend; its source.sha256 is that of the source. @throws Error that names the file, also if the source has changed
+/// since the edits were made; Cancelled.
 EditedMaterial editedMaterial(const std::filesystem::path& document, const TaskControl& control = {});
 
 }  // namespace gonio::editing

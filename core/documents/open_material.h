@@ -8,13 +8,13 @@
 
 namespace gonio::editing {
 
-/// Whether it is a .gonio document, by its content (JSON). A file that cannot be read is none.
+/// Whether a file is a .gonio document: its first character other than white space is '{'. False if it cannot be read.
 bool isDocument(const std::string& path);
 
-/// Anything that is a material: a file, a .gonio document, or "library:SOURCE/NAME".
-/// @throws Error naming the file; of a document also when its source has changed since; Cancelled.
+/// Opens any material: a file, a .gonio document, or "library:SOURCE/NAME". @throws Error that names the file; for a
+/// document also if its source has changed since; Cancelled.
 EditedMaterial openWithEdits(const std::string& path, const TaskControl& control = {});
-/// The same as it is shown.
+/// The material with its edits applied.
 materials::Material openMaterial(const std::string& path, const TaskControl& control = {});
 
 }  // namespace gonio::editing

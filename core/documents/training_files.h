@@ -9,19 +9,20 @@
 
 namespace gonio::editing {
 
-/// "Folders of .binary and .bsdf files, or files".
+/// Help text of options that take a training set, e.g. "Folders of .binary and .bsdf files, or files".
 std::string trainingHelp();
 
-/// Files as they are, of folders all measured materials (MaterialFormat::isMeasurement), in the order of their names;
-/// less the excluded names.
-/// @throws Error when a folder has none, a name excludes nothing, or none is left.
+/// The files of a training set. Folders in `sources` are replaced by all measured materials in them
+/// (MaterialFormat::isMeasurement), sorted by name; other entries are kept. Materials named in `excluded` are removed.
+/// @throws Error if a folder has no measured material, an excluded name matches none, or none is left.
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded = {});
 
-/// The grid of the first file's table, which all others must share; that of MERL tables where it has a form of its own.
+/// The grid of the first file if it is a table, otherwise the MERL grid. All files must have it. @throws as
+/// openMaterial().
 HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files);
 
-/// Their tables; `load` throws Error naming a file of another grid than the one expected.
+/// The tables of the files; `load` throws Error that names a file with another grid than `grid`.
 dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files,
                                                 const HalfDifferenceGrid& grid = {});
 

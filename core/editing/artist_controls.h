@@ -7,38 +7,39 @@
 
 #include "core/models/model.h"
 
-/// A few controls that mean the same for every model and material. Most act on the parameters of a model by what these
-/// mean in it (models::ParameterRole), after whatever else changes them, so that each can be moved and reset alone.
-/// Tint and saturation act on the edited values themselves: colours that the fit does not explain change too.
+/// Controls with the same meaning for every model and material. Most change the parameters of a model according to
+/// their roles (models::ParameterRole), after all other changes, so that each control can be moved and reset
+/// independently. Tint and saturation change the edited values themselves, so that they also affect colours that the
+/// fit does not explain.
 namespace gonio::editing {
 
-/// Indices of artistControls().
+/// Indices of the parameters of artistControls().
 enum class ArtistControl { roughness, specularStrength, tint, saturation, contrast, coatStrength, edgeBrightness };
 
-/// The controls in the form of a model's parameters: ranges, defaults, texts. At its default each changes nothing.
+/// The controls as parameters of a model: ranges, defaults, texts. At its default a control has no effect.
 const models::ModelSpec& artistControls();
 
 /// Whether a control changes the edited values rather than parameters of the model.
 bool actsOnValues(ArtistControl control);
-/// What tint t and saturation s make of an edited value v: C v with C = (s I + (1 - s) 1 Y^T) diag(t), Y the weights of
-/// luminance(). The identity matrix, bit for bit, where both are at their defaults.
+/// Tint t and saturation s as a matrix C of linear RGB: C = (s I + (1 - s) 1 Y^T) diag(t), Y the weights of
+/// luminance(). Exactly the identity if both are at their defaults.
 glm::dmat3 colourMatrix(const models::ParameterValues& controls);
 
-/// Whether a model has the parameters that a control changes; true of those that act on values.
+/// Whether a model has parameters that a control changes; true for controls that act on values.
 bool actsOn(ArtistControl control, const models::ModelSpec& model);
 
-/// Parameters with the controls applied, in the order of the list, and cut to their hard ranges; the same parameters,
-/// bit for bit, where all controls are at their defaults. O(parameters).
+/// Parameters with all controls applied, in the order of the list, and clamped to their hard ranges; exactly the same
+/// parameters if all controls are at their defaults. O(parameters).
 models::ParameterValues withControls(const models::ModelSpec& model, models::ParameterValues parameters,
                                      const models::ParameterValues& controls);
 
-/// What one control does to one parameter.
+/// The effect of one control on one parameter.
 struct ControlledParameter {
   std::size_t parameter;
   Rgb before, after;
 };
-/// What a control changes, those before it applied; nothing of lobes that are off, nothing where it acts on values. For
-/// a line beside its slider.
+/// The parameters that a control changes after the controls before it, for the text beside its slider. Parameters of
+/// lobes that are switched off are omitted. Empty for controls that act on values.
 std::vector<ControlledParameter> changesBy(ArtistControl control, const models::ModelSpec& model,
                                            const models::ParameterValues& parameters,
                                            const models::ParameterValues& controls);

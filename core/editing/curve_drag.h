@@ -7,26 +7,27 @@
 
 namespace gonio::editing {
 
-/// What a hand does to a curve: control points that lie on it move, and the curve follows them smoothly. All curves are
-/// monotone cubic, so that nothing overshoots between the points.
+/// A drag of control points on a curve, which follows them smoothly. Interpolation is monotone cubic, without overshoot
+/// between the points.
 struct CurveDrag {
   enum class Mode {
-    add,      ///< the amounts are added; 0 leaves the curve
-    multiply  ///< the curve is multiplied by them; 1 leaves it
+    add,      ///< amounts are added to the curve; 0: no change
+    multiply  ///< the curve is multiplied by the amounts; 1: no change
   };
-  std::vector<double> from;     ///< where the points stood, strictly increasing
-  std::vector<double> to;       ///< where they stand, strictly increasing; as many
-  std::vector<double> amounts;  ///< one a point
+  std::vector<double> from;     ///< positions of the points before the drag, strictly increasing
+  std::vector<double> to;       ///< positions after the drag, strictly increasing
+  std::vector<double> amounts;  ///< one per point
   Mode mode = Mode::add;
 };
 
-/// The curve after the drag: stretched along its axis as the points move, then changed by the amounts between them;
-/// values below 0 become 0. Detail that lies between the points survives.
-/// @param nodes strictly increasing, as many as values. The ends of the axis stay where they are.
+/// The curve after the drag: stretched along its axis as the points move (the ends of the axis stay fixed), then
+/// changed by the amounts, interpolated between the points. Detail between the points is kept; negative values become
+/// 0. @param nodes strictly increasing, one per value of the curve.
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag);
 
-/// Nodes whose monotone cubic follows a curve to within a fraction of its largest size: few where it is smooth. The
-/// ends belong to them. At most `most`, at least two (one for a curve of one node).
+/// Selects nodes, including the ends, such that a monotone cubic through them approximates the curve to within
+/// `fraction` of its largest absolute value. Returns at most `most` nodes, but at least two (one for a curve of one
+/// node).
 std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double fraction,
                                   int most);
 

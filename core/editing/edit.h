@@ -14,48 +14,48 @@
 
 namespace gonio::editing {
 
-/// One step of the stack of edits that is replayed over an immutable measurement: what each kind of edit is made of,
-/// and what all kinds have in common.
+/// One step of an edit stack, which is applied to an immutable measurement: the content of one kind of edit, and the
+/// properties that all kinds share.
 struct Edit {
   std::variant<DifferentialEdit, FactorEdit> content;
   std::string name = {};  ///< given by the user, UTF-8; empty: none
   double strength = 1;    ///< [0, 1]
   bool enabled = true;
 
-  /// Whether it leaves every base as it is, bit for bit.
+  /// Whether the edit leaves every base bitwise unchanged.
   bool isIdentity() const;
   bool operator==(const Edit&) const = default;
 };
 
-/// In the order in which they are applied; several of one kind.
+/// Edits in the order of application; may contain several of one kind.
 using EditList = std::vector<Edit>;
 
-/// Whether all of them leave every base as it is.
+/// Whether all edits leave every base bitwise unchanged.
 bool isIdentity(std::span<const Edit> edits);
-/// Whether it changes a material by something that depends on the azimuth, so that no isotropic table can hold it.
-/// Factors never do.
+/// Whether the change depends on the azimuth, so that an isotropic table cannot represent it. Always false for factors.
 bool isAnisotropic(const Edit& edit);
 
-/// The edited BRDF: the base with the edits applied in order, each clamped at 0.
-/// A pair at which the base has no data (below the horizon) stays 0.
+/// The edited BRDF: the base with the edits applied in order, each clamped at 0. Pairs without data in the base (such
+/// as below the horizon) remain 0.
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const Edit> edits);
 
-/// The same without the clamp: where an edit takes away more than was measured, the value is negative. What the
-/// plausibility checks judge; nothing to render.
+/// The same without the clamp, for plausibility checks only: values are negative where an edit removes more than was
+/// measured.
 std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base, std::span<const Edit> edits);
 
-/// Over how many azimuths, spread over half a turn, bakeEdits() averages an anisotropic edit. Enough for a highlight
-/// ten times as wide along one axis as along the other; every model looks the same from the opposite side.
+/// Number of azimuths, over half a turn, over which bakeEdits() averages an anisotropic edit: enough for a highlight
+/// ten times as wide along one axis as along the other. Half a turn suffices because all models are symmetric under a
+/// rotation by pi.
 inline constexpr int bakedAzimuths = 64;
 
-/// The edited BRDF as a table over the base's cells: invalid cells stay invalid; an identity stack returns the base
-/// itself. Tables are isotropic: where an edit is not, the table holds the mean over `bakedAzimuths` turns of both
-/// directions about the normal. A value that would overflow float is capped at the largest float and counted in
-/// `*cappedCount` when given. In parallel, deterministic. @throws Cancelled.
+/// The edited BRDF as a table on the base's grid. Invalid cells remain invalid; edits without effect return the base
+/// itself. For anisotropic edits the table contains the mean over `bakedAzimuths` rotations of both directions about
+/// the normal. Values beyond the range of float become the largest float and are counted in `*cappedCount`, if given.
+/// Parallel, deterministic. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
                                                std::span<const Edit> edits, const TaskControl& control = {},
                                                std::size_t* cappedCount = nullptr);
-/// The same over a base of any form: one that is no table is sampled with its edits onto the MERL grid.
+/// The same for a base of any form: if it is not a table, it is sampled with its edits on the MERL grid.
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,
                                                const TaskControl& control = {});
 

@@ -6,18 +6,18 @@
 
 namespace gonio::editing {
 
-/// Polar angle at which the energy toward the edge is stated, rad.
+/// Polar angle of Energy::grazing, rad.
 inline constexpr double grazingView = radians(80);
 
-/// Directional albedo (directionalAlbedo()) as luminance: the fraction of white light from everywhere that is sent to a
-/// viewer.
+/// Luminance of the directional albedo (directionalAlbedo()) for two viewers: the fraction of uniform white light that
+/// is reflected to the viewer.
 struct Energy {
   double headOn = 0;   ///< viewer at the normal
   double grazing = 0;  ///< viewer at grazingView
 };
 
-/// Of the base, and of it with the first 1, 2, ... edits: one more than there are edits. About 20 ms each that changes
-/// something. @throws Cancelled.
+/// Energies of the base, then of the base with the first 1, 2, ... edits: one entry more than edits. About 20 ms per
+/// edit with an effect. @throws Cancelled.
 std::vector<Energy> energiesThrough(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,
                                     const TaskControl& control = {});
 

@@ -7,11 +7,11 @@
 
 #include "core/editing/edit.h"
 
-/// New lists of edits from old ones. Indices are those of existing edits. Each copies the list: some kB, curves are
-/// shared.
+/// Functions that return a changed copy of a list of edits. Indices must be those of existing edits. A copy takes some
+/// kB; curves are shared.
 namespace gonio::editing {
 
-/// The list with `change(edit)` done to one edit.
+/// The list with `change(edit)` applied to one edit.
 template <class Change>
 EditList withEdit(EditList edits, std::size_t index, const Change& change) {
   assert(index < edits.size());
@@ -19,15 +19,15 @@ EditList withEdit(EditList edits, std::size_t index, const Change& change) {
   return edits;
 }
 
-/// @param index of a differential edit.
+/// The list with one value of DifferentialEdit::edited replaced. @param index of a differential edit.
 EditList withParameter(EditList edits, std::size_t index, std::size_t parameter, const Rgb& value);
-/// @param position before which the edit is put, at most the size of the list.
+/// @param position index of the new edit, at most the size of the list.
 EditList inserted(EditList edits, std::size_t position, Edit edit);
 EditList removed(EditList edits, std::size_t index);
-/// The edit `from` becomes number `to`; those between move by one.
+/// Moves the edit `from` to index `to`; those between move by one.
 EditList moved(EditList edits, std::size_t from, std::size_t to);
 
-/// Memory of the edits that `list` does not share with `other`: curves that both hold do not count.
+/// Bytes of `list` that it does not share with `other`: curves that both contain do not count.
 std::size_t bytesBeside(const EditList& list, const EditList& other);
 
 }  // namespace gonio::editing

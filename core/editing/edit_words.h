@@ -8,12 +8,12 @@
 
 namespace gonio::editing {
 
-/// What edits make of a material, in one to three words each of at most two: "rougher, recoloured". An edit that the
-/// user named has that name. Empty where nothing is changed.
+/// A short description of the effect of edits, such as "rougher, recoloured": at most two items of one to three words.
+/// A name that the user gave to an edit replaces its description. Empty if no edit has an effect.
 std::string editWords(std::span<const Edit> edits);
 
-/// The name of an edited material, for a file too (without '/', '\\' and ':'): "gold-paint, rougher"; the material's
-/// own where nothing is changed.
+/// The name of an edited material, such as "gold-paint, rougher"; the material's own name if no edit has an effect.
+/// Valid as a file name: without '/', '\\' and ':'.
 std::string editedName(const std::string& material, std::span<const Edit> edits);
 
 }  // namespace gonio::editing

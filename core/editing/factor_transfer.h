@@ -6,13 +6,13 @@
 
 namespace gonio::editing {
 
-/// The change that an edit of factor curves makes, carried over to another material, whose curves `target` are:
-/// - F1 by ratio at each angle, term by term: "10 % stronger" stays 10 % stronger;
-/// - F2 by its width: the target's is stretched as the edit stretched its own (half-width of each term), and what the
-///   edit did beside stretching is added to the first term, over |Dp| in units of the half-width;
-/// - F3 of the first term by difference.
-/// Terms that the edit dropped are dropped. Onto the curves it was made on, the edit itself. Kept detail goes with it.
-/// @throws Error when form or transform differ, or either side has no curves.
+/// Transfers an edit of factor curves to another material with the curves `target`:
+/// - F1: the ratio at each angle, term by term, so that "10 % stronger" remains 10 % stronger;
+/// - F2: the curve of the target is stretched by the ratio of the half-widths before and after the edit, term by term;
+///   the rest of the change is added to the first term, over |Dp| in units of the half-width;
+/// - F3: the difference, for the first term.
+/// Terms that the edit removed are removed. If `target` equals edit.original, returns the edit itself. keepDetail is
+/// copied. @throws Error if form or transform differ, or either side has no curves.
 FactorEdit transferredEdit(const FactorEdit& edit, const FactorEdit::Curves& target);
 
 }  // namespace gonio::editing

@@ -11,37 +11,36 @@
 
 namespace gonio::editing {
 
-/// Composition::lobes. A model M = sum over k of M_k is fitted to a measurement m; q(x) = (m(x) + eps) / (M(x) + eps)
-/// is what the fit does not explain. Each edited lobe M'_k carries it along:
+/// Composition::lobes. For a model M = sum over k of M_k that is fitted to a measurement m, the ratio q(x) = (m(x) +
+/// eps) / (M(x) + eps) is what the fit does not explain. Each edited lobe M'_k carries it along:
 ///
 ///   edited(x) = m(x) + sum over k of M'_k(x) q(w_k(x)) - M_k(x) q(x),
 ///
-/// where w_k scales tan theta_h by alpha_k / alpha'_k, along and across the grain where there is one (LobeWarp): it
-/// maps a direction to where the unedited lobe had the same place in its profile. A highlight keeps its colour and its
-/// shape while it widens, and lobes that do not change add exactly nothing. Where w_k(x) was not measured, q(x) is
-/// taken.
+/// where w_k scales tan theta_h by alpha_k / alpha'_k, separately along and across the grain (LobeWarp): it maps a
+/// direction to the one at which the fitted lobe has the same point of its profile. A highlight keeps its colour and
+/// shape while it widens, and unchanged lobes add exactly 0. Where w_k(x) has no data, q(x) is used instead.
 ///
-/// A lobe that gets another colour carries the ratio of each channel as far as it keeps its chromaticity, and the ratio
-/// of luminance for the rest (recolouredRatio()): a red body that is made grey does not keep the errors of a channel in
-/// which it was dark. The body, and every lobe without a width, carries the ratio only where it is nearly all of the
-/// model, 1 + (M_k / M)^4 (q - 1): what the fit misses in a highlight belongs to the highlight.
+/// A lobe of changed colour carries the ratio of each channel only as far as its chromaticity is kept, and the ratio of
+/// the luminances for the rest (recolouredRatio()): a red body that becomes grey does not inherit the errors of the
+/// channels in which it was dark. The body, and every lobe without a width, carries the ratio only where it dominates
+/// the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the highlight.
 class LobeChange {
  public:
-  /// @throws Error where the model is no sum of lobes.
+  /// @throws Error if the model is not a sum of lobes.
   explicit LobeChange(const DifferentialEdit& edit);
 
-  /// Scratch stays on the stack, so that single look-ups allocate nothing.
+  /// Limits scratch memory to the stack, so that single look-ups do not allocate.
   static constexpr std::size_t maxPairs = 64;
 
-  /// Added to `changes`, 1/sr, for at most maxPairs pairs above the horizon. @param values of the base at the pairs.
-  /// Evaluates the base once more for each way in which lobes change their width: once where all widen alike.
+  /// Adds the change, 1/sr, to `changes`, for at most maxPairs pairs above the horizon. @param values of the base at
+  /// the pairs. Evaluates the base again for each distinct change of width: once if all lobes widen by the same factor.
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
 
   bool isIsotropic() const { return isIsotropic_; }
   bool isReciprocal() const { return fitted_->isReciprocal(); }
 
-  /// eps, 1/sr: keeps the ratio near 1 where measurement and fit are both dark.
+  /// eps, 1/sr: the ratio is near 1 where measurement and fit are both dark.
   static constexpr double epsilon = 0.001;
 
  private:
@@ -49,38 +48,38 @@ class LobeChange {
     std::unique_ptr<const Brdf> fitted, edited;
     bool isBody, isRecoloured;
   };
-  /// Lobes that had the same places.
+  /// Lobes with the same warp.
   struct Group {
     LobeWarp warp;
     std::vector<Lobe> lobes;
   };
-  /// What is known at the pairs: the model, and the ratio q there and where the lobe had them.
+  /// Values per pair: the fitted model, the ratio q at the pair, and the ratio that the warp carries there.
   struct Ratios {
     std::span<const Rgb> model, here, carried;
   };
   static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios, std::span<Rgb> changes);
-  /// The ratios at the places that the lobe had, where they were measured.
+  /// Sets `carried` to the ratios at the warped pairs where the base has data there.
   void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
                    std::span<Rgb> carried) const;
 
   std::unique_ptr<const Brdf> fitted_;
-  std::vector<Group> groups_;  ///< of the lobes that change
+  std::vector<Group> groups_;  ///< the lobes that change
   bool isIsotropic_;
 };
 
-/// The ratio that a lobe carries. With the chromaticities c = M_k / Y(M_k) and c' = M'_k / Y(M'_k), Y the luminance,
-/// and s = min(1, c / c') in each channel: s q + (1 - s) Y(M_k q) / Y(M_k). It is q where the colour stays.
-/// @param ratio q; fitted, edited M_k and M'_k, 1/sr.
+/// The ratio that a recoloured lobe carries: s q + (1 - s) Y(M_k q) / Y(M_k) with s = min(1, c / c') per channel, Y the
+/// luminance, and the chromaticities c = M_k / Y(M_k) and c' = M'_k / Y(M'_k). Equals q if the colour is unchanged.
+/// @param ratio q. @param fitted M_k, 1/sr. @param edited M'_k, 1/sr.
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
-/// What an edit does to a part of the model.
+/// The effect of an edit on one lobe of the model.
 struct PartChange {
-  enum Kind { none, body, highlight } kind = none;  ///< body: without a width
+  enum Kind { none, body, highlight } kind = none;  ///< body: a lobe without a width
   bool isRecoloured = false;
-  LobeWarp warp = {};                  ///< of a highlight
-  bool wasLit = false, isLit = false;  ///< the fitted part, the edited one: false where it is black
+  LobeWarp warp = {};                  ///< for a highlight
+  bool wasLit = false, isLit = false;  ///< whether the fitted and the edited lobe are not black
 };
-/// Of each part. What the shader reads. Only of models with lobes.
+/// The change of each lobe, for the preview's shader. Only for models with lobes.
 std::vector<PartChange> partChanges(const DifferentialEdit& edit);
 
 }  // namespace gonio::editing

@@ -7,11 +7,11 @@
 
 namespace gonio::exports {
 
-/// Polar angles of the incident direction (rad, 0 to 89 degrees) placed where the material changes: from a few, the
-/// interval whose linear interpolation errs most at its middle is split, again and again. The error is that of the
-/// field `rgb`, which is reflected light, times the area that the angle has on a sphere.
-/// @return in the order in which they were added: the first n of them are a set for every n >= 4.
-/// @throws Cancelled. Two slices of 16 x 16 nodes per angle.
+/// Chooses polar angles of the incident direction, rad, from 0 to 89 degrees, densely where the material changes.
+/// Starts with four angles and repeatedly halves the interval with the largest error of linear interpolation at its
+/// middle: the error of the field `rgb`, weighted by the area of the angle in a picture of a sphere. Cost: two slices
+/// of 16 x 16 nodes per angle. @param count at least 4. @return the angles in the order in which they were added, so
+/// that the first n >= 4 of them are the result for n. @throws Cancelled.
 std::vector<double> placeAngles(const Brdf& material, const RglLayout& layout, std::size_t count,
                                 const TaskControl& control = {});
 

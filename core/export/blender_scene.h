@@ -6,9 +6,10 @@
 
 namespace gonio::exports {
 
-/// NAME_scene.py of Blender 3.4 and later, which makes a scene for Cycles with the material of NAME_blender.py or of
-/// NAME_principled.py, and NAME_environment.exr, a latitude-longitude picture. Blender's axes are z up, -y to the
-/// viewer. Rectangles reflect from their backs too.
+/// NAME_scene.py, a script for Blender 3.4 and later that creates a scene for Cycles with the material of
+/// NAME_blender.py (blenderSceneFormat()) or NAME_principled.py (principledSceneFormat()), and NAME_environment.exr, a
+/// latitude-longitude map. In Blender's axes z is up and -y points to the viewer. Rectangles also reflect from their
+/// backs.
 const SceneFormat& blenderSceneFormat();
 const SceneFormat& principledSceneFormat();
 

@@ -6,8 +6,8 @@
 
 namespace gonio::exports {
 
-/// The Python script of a scene. @param description of the dictionary SCENE, in Python: directions and positions with z
-/// up; "environment" is left out where there is none.
+/// The Python script of a scene. @param description Python code of the dictionary SCENE: directions and positions with
+/// z up; "environment" is omitted if there is none.
 std::string blenderSceneProgram(const std::string& description);
 
 }  // namespace gonio::exports

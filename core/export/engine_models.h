@@ -4,8 +4,8 @@
 
 #include "core/export/surface_values.h"
 
-/// Materials of game engines, under lights without area. Both leave out that the engines make up for multiple
-/// scattering where their settings ask for it.
+/// Material models of game engines, for lights without area. Both omit the engines' optional compensation of multiple
+/// scattering.
 namespace gonio::exports {
 
 /// Default Lit of Unreal Engine (Karis 2013, "Real Shading in Unreal Engine 4"): Lambert, GGX with an approximated

@@ -11,23 +11,23 @@ namespace gonio::exports {
 
 /// One file of an export, in memory.
 struct ExportPart {
-  std::string suffix;  ///< after the export's name
+  std::string suffix;  ///< appended to the name of the export
   std::vector<std::byte> bytes;
 };
 
-/// One file that is to be written.
+/// One file to write.
 struct ExportFile {
   std::filesystem::path path;
   std::vector<std::byte> bytes;
 };
 
-/// Whether an export may write these files, for before the work: into folders that take files, no file in use unless
-/// `overwrite`, and never over one of `sources`: the files that the material is made of. Leaves nothing behind.
-/// @throws Error naming the file.
+/// Checks before an export that it can write these files: the folders are writable, no file exists unless `overwrite`
+/// is set, and none is one of `sources`, the files that the material uses. Creates no files. @throws Error that names
+/// the file.
 void checkTargets(std::span<const std::filesystem::path> paths, std::span<const std::filesystem::path> sources,
                   bool overwrite);
 
-/// Writes all of them or none (io::writeFilesAtomically()). @throws Error naming the file.
+/// Writes all files or none (io::writeFilesAtomically()). @throws Error that names the file.
 void writeExport(std::span<const ExportFile> files);
 
 }  // namespace gonio::exports

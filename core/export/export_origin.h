@@ -8,14 +8,14 @@
 
 namespace gonio::exports {
 
-/// A material as exports take it, with its origin as a sentence: source, hash, edits, version of Gonio.
-/// @param base without edits. @param shown with them: the base's own BRDF where there are none.
-/// @throws Error where `base` is an RGL file that cannot be read again.
+/// The input of exports, with the origin as text: source, hash, edits, version of Gonio. @param base the material
+/// without edits. @param shown the BRDF with edits; base.brdf if there are none. @throws Error if `base` is an RGL file
+/// that cannot be read again.
 ExportSource exportSource(std::string name, const materials::Material& base, std::shared_ptr<const Brdf> shown,
                           const editing::EditList& edits);
 
-/// What an export is called before anyone gives it a name: editing::editedName() without commas and spaces, which other
-/// programs take for separators: "chrome", "chrome_rougher".
+/// The default name of an export: editing::editedName() without commas and with '_' for spaces, since other programs
+/// treat both as separators. Examples: "chrome", "chrome_rougher".
 std::string proposedName(const std::string& material, const editing::EditList& edits);
 
 }  // namespace gonio::exports

@@ -5,27 +5,27 @@
 #include "core/export/export_target.h"
 #include "core/rendering/rendered_comparison.h"
 
-/// What the targets share: the measure of an export, and its text.
+/// Functions that the targets share: measuring the accuracy of an export, and texts.
 namespace gonio::exports {
 
-/// The material in comparisonScene(), of the size and samples that the options ask for. @throws Cancelled.
+/// Renders the material in comparisonScene() with the picture size and samples of the options. @throws Cancelled.
 RenderedComparison exportComparison(const ExportSource& source, const ExportOptions& options,
                                     const TaskControl& control);
 
-/// Sets `brdf` and `snr`. @throws Cancelled.
+/// Renders `brdf` and sets the members `brdf` and `snr` of the export. @throws Cancelled.
 void measureExport(MadeExport& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control);
 
 /// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (sphere-studio)."
 std::string originText(const ExportSource& source, double snr);
 
-/// The text as lines that begin with `mark` ("# ", "// "), whatever line ends it has; "\n" at its end.
+/// The text as comment lines that begin with `mark` ("# ", "// "). Accepts "\n" and "\r\n"; ends with "\n".
 std::string commentLines(const std::string& text, std::string_view mark);
 
-/// A part of an export.
+/// A text file as a part of an export.
 ExportPart textPart(std::string_view suffix, std::string_view text);
 
-/// The sentence about an anisotropic material in a target that holds isotropic ones.
+/// The warning for an anisotropic material in a target of isotropic materials.
 std::string meanAzimuthWarning();
 
 }  // namespace gonio::exports

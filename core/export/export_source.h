@@ -10,17 +10,18 @@
 
 namespace gonio::exports {
 
-/// A material that is to leave Gonio, and where it comes from.
+/// A material to export, and its origin.
 struct ExportSource {
-  std::string name;                              ///< "chrome", for people
-  std::shared_ptr<const Brdf> brdf;              ///< as it is shown, with its edits
-  std::shared_ptr<const RglBrdf> rgl = nullptr;  ///< the file without edits where it is an RGL file, else null
-  std::vector<std::byte> rglFile = {};           ///< its bytes; of a blend what it would be as a file
-  std::string origin = {};                       ///< source, hash, edits and version, for the files' descriptions
+  std::string name;                              ///< for display, e.g. "chrome"
+  std::shared_ptr<const Brdf> brdf;              ///< with edits, as displayed
+  std::shared_ptr<const RglBrdf> rgl = nullptr;  ///< the material without edits if it is an RGL file, else null
+  std::vector<std::byte> rglFile = {};  ///< the bytes of that file; for a blend of RGL files, those of an equivalent
+                                        ///< file
+  std::string origin = {};              ///< source, hash, edits and version of Gonio, for descriptions in the files
 };
 
-/// Sentences for people: that the material reflects more light than it receives, at the angle of the viewer where that
-/// is the most. Usually none. About 0.1 s.
+/// Warnings for the user: whether the material reflects more light than it receives, with the viewer's angle of the
+/// maximum. Usually empty. About 0.1 s.
 std::vector<std::string> exportWarnings(const Brdf& material);
 
 }  // namespace gonio::exports

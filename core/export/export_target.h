@@ -16,59 +16,60 @@
 namespace gonio::exports {
 
 struct ExportOptions {
-  double snr = 40;                       ///< dB in comparisonScene() that the files should reach
-  std::optional<RglSize> size = {};      ///< of `.bsdf` files, instead of the smallest that reaches the SNR
-  int pictureSize = 128, samples = 128;  ///< of the pictures by which the SNR is measured
+  double snr = 40;                       ///< rendered SNR in comparisonScene() that the files should reach, dB
+  std::optional<RglSize> size = {};      ///< of `.bsdf` files; empty: the smallest size that reaches the SNR
+  int pictureSize = 128, samples = 128;  ///< of the pictures that measure the SNR
 };
 
-/// A number or a property that one target alone reports.
+/// A number or property that only some targets report.
 struct ExportFact {
-  std::string_view key, label;  ///< of the JSON; for people
+  std::string_view key, label;  ///< key in JSON; label for display
   std::variant<bool, std::size_t, double, std::string> value;
 };
 
 /// An export in memory.
 struct MadeExport {
   std::vector<ExportPart> parts;
-  double snr = 0;                    ///< dB of `brdf` against the material; +infinity for equal pictures
-  std::shared_ptr<const Brdf> brdf;  ///< what the renderer shows of the files, by the target's own formula
+  double snr = 0;                    ///< rendered SNR of `brdf` against the material, dB; +infinity for equal pictures
+  std::shared_ptr<const Brdf> brdf;  ///< the files as the renderer evaluates them, by the target's own formula
   std::vector<ExportFact> facts;
-  std::vector<std::string> warnings;  ///< sentences for people
+  std::vector<std::string> warnings;  ///< for the user
 
   std::uint64_t bytes() const;
 };
 
-/// A renderer or a format that a material is exported to. The table of all is what the dialog, goniotool and the
-/// documentation list.
+/// A renderer or format to which a material can be exported. exportTargets() is the table that the dialog, goniotool
+/// and the documentation use.
 struct ExportTarget {
-  std::string_view id;                     ///< "mitsuba", of --for and of settings
-  std::string_view label;                  ///< "Mitsuba 3"
-  std::string_view description;            ///< what is written and how it is used, a sentence or two
-  std::string_view holds;                  ///< what the files can hold and what not, a sentence
-  std::vector<std::string_view> suffixes;  ///< "_rgb.bsdf": the files are NAME with each of them
-  bool choosesSize = false;                ///< ExportOptions::size counts
-  bool choosesSnr = false;                 ///< ExportOptions::snr counts: the files grow with it
-  const SceneFormat* scene = nullptr;      ///< of scenes with the material; null where the target has none
-  /// Some seconds. @throws Error; Cancelled.
+  std::string_view id;                     ///< value of --for and of settings, e.g. "mitsuba"
+  std::string_view label;                  ///< for display, e.g. "Mitsuba 3"
+  std::string_view description;            ///< the files and their use, one or two sentences
+  std::string_view holds;                  ///< what the files can and cannot represent, one sentence
+  std::vector<std::string_view> suffixes;  ///< the files are NAME with each suffix, e.g. "_rgb.bsdf"
+  bool choosesSize = false;                ///< uses ExportOptions::size
+  bool choosesSnr = false;                 ///< uses ExportOptions::snr: files grow with it
+  const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
+  /// Makes the export. Takes some seconds. @throws Error; Cancelled.
   MadeExport (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
 
-  /// NAME with each of the suffixes, and with those of a scene that is written beside them.
+  /// The paths of all files: `name` with each suffix, including those of a scene, if given.
   std::vector<std::filesystem::path> paths(const std::filesystem::path& name, const Scene* withScene = nullptr) const;
-  /// NAME of what a user calls a file of the export: without a suffix of the target, or without its last part ".bsdf".
+  /// The name of an export from a file name that the user chose: removes a suffix of the target ("_rgb.bsdf") or its
+  /// extension (".bsdf").
   std::filesystem::path nameOf(const std::filesystem::path& file) const;
 };
 
-/// All targets, in the order in which they are listed.
+/// All targets, in the order of lists.
 std::span<const ExportTarget> exportTargets();
-/// Null where no target has this id.
+/// Null if no target has this id.
 const ExportTarget* findExportTarget(std::string_view id);
 
-/// Makes an export; the warnings that concern the material (exportWarnings()) are among its own.
+/// Makes an export. Its warnings include exportWarnings() and one for an SNR below 10 dB.
 MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
                       const TaskControl& control = {});
-/// Adds the files of a scene. Contract: the target has scenes.
+/// Adds the files of a scene. Precondition: target.scene is not null.
 void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
-/// The parts at the target's paths, for writeExport().
+/// The files of an export for writeExport().
 std::vector<ExportFile> filesOf(const MadeExport& made, const std::filesystem::path& name);
 
 }  // namespace gonio::exports

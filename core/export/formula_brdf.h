@@ -13,15 +13,15 @@
 
 namespace gonio::exports {
 
-/// Where the highlight of a formula is stretched, and what the formula keeps to.
+/// Symmetries of a formula, and the rotation of its axes.
 struct FormulaTraits {
   bool isotropic = true;
   bool reciprocal = true;
-  double rotation = 0;  ///< rad, of the formula's x axis from the tangent, counter-clockwise
+  double rotation = 0;  ///< angle of the formula's x axis from the tangent, rad, counter-clockwise
 };
 
-/// A target's own formula as a BRDF, 1/sr without the cosine: `Formula` is callable as Rgb(const
-/// models::SurfaceGeometry&), with directions about the formula's x axis; wi is the light, wo the viewer.
+/// A target's own formula as a BRDF, 1/sr, without the cosine. `Formula` is callable as Rgb(const
+/// models::SurfaceGeometry&), with directions in the frame of the formula's x axis; wi is the light, wo the viewer.
 template <typename Formula>
 class FormulaBrdf final : public Brdf {
  public:
@@ -50,19 +50,20 @@ std::unique_ptr<const Brdf> makeFormulaBrdf(Formula formula, const FormulaTraits
   return std::make_unique<const FormulaBrdf<Formula>>(std::move(formula), traits);
 }
 
-/// Slope scales of a GGX surface along the formula's x and y axis, > 0.
+/// GGX alpha along the formula's x and y axis, > 0.
 struct GgxWidths {
   double x, y;
 
   explicit GgxWidths(double alpha) : x(alpha), y(alpha) {}
   GgxWidths(double alphaX, double alphaY) : x(alphaX), y(alphaY) {}
   bool isotropic() const { return x == y; }
-  /// One width of about the same peak.
+  /// The isotropic alpha with about the same peak.
   double mean() const { return std::sqrt(x * y); }
 };
 
 /// D G_2 / (4 cos theta_i cos theta_o), 1/sr, with the height-correlated Smith term (Heitz 2014, "Understanding the
-/// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99): no Fresnel term. Finite toward the horizon. O(1).
+/// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99), without Fresnel term. Finite at the horizon. O(1).
+/// @param masking alpha of G_2, where it differs from that of D.
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha, const GgxWidths& masking) {
   const double i = ggxShadowedCosine(g.wi, masking.x, masking.y), o = ggxShadowedCosine(g.wo, masking.x, masking.y);
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
@@ -77,14 +78,15 @@ inline double separableGgx(const models::SurfaceGeometry& g, const GgxWidths& al
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (i * o);
 }
 
-/// (1 - cosine)^5, of Schlick's approximation (1994, "An Inexpensive BRDF Model for Physically-based Rendering").
+/// (1 - cosine)^5 of Schlick's approximation (Schlick 1994, "An Inexpensive BRDF Model for Physically-based
+/// Rendering").
 inline double schlickWeight(double cosine) {
   const double m = 1 - cosine, m2 = m * m;
   return m2 * m2 * m;
 }
 
-/// Schlick's term between f0 and f90 with a value of its own at 82 degrees, `tint82` times Schlick's there (Hoffman
-/// 2023, "Generalization of Adobe's Fresnel Model"); 1 is Schlick's term.
+/// Schlick's term from f0 to f90, modified so that at 82 degrees it has `tint82` times Schlick's value (Hoffman 2023,
+/// "Generalization of Adobe's Fresnel Model"); tint82 = 1 gives Schlick's term.
 inline Rgb tintedSchlick(double cosine, const Rgb& f0, const Rgb& f90, const Rgb& tint82) {
   constexpr double c = 1.0 / 7, rest = 1 - c, rest5 = rest * rest * rest * rest * rest;
   const double s = schlickWeight(cosine), m = 1 - cosine;

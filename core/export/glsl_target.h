@@ -7,12 +7,12 @@
 
 namespace gonio::exports {
 
-/// NAME.glsl: a function of reciprocal lobes.
+/// NAME.glsl: a GLSL function of reciprocal lobes.
 ExportTarget glslTarget();
 
 /// The lobes as the function vec3 gonioBrdf(vec3 wi, vec3 wo), GLSL 3.30 and GLSL ES 3.00: unit vectors in the shading
-/// frame, both away from the surface, z the normal and x the tangent; linear sRGB in 1/sr without the cosine, 0 below
-/// the horizon. @param origin in its first lines.
+/// frame, both away from the surface, z the normal and x the tangent; returns linear sRGB, 1/sr, without the cosine, 0
+/// below the horizon. @param origin text of the first lines.
 std::string glslFunction(const ReciprocalLobes& lobes, const std::string& origin);
 
 }  // namespace gonio::exports

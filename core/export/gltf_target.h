@@ -7,10 +7,10 @@
 
 namespace gonio::exports {
 
-/// NAME.gltf: a sphere with the material of gltfShader(), its buffer embedded.
+/// NAME.gltf: a sphere with the material of gltfShader(), with embedded buffer.
 ExportTarget gltfTarget();
 
-/// The document, UTF-8. Extensions are in it where they have an effect. @param origin in asset.extras.
+/// The document, UTF-8. Contains only extensions that have an effect. @param origin text of asset.extras.
 std::string gltfDocument(const SurfaceValues& values, const std::string& name, const std::string& origin);
 
 }  // namespace gonio::exports

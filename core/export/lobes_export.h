@@ -9,8 +9,9 @@
 
 namespace gonio::exports {
 
-/// The lobes by a target's own formula with the smallest of some counts that reaches the SNR, else the best; measured,
-/// without files. @throws Cancelled.
+/// Fits lobes for a target's own formula and measures the result, without writing files. @param counts numbers of GGX
+/// lobes to try, ascending; the first that reaches options.snr is used, or the one with the highest SNR.
+/// @throws Cancelled.
 std::pair<MadeExport, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
                                                        const ExportSource& source, const ExportOptions& options,
                                                        const TaskControl& control);

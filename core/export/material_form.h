@@ -7,48 +7,49 @@
 
 namespace gonio::exports {
 
-/// What a material is written as: a file of a format, of which MERL has two grids.
+/// The file format of a material; MERL has two grids.
 enum class MaterialForm {
-  rgl,               ///< RGL, in the parameterisation of the source where it is an RGL file; spectral where that is
-  utia,              ///< UTIA `.bin`, of UTIA files
+  rgl,               ///< RGL; if the source is an RGL file, in its parameterisation, and spectral if that is spectral
+  utia,              ///< UTIA `.bin`, only for UTIA files
   foldedTable,       ///< MERL, 90 x 90 x 180: reciprocal and isotropic
-  wholeCircleTable,  ///< MERL, 90 x 90 x 360: isotropic; other programs' readers of MERL files do not take it
+  wholeCircleTable,  ///< MERL, 90 x 90 x 360: isotropic; other programs that read MERL files do not support it
 };
 
-/// The forms that a measurement can be written in, the one that keeps most of it first.
+/// The forms in which a measurement can be written, the most accurate first.
 std::vector<MaterialForm> formsOf(const Brdf& base);
 materials::FormatId formatOf(MaterialForm form);
-/// The form that the suffix of a name stands for: `.bsdf`, `.bin`, `.binary` (`table` is which of the two grids).
-/// @throws Error naming the file: of another suffix, or of one that cannot hold `base`.
+/// The form for the suffix of a name: `.bsdf`, `.bin` or `.binary`. @param table the grid for `.binary`. @throws Error
+/// that names the file, for another suffix or one that cannot represent `base`.
 MaterialForm formBySuffix(const std::filesystem::path& path, const Brdf& base,
                           MaterialForm table = MaterialForm::foldedTable);
 
 struct FormFile {
   std::vector<std::byte> bytes;
-  std::vector<std::string> losses;  ///< sentences for people: what the form cannot hold; of the source's own none
+  std::vector<std::string> losses;  ///< for the user: what the form does not represent; empty for the source's own form
 };
 
-/// The sentence about an anisotropic material in a table.
+/// The text for an anisotropic material in a table.
 std::string azimuthLoss();
 
-/// A material as the bytes of a file. What was only read stays byte for byte in its own format; an edited RGL or UTIA
-/// file has the values of its own nodes plus what the edits change there, and all else of it as it was.
-/// @param base without edits, as it was read
-/// @param source the same as it is shown: `brdf` is `base.brdf` where nothing is edited, and a table where a table was
-/// edited; `rgl` and `rglFile` where `base` is an RGL file
-/// @throws Error where the form does not hold `base`; Cancelled.
+/// The bytes of a material's file. An unedited material in its own format gives its file unchanged, byte for byte. For
+/// an edited RGL or UTIA file, the change of the edits is added to the values at the file's nodes; all other content is
+/// kept.
+/// @param base the material without edits, as it was read.
+/// @param source the same material with edits: `brdf` is `base.brdf` if there are none, and a table if an edited table;
+/// `rgl` and `rglFile` are set if `base` is an RGL file.
+/// @throws Error if the form cannot represent `base`; Cancelled.
 FormFile encodeMaterial(const ExportSource& source, const materials::Material& base, MaterialForm form,
                         const TaskControl& control = {});
 
-/// Whether a name asks for a form that is no table (`.bsdf`, `.bin`).
+/// Whether the suffix of a name is that of a form other than a table (`.bsdf`, `.bin`).
 bool isOwnForm(const std::filesystem::path& path);
-/// Writes a material in such a form, atomically. Returns what it cannot hold. @throws Error naming the file; as
+/// Writes a material in such a form, atomically. @return FormFile::losses. @throws Error that names the file; as
 /// encodeMaterial().
 std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
                                       const std::filesystem::path& path, const TaskControl& control = {});
 
-/// How far a file that encodeMaterial() made is from the material: rendered SNR in comparisonScene(), dB; +infinity for
-/// equal pictures. Some seconds. @throws Cancelled.
+/// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB; +infinity for equal
+/// pictures. Takes some seconds. @throws Cancelled.
 double formError(const FormFile& file, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

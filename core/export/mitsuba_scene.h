@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// NAME_scene.xml of Mitsuba 3 with NAME_rgb.bsdf, and NAME_environment.exr, a latitude-longitude picture.
+/// NAME_scene.xml for Mitsuba 3 with NAME_rgb.bsdf, and NAME_environment.exr, a latitude-longitude map.
 const SceneFormat& mitsubaSceneFormat();
 
 }  // namespace gonio::exports

@@ -6,13 +6,13 @@
 
 namespace gonio::exports {
 
-/// NAME_scene.pbrt of pbrt-v4 with NAME_spec.bsdf, and NAME_environment_octahedral.exr, by octahedralEnvironment().
-/// pbrt always shows the environment, and Lambertian rectangles reflect from their backs too.
+/// NAME_scene.pbrt for pbrt-v4 with NAME_spec.bsdf, and NAME_environment_octahedral.exr (octahedralEnvironment()). In
+/// pbrt the environment is always visible, and Lambertian rectangles also reflect from their backs.
 const SceneFormat& pbrtSceneFormat();
 
-/// The environment as pbrt-v4 reads it: a square of `side` pixels in the equal-area octahedral mapping of Clarberg
-/// 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD", about the world's z axis, turned by `rotation`
-/// (EnvironmentRotation). Bilinear: details finer than a pixel are lost.
+/// The environment as pbrt-v4 reads it: a square with `side` pixels per side in the equal-area octahedral mapping of
+/// Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD", about the world's z axis, rotated by
+/// `rotation` (EnvironmentRotation). Bilinear: details smaller than a pixel are lost.
 Image octahedralEnvironment(const EnvironmentMap& environment, double rotation, int side);
 
 }  // namespace gonio::exports

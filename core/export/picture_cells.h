@@ -9,31 +9,31 @@
 
 namespace gonio::exports {
 
-/// Pairs of directions, and what a picture of a sphere shows of a BRDF at them. The viewers stand for areas of the
-/// picture, to 77 degrees; the directions of the light are dense where the half vector is near the normal. A residual
-/// is the light that reaches the viewer from a patch of directions: each node alone, patches of 2 x 2 nodes, of 4 x 4
-/// and so on to the hemisphere, so that the squares' sum is about the error of the picture under lights of all sizes.
-/// Patches smaller than a lamp count by their light, larger ones by its mean square. Linear in the BRDF.
+/// A quadrature for fits: pairs of directions, and residuals whose sum of squares approximates the squared error of a
+/// picture of a sphere under lights of all sizes. Viewers, up to 77 degrees, are weighted by their area in the picture;
+/// directions of the light are dense where the half vector is near the normal. A residual is the light that reaches the
+/// viewer from a patch of directions: single nodes, 2 x 2 nodes, 4 x 4 nodes and so on up to the hemisphere. Patches
+/// smaller than a lamp are weighted by their light, larger ones by its mean square. Residuals are linear in the BRDF.
 class PictureCells {
  public:
-  /// @param isotropic one azimuth of the viewer and, by the mirror symmetry, half of the light's circle, about 2,600
-  /// pairs; else five azimuths, about 13,000.
+  /// @param isotropic true: one azimuth of the viewer and, by mirror symmetry, half of the light's azimuths, about
+  /// 2,600 pairs; false: five azimuths of the viewer, about 13,000 pairs.
   explicit PictureCells(bool isotropic);
-  /// Of one azimuth, for viewers at these polar angles (rad, below pi/2) that count alike. 256 pairs each.
+  /// Isotropic cells for viewers at the given polar angles (rad, below pi/2), all with the same weight. 256 pairs each.
   explicit PictureCells(std::span<const double> viewers);
 
   bool isIsotropic() const { return isotropic_; }
   std::span<const DirectionPair> pairs() const { return pairs_; }
-  /// Residuals of one channel.
+  /// Number of residuals of one channel.
   std::size_t residualCount() const { return scales_.size(); }
-  /// Of these, one viewer's, which follow each other.
+  /// Number of residuals of one viewer; they are consecutive.
   std::size_t residualsOfViewer() const { return patches_; }
 
-  /// Residuals of one channel. @param values at the pairs, 1/sr without the cosine.
+  /// Computes the residuals of one channel. @param values at the pairs, 1/sr, without the cosine.
   void weigh(std::span<const double> values, std::span<double> residuals) const;
-  /// Residuals of red, then green, then blue, 3 residualCount(). In parallel.
+  /// The residuals of red, then green, then blue: 3 residualCount(). Parallel.
   std::vector<double> residualsOf(const Brdf& brdf) const;
-  /// The same of the mean over 16 azimuths where the cells are isotropic and the material is not.
+  /// residualsOf(), but of the mean over 16 azimuths if the cells are isotropic and the material is not.
   std::vector<double> residualsOfMaterial(const Brdf& material) const;
 
  private:
@@ -55,7 +55,7 @@ class PictureCells {
   Grid nodes_;
   std::vector<DirectionPair> pairs_;  ///< [viewer][polar][azimuth]
   std::vector<double> weights_;       ///< cos theta_i times the solid angle, sr; 0 below the horizon
-  std::vector<double> scales_;        ///< [viewer][patch, the smallest first]
+  std::vector<double> scales_;        ///< [viewer][patch, smallest first]
   std::size_t viewers_ = 0, patches_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace gonio::exports {
 /// The Principled BSDF of Blender 3.4 in Cycles, distribution GGX (Burley 2012, "Physically-Based Shading at Disney",
 /// with changes: the diffuse lobe with retro-reflection; GGX with the separable term of Walter et al. 2007 and a
 /// Fresnel term that is interpolated from F_0 = 0.08 specular to 1 as that of a dielectric rises; a coat of GTR1 with
-/// the weight 0.25 coat). Nothing takes light from the layer below. Reciprocal.
+/// the weight 0.25 coat). No layer attenuates the one below. Reciprocal.
 const SurfaceShader& principledShader();
 
 }  // namespace gonio::exports

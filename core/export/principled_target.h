@@ -7,10 +7,11 @@
 
 namespace gonio::exports {
 
-/// NAME_principled.py: a Python script that sets a Principled BSDF of Blender by principledShader().
+/// NAME_principled.py: a Python script that creates a Principled BSDF in Blender with the values fitted to
+/// principledShader().
 ExportTarget principledTarget();
 
-/// The script, for Blender 3.4 and 4.x. @param origin in its first lines.
+/// The script, for Blender 3.4 and 4.x. @param origin text of the first lines.
 std::string principledScript(const SurfaceValues& values, const std::string& name, const std::string& origin);
 
 }  // namespace gonio::exports

@@ -6,7 +6,8 @@
 
 namespace gonio::exports {
 
-/// The field `description` of a file that was written: its origin, the slot of the directions, how near it is.
+/// The field `description` of a written RGL file: origin, incident slot and accuracy. @param snr rendered SNR, dB.
+/// @param clipped number of negative values that were set to 0.
 std::string describe(const std::string& origin, double snr, std::size_t clipped);
 
 }  // namespace gonio::exports

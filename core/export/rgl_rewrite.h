@@ -7,17 +7,17 @@
 
 namespace gonio::exports {
 
-/// An RGL file with new colours: every field that did not change stays (16-bit numbers as 32-bit ones, which pbrt
-/// reads), and the fields that a bundled file leaves out are added.
+/// Rewrites an RGL file with new colours. Other fields are kept (16-bit numbers become 32-bit ones, which pbrt reads),
+/// and fields that a bundled file omits are added.
 class RglRewrite {
  public:
-  /// @param file the bytes from which `tables` were read; kept alive by the caller, as `edited`
-  /// @throws FormatMismatch where they are no RGL file.
+  /// @param file the bytes from which `tables` were read. `file` and `edited` must outlive this object.
+  /// @throws FormatMismatch if `file` is not an RGL file.
   RglRewrite(std::span<const std::byte> file, std::shared_ptr<const RglBrdf::Tables> tables, const EditedRgl& edited);
 
-  /// The file itself where it has these colours, all fields and no change.
+  /// The new file; the bytes of the old one if it has this kind of colours, all fields, and no value changed.
   std::vector<std::byte> bytes(RglColours colours, const std::string& description) const;
-  /// The material of the RGB file.
+  /// The data of the RGB file.
   RglData data() const;
 
  private:

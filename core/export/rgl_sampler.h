@@ -7,18 +7,18 @@
 
 namespace gonio::exports {
 
-/// What the parameterisation of a material is made of, apart from the polar angles of the incident direction.
+/// The parameterisation of a material without the polar angles of the incident direction.
 struct RglLayout {
-  std::vector<float> phis{0};  ///< azimuths of the incident direction, rad; of an anisotropic one from -pi to pi
+  std::vector<float> phis{0};  ///< azimuths of the incident direction, rad; for anisotropic materials from -pi to pi
   NormalDensity density;
   std::size_t vndfRows = 32;
   bool isotropic = true;
-  bool mirrorSymmetric = true;  ///< isotropic slices are the mean of both sides of the plane of incidence
+  bool mirrorSymmetric = true;  ///< whether isotropic slices are the mean of both sides of the plane of incidence
 };
 
-/// The layout for a material: one azimuth for an isotropic one, else `azimuths` intervals over the whole circle, which
-/// all loaders know (half and quarter circles Mitsuba alone).
-/// @param floor of normalDensity()
+/// The layout for a material: one azimuth if it is isotropic, else `azimuths` intervals over the whole circle, which
+/// all loaders support (only Mitsuba supports half and quarter circles).
+/// @param floor as in normalDensity().
 RglLayout rglLayout(const Brdf& material, std::size_t azimuths, double floor);
 
 /// The fields at one polar angle of the incident direction, for all its azimuths.
@@ -26,18 +26,20 @@ struct RglSlice {
   float theta = 0;
   SliceStack<float> vndf;
   SliceStack<glm::vec3> rgb;
-  std::vector<DirectionPair> pairs;  ///< of the nodes of rgb, the viewer at theta; light below the horizon: none
-  std::vector<double> scale;         ///< a node's rgb over its BRDF value: cos theta_o 4 sigma / D; 0 where none
-  std::size_t clipped = 0;           ///< negative channels that were set to 0
+  std::vector<DirectionPair> pairs;  ///< at the nodes of rgb, with the viewer at theta; if the light is below the
+                                     ///< horizon, it is replaced by the viewer
+  std::vector<double> scale;  ///< rgb over the BRDF value per node: cos theta_i 4 sigma / D; 0 if the light is below
+                              ///< the horizon
+  std::size_t clipped = 0;    ///< number of negative channel values that were set to 0
 };
 
-/// Samples a material at the nodes of a layout; the viewer takes the slot of the incident direction. The field
-/// `rgb` is f cos theta_o 4 sigma / D: the integral of f cos theta_o over the light is its mean over the unit square,
-/// where all of the square is seen. size^2 evaluations an azimuth.
+/// Samples a material at the nodes of a layout, with the viewer as incident direction (IncidentSlot::viewer). The field
+/// `rgb` is f cos theta_i 4 sigma / D, theta_i the angle of the light, so its mean over the unit square is the integral
+/// of f cos theta_i over the light if the whole square maps to directions above the horizon. size^2 evaluations per
+/// azimuth.
 RglSlice sampleSlice(const Brdf& material, const RglLayout& layout, double theta, std::size_t size);
 
-/// Slices of ascending polar angles as what an RGL file holds, the luminance with a floor of 1/1000 of its largest
-/// value in a slice, and even where a slice is black: the loaders divide by its integral.
+/// Assembles slices of ascending polar angles to the data of an RGL file, with the luminance of samplingLuminance().
 RglData assemble(const RglLayout& layout, std::span<const RglSlice* const> slices);
 
 }  // namespace gonio::exports

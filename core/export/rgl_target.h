@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// NAME_rgb.bsdf and NAME_spec.bsdf by exportRgl(); for pbrt with RglOptions::bothSides.
+/// NAME_rgb.bsdf and NAME_spec.bsdf by exportRgl(). pbrtTarget() sets RglOptions::bothSides.
 ExportTarget mitsubaTarget();
 ExportTarget pbrtTarget();
 

@@ -12,35 +12,35 @@
 
 namespace gonio::exports {
 
-/// The files that a scene is made of, by their names without folders: they lie in one.
+/// Names of the files of a scene, without folders: all are in the same folder.
 struct SceneFileNames {
   std::string name;                 ///< of the export
-  std::string material;             ///< the file with the material that fills all slots
-  std::string environment;          ///< empty: the scene has none
-  std::vector<std::string> meshes;  ///< one for each object of the scene, empty where it is no mesh
+  std::string material;             ///< file of the material in all slots
+  std::string environment;          ///< empty if the scene has none
+  std::vector<std::string> meshes;  ///< one per object of the scene; empty if it is not a mesh
 };
 
-/// How a renderer reads a scene: a file that describes it, a picture of the environment, and a PLY file for each mesh.
-/// Objects, lights and the camera are those of Scene. Left out: a background out of focus, and the grain of anisotropic
-/// materials on meshes, which each renderer chooses for itself.
+/// The scene format of a renderer: a file that describes the scene, an image of the environment, and a PLY file per
+/// mesh. Objects, lights and the camera are those of Scene. Not supported: the blurred background, and the grain
+/// direction of anisotropic materials on meshes, which each renderer chooses itself.
 struct SceneFormat {
   std::string_view textSuffix, environmentSuffix;
-  std::string_view materialSuffix;  ///< of the target's files, the one that the scene names
+  std::string_view materialSuffix;  ///< suffix of the target's file that the scene uses
   std::string (*text)(const Scene& scene, const SceneFileNames& files);
-  Image (*environment)(const Scene& scene);  ///< contract: the scene has one
+  Image (*environment)(const Scene& scene);  ///< precondition: the scene has an environment
 };
 
-/// Of the files of a scene: NAME_mesh1.ply and so on for its meshes.
+/// The suffixes of the files of a scene; those of meshes are "_mesh1.ply" and so on.
 std::vector<std::string> sceneSuffixes(const SceneFormat& format, const Scene& scene);
-/// The files. @param name of the export, without folders.
+/// The files of a scene. @param name of the export, without folders.
 std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene, const std::string& name);
 
-/// Pictures of exported scenes are squares of this side, with so many samples per pixel.
+/// Side of the square pictures of exported scenes, and samples per pixel.
 inline constexpr int scenePixels = 512, scenePictureSamples = 256;
 
-/// For attributes of XML and strings of pbrt: what would end them is not in names of files that renderers open.
+/// Replaces characters that are special in XML attributes and pbrt strings by '_'.
 std::string quotable(std::string name);
-/// "1 2 3"
+/// The components separated by spaces, e.g. "1 2 3".
 std::string spaced(const Direction& v);
 
 }  // namespace gonio::exports

@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// Pictures of half-difference space, as BRDF viewers and papers show them.
+/// Images of slices of half-difference space, as in BRDF viewers and papers.
 ExportTarget slicesTarget();
 
 }  // namespace gonio::exports

@@ -7,25 +7,25 @@
 
 namespace gonio::exports {
 
-/// The spectra of an RGL file whose colours were edited. At each node every wavelength is scaled by a smooth factor, a
-/// sum of spectralBasis() times three numbers from 0 to 8, chosen (least squares) so that the observer of
-/// core/math/spectrum.h sees the edited colour under D65: the shape of the spectrum stays, and one factor for all
-/// channels scales all wavelengths alike. What such factors cannot reach is added as the spectrum of its colour. A node
-/// whose colour stays keeps its spectrum bit for bit; a value never falls below 0 (or below itself where it is
-/// negative), so that very dark and saturated colours may be missed.
+/// Spectra of an RGL file with edited colours. At each node the spectrum is multiplied by a smooth function of the
+/// wavelength: spectralBasis() times three numbers from 0 to 8, fitted by least squares so that its colour under D65,
+/// for the observer of core/math/spectrum.h, is the edited colour. This keeps the shape of the spectrum; equal factors
+/// in all channels scale all wavelengths equally. A remaining difference of colour is added as its spectrum in
+/// spectralBasis(). Nodes with unchanged colour keep their spectrum bitwise. Values do not fall below 0 (negative ones
+/// do not fall), so very dark and saturated colours may not be reached.
 class SpectralEdit {
  public:
-  /// @param data with spectra, whose `rgb` are their colours. @param edited other colours at the same nodes. Both are
-  /// kept alive by the caller.
+  /// @param data with spectra, where `rgb` contains their colours. @param edited other colours at the same nodes.
+  /// `data` must outlive this object.
   SpectralEdit(const RglData& data, const SliceStack<glm::vec3>& edited);
 
   /// [slice][wavelength][row][column].
   std::vector<float> spectra() const;
-  /// The nodes at one wavelength, nm: linear between those of the file, constant beyond them.
+  /// All nodes at one wavelength, nm: linear between the wavelengths of the file, constant beyond them.
   SliceStack<float> plane(double nanometres) const;
 
  private:
-  /// A wavelength is scaled by dot(basis, scale), then dot(basis, rest) is added.
+  /// A value is multiplied by dot(basis, scale), then dot(basis, rest) is added.
   struct Change {
     Rgb scale{1}, rest{0};
   };
@@ -38,10 +38,11 @@ class SpectralEdit {
   std::vector<Change> changes_;
 };
 
-/// A spectral file at one wavelength, in three equal channels, with the incident direction of `file`. Its own sampling
-/// follows the values at that wavelength. Some ms for an isotropic file, as long as editedColours() with edits.
-/// @param file with spectra
-/// @param edited the same material under edits with the viewer in the slot of the incident direction; null: as measured
+/// A spectral file at one wavelength, in three equal channels, with the incident slot of `file`; importance sampling
+/// follows the values at that wavelength. Takes some ms for an isotropic file; with edits as long as editedColours().
+/// @param file with spectra.
+/// @param edited the material with edits, in IncidentSlot::viewer; null: as measured.
+/// @param nanometres wavelength. @throws Cancelled.
 std::shared_ptr<const RglBrdf> atWavelength(const RglBrdf& file, const Brdf* edited, double nanometres,
                                             const TaskControl& control = {});
 

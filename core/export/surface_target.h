@@ -7,20 +7,20 @@
 
 namespace gonio::exports {
 
-/// The text of a file. @param origin of originText().
+/// Writes the text of a file. @param origin of originText().
 using SurfaceText = std::string (*)(const ExportSource& source, const SurfaceValues& values, const std::string& origin);
 
-/// The values as a file has them: layers without effect are 0, and the rotation is in [0, pi), of which more turns of a
-/// grain mean the same.
+/// The values as written to a file: layers without effect are set to 0, and the rotation is reduced to [0, pi), the
+/// period of a grain.
 SurfaceValues writtenValues(SurfaceValues values);
 
-/// An export of one file, by fitSurface(). @throws Cancelled.
+/// An export with one file, fitted by fitSurface(). @throws Cancelled.
 MadeExport makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
                              const ExportSource& source, const ExportOptions& options, const TaskControl& control);
 
-/// A number with six digits: "0.25", "1e-05".
+/// A number with up to six significant digits: "0.25", "1e-05".
 std::string decimalText(double number);
-/// "0.8, 0.4, 0.1" with any separator.
+/// The channels with a separator, e.g. "0.8, 0.4, 0.1".
 std::string colourText(const Rgb& colour, std::string_view separator = ", ");
 
 }  // namespace gonio::exports

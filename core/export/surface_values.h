@@ -12,17 +12,17 @@
 
 namespace gonio::exports {
 
-/// What shaders of the metallic-roughness kind are set by; each takes some of the values and gives them its own names,
-/// and what a value means is defined by the shader's formula. Colours are linear sRGB.
+/// Parameters of metallic-roughness shaders. Each shader uses some of them, under its own names; its formula defines
+/// what a value means. Colours are linear sRGB.
 struct SurfaceValues {
   Rgb baseColour{0.5};
   double metalness = 0;
-  double roughness = 0.5;  ///< square root of alpha
+  double roughness = 0.5;  ///< square root of the GGX alpha
   double anisotropy = 0;
-  double rotation = 0;  ///< rad, of the grain from the tangent, counter-clockwise
+  double rotation = 0;  ///< angle of the grain from the tangent, rad, counter-clockwise
   Rgb specularColour{1};
-  double specular = 1;      ///< strength, or level where the shader's formula says so
-  double specularTint = 0;  ///< how much of the base colour's hue the specular colour has
+  double specular = 1;      ///< strength or level, as the shader's formula defines
+  double specularTint = 0;  ///< fraction of the base colour's hue in the specular colour
   double ior = 1.5;
   double coat = 0;
   double coatRoughness = 0.1;
@@ -48,25 +48,26 @@ enum class SurfaceField {
   sheenRoughness
 };
 
-/// A value that a shader takes, with its limits.
+/// A parameter of a shader, with its limits.
 struct SurfaceLimit {
   SurfaceField field;
   double lowest, highest;
 };
 
-/// A shader of the metallic-roughness kind.
+/// A metallic-roughness shader.
 struct SurfaceShader {
-  std::span<const SurfaceLimit> limits;  ///< of what a fit may change; anisotropy and rotation of anisotropic materials
-  SurfaceValues defaults;                ///< the shader's, for everything else
-  /// The shader's own formula as a BRDF, 1/sr without the cosine, with the layers as it combines them.
+  std::span<const SurfaceLimit> limits;  ///< of the parameters that a fit changes; anisotropy and rotation only for
+                                         ///< anisotropic materials
+  SurfaceValues defaults;                ///< values of all other parameters
+  /// The shader's own formula as a BRDF, 1/sr, without the cosine, including its layering.
   std::unique_ptr<const Brdf> (*brdf)(const SurfaceValues&);
 
   bool takes(SurfaceField field) const;
 };
 
-/// The values of least error of the shader's own formula in the cells of PictureCells, within its limits: from starts
-/// of a metal and of a dielectric, each without and with a coat, with the widths and colours of the reciprocal
-/// lobes of the material. Some seconds for an isotropic material. Deterministic. @throws Cancelled.
+/// Fits the shader's own formula to a material within its limits: least squared residuals of PictureCells. Starts from
+/// a metal and a dielectric, each without and with a coat, with the widths and colours of fitReciprocalLobes(). Takes
+/// some seconds for an isotropic material. Deterministic. @throws Cancelled.
 SurfaceValues fitSurface(const SurfaceShader& shader, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

@@ -12,7 +12,7 @@ ExportTarget merlTarget();
 ExportTarget merlCircleTarget();
 /// NAME.bin: UTIA, 288 x 288 pairs of directions.
 ExportTarget utiaTarget();
-/// NAME.csv: values at a grid of directions.
+/// NAME.csv: BRDF values on a grid of directions.
 ExportTarget csvTarget();
 
 }  // namespace gonio::exports

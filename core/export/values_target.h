@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// NAME_values.csv: inputs of Unreal Engine, Unity (HDRP) and Arnold with the values of the material.
+/// NAME_values.csv: the parameters of the materials of Unreal Engine, Unity (HDRP) and Arnold.
 ExportTarget valuesTarget();
 
 }  // namespace gonio::exports

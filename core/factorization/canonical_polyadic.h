@@ -10,9 +10,10 @@
 
 namespace gonio::factorization {
 
-/// A sum of `rank` rank-one tensors: sum_r weights[r] factors[0].col(r) o factors[1].col(r) o ... (dissertation 3.1.2).
-/// Columns have unit length, or are 0 in components that died (weight 0). The largest entry in size of each column but
-/// those of the last mode is positive.
+/// A sum of `rank` rank-one tensors: sum_r weights[r] factors[0].col(r) o factors[1].col(r) o ..., where o is the outer
+/// product (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section
+/// 3.1.2). Columns have unit length, or are 0 in components of weight 0. The entry of largest absolute value is
+/// positive in each column, except in those of the last mode.
 struct CanonicalPolyadic {
   Eigen::VectorXd weights;
   std::vector<Eigen::MatrixXd> factors;  ///< one per mode, size(mode) x rank
@@ -23,20 +24,19 @@ struct CanonicalPolyadic {
 
 struct CanonicalPolyadicOptions {
   int maxIterations = 500;
-  double tolerance = 1e-8;  ///< change of the fit between two iterations at which it stops
-  unsigned seed = 1;        ///< of columns beyond what the unfoldings' singular vectors give
+  double tolerance = 1e-8;  ///< stops when the fit changes by less between two iterations
+  unsigned seed = 1;        ///< for initial columns beyond the singular vectors of the unfoldings
 };
 
-/// CP decomposition by alternating least squares (dissertation, algorithm 1 as repaired: Gram matrices of the
-/// normalised factors). The Khatri-Rao product is never formed. Each step solves with the pseudo-inverse where
-/// components are collinear, so that a rank beyond the tensor's gives finite factors. Deterministic. Time of an
-/// iteration: about 2 N rank multiplications per entry.
-/// @throws Cancelled.
+/// CP decomposition by alternating least squares (Tongbuasirilai 2023, algorithm 1, corrected to use the Gram matrices
+/// of the normalised factors). The Khatri-Rao product is not stored. Collinear components are solved with the
+/// pseudo-inverse, so that a rank above the tensor's gives finite factors. Deterministic. Cost of an iteration: about 2
+/// N rank multiplications per entry, N the number of modes. @throws Cancelled.
 CanonicalPolyadic decomposeCanonicalPolyadic(const Tensor& tensor, int rank,
                                              const CanonicalPolyadicOptions& options = {},
                                              const TaskControl& control = {});
 
-/// The tensor that it stands for.
+/// The tensor of a decomposition.
 Tensor compose(const CanonicalPolyadic& decomposition);
 
 }  // namespace gonio::factorization

@@ -12,21 +12,21 @@
 namespace gonio::factorization {
 
 inline constexpr int defaultDeviations = 90;
-/// Factorisations leave out what lies closer to the horizon (rad): measurements are unreliable there.
+/// Maximum polar angle of factorisations, rad: closer to the horizon, measurements are unreliable.
 inline const double largestPolarAngle = radians(89);
-/// |Dp| of the two most grazing directions beside each other.
+/// |Dp| of two equal directions at that polar angle.
 inline const double largestDeviation = 2 * std::sin(largestPolarAngle);
 
-/// Nodes of |Dp| that lie close where reflectances change: quantiles of the energy by |Dp|, logarithmic in the
-/// reflectance, over 2,000 even steps (dissertation eq. 4.24, Paper B and C). A third of them is spread evenly:
-/// without, a mirror takes nearly all and leaves gaps that no curve bridges. The first is 0, the last the largest
-/// deviation, each at least 1e-6 beyond the one before.
-/// @param tables one material, or a set that shares the nodes; black ones give even nodes. About 0.1 s a table.
+/// Nodes of |Dp|, dense where BRDF values are large: quantiles of the energy ln(1 + rho) over 2,000 uniform steps of
+/// |Dp| (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance
+/// Modeling and Acquisition", eq. 4.24). A third of the energy is distributed uniformly: otherwise a mirror-like
+/// highlight would take nearly all nodes. The first node is 0, the last largestDeviation; distances are at least 1e-6.
+/// @param tables one material, or several that share the nodes; black ones give uniform nodes. About 0.1 s per table.
 /// @throws Cancelled.
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
                                    int count = defaultDeviations, const TaskControl& control = {});
 
-/// The quantiles themselves. @param energy of even steps up to the largest deviation, >= 0.
+/// The quantiles of a given energy. @param energy of uniform steps up to largestDeviation, >= 0.
 std::vector<double> deviationNodes(std::span<const double> energy, int count);
 
 }  // namespace gonio::factorization

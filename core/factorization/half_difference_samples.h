@@ -11,7 +11,7 @@ namespace gonio::factorization {
 /// Nodes in half-difference coordinates, rad, each strictly increasing from 0.
 struct HalfDifferenceAxes {
   std::vector<double> thetaH, thetaD;
-  std::vector<double> phiD;  ///< to pi / 2: the rest follows from reciprocity and the plane of incidence
+  std::vector<double> phiD;  ///< up to pi/2; other azimuths follow from reciprocity and mirror symmetry
 
   std::size_t size() const { return thetaH.size() * thetaD.size() * phiD.size(); }
   /// phiD runs fastest, thetaH slowest.
@@ -20,19 +20,19 @@ struct HalfDifferenceAxes {
   }
 };
 
-/// Axes with the polar nodes of a MERL table of that many, phi_d even with both ends.
+/// Axes with the nodes of a MERL table with that many polar nodes, and phi_d uniform in [0, pi/2] with both ends.
 HalfDifferenceAxes makeHalfDifferenceAxes(int thetaHCount, int thetaDCount, int phiDCount);
 
-/// BRDF values at all nodes, for models that are reciprocal and symmetric about the plane of incidence: the mean of
-/// phi_d, -phi_d and their opposites.
+/// BRDF values at all nodes, for models that are reciprocal and symmetric about the plane of incidence: the mean of the
+/// values at phi_d, -phi_d, phi_d + pi and pi - phi_d.
 using HalfDifferenceSamples = NodeSamples<HalfDifferenceAxes>;
 
 /// About 0.1 s for 150,000 nodes. @throws Cancelled.
 HalfDifferenceSamples sampleHalfDifference(const TabulatedBrdf& table, const HalfDifferenceAxes& axes,
                                            const TaskControl& control = {});
 
-/// Measure of the cell at a node in both projected solid angles, up to a constant; 0 where invalid: the weight of a
-/// squared error as light transport sees it.
+/// Weight of a node's squared error in light transport: the measure of its cell in projected solid angles of light and
+/// viewer, up to a constant; 0 if invalid.
 double projectedMeasure(const HalfDifferenceSamples& samples, std::size_t h, std::size_t d, std::size_t p);
 
 }  // namespace gonio::factorization

@@ -7,11 +7,11 @@
 
 namespace gonio::factorization {
 
-/// A three-mode tensor of which only some cells count, some more than others; the last index runs fastest.
+/// A three-mode tensor with weights, which are 0 in cells without data; the last index runs fastest.
 struct MaskedTensor {
   int sizes[3] = {0, 0, 0};
-  std::vector<float> values;   ///< finite; of no meaning in cells that do not count
-  std::vector<float> weights;  ///< of the squared error of a cell, >= 0; 0 where it does not count
+  std::vector<float> values;   ///< finite; ignored where the weight is 0
+  std::vector<float> weights;  ///< of the squared error per cell, >= 0
 
   std::size_t index(int i, int j, int k) const {
     return (std::size_t(i) * std::size_t(sizes[1]) + std::size_t(j)) * std::size_t(sizes[2]) + std::size_t(k);
@@ -20,24 +20,26 @@ struct MaskedTensor {
   double squaredNorm() const;
 };
 
-/// The rank-one tensor a o b o c; b and c have a largest entry of 1 in size, so that `a` carries the strength.
+/// The rank-one tensor a o b o c. The largest absolute entry of b and c is 1; `a` contains the scale.
 struct RankOne {
   std::vector<double> a, b, c;
-  std::vector<double> residuals;  ///< weighted sum of squares left, at the start and after each sweep: never rises
+  std::vector<double> residuals;  ///< weighted squared norm of the residual at the start and after each sweep; never
+                                  ///< increases
 };
 
 struct RankOneOptions {
-  bool nonnegative = false;  ///< for values that are not negative: all factors stay >= 0 at no cost
+  bool nonnegative = false;  ///< for values >= 0: all factors remain >= 0, at no extra cost
   int maxSweeps = 60;
-  double tolerance = 1e-6;  ///< relative fall of the residual below which it stops
+  double tolerance = 1e-6;  ///< stops when a sweep lowers the residual by less than this fraction
 };
 
-/// The rank-one tensor of least weighted squared error, by alternating least squares in closed form:
-/// a_i = sum_jk w x b_j c_k / sum_jk w b_j^2 c_k^2, cyclic; 0 where no cell counts. Starts from marginal means
-/// (non-negative) or from the fibres through the largest entry. Deterministic; in parallel. Two passes a sweep.
+/// The rank-one tensor of least weighted squared error, by alternating least squares in closed form: a_i = sum_jk w x
+/// b_j c_k / sum_jk w b_j^2 c_k^2, then b and c likewise; 0 where all weights are 0. Starts with marginal means
+/// (non-negative) or with the fibres through the largest entry. Deterministic, parallel. Two passes over the tensor per
+/// sweep.
 RankOne bestRankOne(const MaskedTensor& tensor, const RankOneOptions& options = {});
 
-/// Takes a o b o c away.
+/// Subtracts a o b o c.
 void subtract(MaskedTensor& tensor, const RankOne& term);
 
 }  // namespace gonio::factorization

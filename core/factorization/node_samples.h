@@ -15,17 +15,17 @@
 
 namespace gonio::factorization {
 
-/// BRDF values at the nodes of `Axes`: three vectors of nodes, the first of them thetaH, with size() nodes in all that
-/// index() numbers, theta_h slowest.
+/// BRDF values at the nodes of `Axes`, which has three vectors of nodes (one of them thetaH), the total number size(),
+/// and index() with theta_h slowest.
 template <typename Axes>
 struct NodeSamples {
   Axes axes;
   std::vector<Rgb> values;          ///< 1/sr, without the cosine; 0 where invalid
   std::vector<double> cosI, cosO;   ///< cosines of the two polar angles; 0 where invalid
-  std::vector<std::uint8_t> valid;  ///< 0 where a direction lies beyond largestPolarAngle or nothing was measured
+  std::vector<std::uint8_t> valid;  ///< 0 where a direction is beyond largestPolarAngle or the table has no data
 };
 
-/// None of them valid.
+/// Samples of which none is valid.
 template <typename Axes>
 NodeSamples<Axes> emptySamples(const Axes& axes) {
   return {.axes = axes,
@@ -35,7 +35,7 @@ NodeSamples<Axes> emptySamples(const Axes& axes) {
           .valid = std::vector<std::uint8_t>(axes.size(), 0)};
 }
 
-/// The directions of a node, and the coordinates in which a table is read for it: the sample is their mean.
+/// The directions of a node, and the coordinates at which the table is read; the sample is the mean of the readings.
 template <std::size_t Readings>
 struct NodeReadings {
   DirectionPair pair;
@@ -43,12 +43,12 @@ struct NodeReadings {
   bool valid = true;
 };
 
-/// Samples a table. @param readingsOf NodeReadings of theta_h's index and those of the other two axes.
-/// @throws Cancelled.
+/// Samples a table. @param seconds, thirds numbers of nodes of the second and third axis. @param readingsOf callable
+/// with the indices on the three axes (theta_h first), returns NodeReadings. @throws Cancelled.
 template <typename Axes, typename ReadingsOf>
 NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t seconds, std::size_t thirds,
                               const ReadingsOf& readingsOf, const TaskControl& control) {
-  // The last nodes stand on the limit itself.
+  // The last nodes lie exactly on the limit.
   const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
   NodeSamples<Axes> samples = emptySamples(axes);
   const auto sampleNode = [&](std::size_t i, const auto& node) {
@@ -77,7 +77,7 @@ NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std:
   return samples;
 }
 
-/// Where the cell of a node begins and ends: half way to its neighbours, at the node itself where there is none.
+/// Bounds of a node's cell: half way to its neighbours, or the node itself at the ends.
 inline std::pair<double, double> nodeCell(const std::vector<double>& nodes, std::size_t i) {
   return {(nodes[i == 0 ? 0 : i - 1] + nodes[i]) / 2, (nodes[i] + nodes[std::min(i + 1, nodes.size() - 1)]) / 2};
 }
@@ -87,7 +87,7 @@ inline double nodeSpacing(const std::vector<double>& nodes, std::size_t i) {
   return end - begin;
 }
 
-/// Solid angle of a polar node's cell for a unit of azimuth.
+/// Solid angle of a polar node's cell per radian of azimuth, sr/rad.
 inline double solidAngle(const std::vector<double>& nodes, std::size_t i) {
   const auto [begin, end] = nodeCell(nodes, i);
   return std::cos(begin) - std::cos(end);

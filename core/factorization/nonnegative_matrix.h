@@ -12,18 +12,18 @@ namespace gonio::factorization {
 /// Y ~ left * right with non-negative factors.
 struct NonnegativeFactors {
   Eigen::MatrixXd left, right;    ///< rows x rank, rank x columns
-  std::vector<double> residuals;  ///< |Y - left right| (Frobenius) at the start and after each iteration: never rises
+  std::vector<double> residuals;  ///< |Y - left right| (Frobenius norm) at the start and after each iteration; never
+                                  ///< increases
 };
 
 struct NonnegativeOptions {
   int maxIterations = 500;
-  double tolerance = 1e-6;  ///< relative fall of the residual between two iterations below which it stops
-  unsigned seed = 1;        ///< of the start, drawn from (0.1, 1]: multiplicative updates never leave a zero
+  double tolerance = 1e-6;  ///< stops when an iteration lowers the residual by less than this fraction
+  unsigned seed = 1;        ///< of the initial values, random in (0.1, 1]: multiplicative updates cannot change a zero
 };
 
 /// Non-negative matrix factorisation by the multiplicative updates of Lee and Seung 2001, "Algorithms for Non-negative
-/// Matrix Factorization". Negative entries of Y count as 0. Deterministic for a seed.
-/// @throws Cancelled.
+/// Matrix Factorization". Negative entries of Y count as 0. Deterministic for a given seed. @throws Cancelled.
 NonnegativeFactors factorizeNonnegative(const Eigen::MatrixXd& matrix, int rank, const NonnegativeOptions& options = {},
                                         const TaskControl& control = {});
 

@@ -10,10 +10,10 @@
 
 namespace gonio::factorization {
 
-/// A microfacet model whose factors are tables instead of formulas, in each channel
+/// A microfacet model with tabulated factors instead of formulas, in each channel
 ///   rho = (diffuse + specular D(theta_h) F(theta_d) G(theta_i) G(theta_o) / (cos theta_i cos theta_o)) / pi.
-/// Bagher, Snyder and Nowrouzezahrai 2016, "A Non-Parametric Factor Microfacet Model for Isotropic BRDFs". Reciprocal;
-/// its size is what it is.
+/// Bagher, Snyder and Nowrouzezahrai 2016, "A Non-Parametric Factor Microfacet Model for Isotropic BRDFs". Reciprocal.
+/// The size is fixed.
 struct NonparametricFactors {
   static constexpr std::size_t nodes = 90;
   struct Channel {
@@ -31,27 +31,27 @@ struct NonparametricFactors {
 
 struct NonparametricFit {
   NonparametricFactors factors;
-  /// Of each channel, the weighted norm of what is left, relative to that of the data, at the start and after each
-  /// sweep: never rises.
+  /// Weighted norm of the residual per channel, relative to that of the data, at the start and after each sweep; never
+  /// increases.
   std::array<std::vector<double>, 3> residuals;
 };
 
 struct NonparametricOptions {
   int maxSweeps = 200;
-  double tolerance = 1e-5;  ///< relative fall of the residual in a sweep below which it stops
+  double tolerance = 1e-5;  ///< stops when a sweep lowers the residual by less than this fraction
 };
 
-/// The axes of comparisons: 90 x 90 x 10; others are refused by an assert, since D and F have those nodes.
+/// The axes that fitNonparametric() requires: 90 x 90 x 10 nodes, those of D and F.
 HalfDifferenceAxes nonparametricAxes();
 
-/// Alternating weighted least squares, not negative: D, F, the diffuse part, then G by Gauss-Newton steps that are cut
-/// until the residual falls. The weight compresses the range as that paper asks for; its form is derived here: with
-/// x = rho cos theta_i cos theta_o the error x - x^ counts ln(1 + x) / x times, to first order the error of ln(1 + x),
-/// and cells by their solid angles. Some seconds. @throws Cancelled.
+/// Fits the factors by alternating non-negative weighted least squares: D, F, the diffuse part, then G by damped
+/// Gauss-Newton steps. As in the paper, weights compress the range of values; their form is our own: with x = rho cos
+/// theta_i cos theta_o, the error x - x^ is weighted by ln(1 + x) / x, and cells by their solid angles. Takes some
+/// seconds. @throws Cancelled.
 NonparametricFit fitNonparametric(const HalfDifferenceSamples& samples, const NonparametricOptions& options = {},
                                   const TaskControl& control = {});
 
-/// Lines between the nodes; G / cos is held beyond the last node of G.
+/// Linear between the nodes; G / cos is constant beyond the last node of G.
 std::shared_ptr<const Brdf> makeNonparametricBrdf(NonparametricFactors factors);
 
 }  // namespace gonio::factorization

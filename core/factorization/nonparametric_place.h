@@ -7,9 +7,9 @@
 
 namespace gonio::factorization {
 
-/// Where a position counted in nodes lies between them; held at the ends.
+/// The place between two nodes of a position in units of nodes, clamped to the ends.
 NodePlace nonparametricPlace(double position);
-/// Where a polar angle (rad) lies between the nodes of G.
+/// The place of a polar angle (rad) between two nodes of G.
 inline NodePlace maskingPlace(double theta) { return nonparametricPlace(degrees(theta) - 0.5); }
 
 }  // namespace gonio::factorization

@@ -8,17 +8,16 @@
 
 namespace gonio::factorization {
 
-/// @throws Error when the transforms or the forms differ, so that there is nothing between them.
+/// @throws Error if transforms or forms differ, so that the factors cannot be blended.
 void checkBlendable(std::span<const PdvFactors* const> ends);
 
-/// Between the factors of materials. The first term, which describes the highlight, is blended curve by curve: F2 by
-/// its width (core/factorization/width_blend.h), so that between a narrow and a wide highlight lies one of middle
-/// width, F1 and F3 as weighted means; on the nodes of the first material (the others are resampled where theirs
-/// differ). The terms behind it correct what their own first term leaves, fit no other curves and may cancel one
-/// another, so they stay as they are and fade with the weight of their material. At most maxPdvTerms in all; of more,
-/// those of the lowest index.
-/// @param ends one a weight, at least one; @param weights >= 0, sum 1. Where a weight is 1 its end comes back as it is.
-/// @throws Error as checkBlendable().
+/// Blends factors of materials. The first term, which describes the highlight, is blended curve by curve on the nodes
+/// of the first material (others are resampled): F2 by its width (core/factorization/width_blend.h), so that a narrow
+/// and a wide highlight give one of intermediate width; F1 and F3 as weighted means. Further terms are corrections to
+/// the first term of their own material and may cancel one another, so their curves are not mixed but only scaled by
+/// the weight of the material. The result has at most maxPdvTerms terms; those of higher index are dropped. @param ends
+/// one per weight, at least one. @param weights >= 0, sum 1. An end of weight 1 is returned unchanged. @throws Error as
+/// checkBlendable().
 PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights);
 
 }  // namespace gonio::factorization

@@ -7,46 +7,47 @@
 
 #include "core/factorization/pdv_factors.h"
 
-/// What is done with factors to edit a material: each operation is a function of values. Curves live in the transformed
-/// domain: a curve scaled by 2 has twice the ln(1 + rho), not twice the rho.
+/// Operations on factors for editing a material; all return new values. Curves are in the transformed domain: scaling a
+/// curve by 2 doubles ln(1 + rho), not rho.
 ///
-/// The first term of a model is the material's mirror-like appearance; the terms behind it describe what this material
-/// has besides. They fit no other curves, so an operation that takes a curve from another material drops them, unless
-/// it is asked to keep them. One that moves |Dp| moves all terms.
+/// The first term of a model describes the highlight; further terms correct it for this material. They do not fit other
+/// curves, so operations that replace a curve by another material's drop them by default. Operations that stretch |Dp|
+/// change all terms.
 namespace gonio::factorization {
 
-// Curves: the values at nodes.
+// Curves: values at nodes.
 
-/// The curve at other nodes: monotone cubic between its own nodes, held beyond them.
+/// The curve at other nodes: monotone cubic between its own nodes, constant beyond them.
 std::vector<double> resampled(std::span<const double> nodes, std::span<const double> curve,
                               std::span<const double> newNodes);
-/// The curve stretched about 0 by a factor > 0: value at x is that at x / factor.
+/// The curve stretched about 0 by a factor > 0: its value at x is the old value at x / factor.
 std::vector<double> widened(std::span<const double> nodes, std::span<const double> curve, double factor);
-/// All values times a factor.
+/// The curve multiplied by a factor.
 std::vector<double> scaled(std::span<const double> curve, double factor);
-/// Turned about the middle of the nodes' range: values times 1 + amount * t, t running from -1 at the first node to 1
-/// at the last. |amount| <= 1 keeps all signs.
+/// The curve multiplied by 1 + amount * t, where t rises linearly from -1 at the first node to 1 at the last. |amount|
+/// <= 1 preserves signs.
 std::vector<double> tilted(std::span<const double> nodes, std::span<const double> curve, double amount);
-/// Weighted means of neighbouring nodes: a Gaussian over the nodes' indices, of a standard deviation of `radius` nodes,
-/// cut at three of them and renormalised at the ends. Constants stay, no value leaves the range; radius 0 changes none.
+/// The curve smoothed by a Gaussian over the nodes' indices with standard deviation `radius`, cut off at three standard
+/// deviations and renormalised at the ends. Constants are preserved, and no value leaves the range. Radius 0 has no
+/// effect.
 std::vector<double> smoothed(std::span<const double> curve, double radius);
 
 // Models.
 
 enum class FurtherTerms { drop, keep };
 
-/// The target with the first term's F1 of another material, in each channel: how strongly it mirrors at each angle.
-/// @throws Error when the transforms differ.
+/// The target with F1 (specular strength vs. angle) of another material's first term, per channel. @throws Error if the
+/// transforms differ.
 PdvFactors takeF1(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
-/// The same of F2: how wide its highlight is. Exact where both have the same nodes of |Dp| (PdvOptions); else
-/// resampled.
+/// The target with F2 (highlight profile) of another material's first term. Exact if both have the same nodes of |Dp|
+/// (PdvOptions); otherwise resampled.
 PdvFactors takeF2(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
 
-/// The highlight becomes wider by a factor (narrower below 1): F2 of all terms stretched over |Dp|, on the same nodes.
-/// @throws Error when the factor is not a positive number.
+/// Widens the highlight by a factor (below 1: narrows it): F2 of all terms stretched along |Dp|, on the same nodes.
+/// @throws Error if the factor is not a positive number.
 PdvFactors widenF2(const PdvFactors& target, double factor);
 
-/// The model with `highest` raised to what its terms can reach now: call it when curves have grown by editing.
+/// The model with `highest` raised to the maximum that its terms can reach. Call it after edits that raise curves.
 PdvFactors withRoomForEdits(const PdvFactors& factors);
 
 }  // namespace gonio::factorization

@@ -8,28 +8,29 @@
 
 namespace gonio::factorization {
 
-/// How the energy of a BRDF spreads over bins of |Dp|, a row for each angle of the viewer. Between two rows their
-/// fractions are mixed linearly.
+/// Distribution of the energy of a BRDF over bins of |Dp|, one row per angle of the viewer; interpolated linearly
+/// between rows.
 class DeviationRows {
  public:
-  /// Whether a bin counts by the part of its ring that lies on the disk, or by the whole ring.
+  /// Whether the energy of a bin is that of the part of its ring on the disk, or of the whole ring.
   enum class Ring { onDisk, whole };
 
-  /// @param thetaNodes rows, rad; @param edges of the bins, strictly increasing from 0. At most 181 of each are used.
+  /// @param thetaNodes viewer's polar angles of the rows, rad. @param edges of the bins, strictly increasing from 0. At
+  /// most 181 of each are used.
   DeviationRows(const Brdf& brdf, const std::vector<double>& thetaNodes, const std::vector<double>& edges, Ring ring);
 
-  /// The bin of a number in [0, 1), which serves the choice of the row too.
+  /// Samples a bin. @param u in [0, 1); selects the row and the bin.
   std::size_t draw(double thetaR, double u) const;
   /// The probability of a bin.
   double probability(double thetaR, std::size_t bin) const;
-  /// Whether all rows of a viewer are black: no bin can be sampled from them. Else the fraction of such rows, [0, 1).
+  /// Weight of the black rows among those interpolated for a viewer: 1 if no bin can be sampled.
   double blackShare(double thetaR) const;
 
   std::size_t bins() const { return edges_.size() - 1; }
   double low(std::size_t bin) const { return edges_[bin]; }
-  /// Cut where the disk ends.
+  /// Upper end of a bin, limited to the disk.
   double high(std::size_t bin, double sinThetaR) const;
-  /// Of a deviation; bins() beyond the last.
+  /// The bin of a deviation; bins() beyond the last.
   std::size_t binOf(double deviation) const;
 
  private:
@@ -37,22 +38,24 @@ class DeviationRows {
   const double* row(std::size_t index) const { return cumulative_.data() + index * edges_.size(); }
 
   std::vector<double> thetaNodes_, edges_;
-  std::vector<double> cumulative_;  ///< rows of bins + 1 numbers from 0 to 1; all 0 where the row is black
+  std::vector<double> cumulative_;  ///< rows of bins + 1 numbers from 0 to 1; all 0 in a black row
 };
 
-/// Samples the direction of light for a viewer from the energy over |Dp|: a bin of |Dp| by its fraction on the disk,
-/// |Dp| evenly in area within it, and the azimuth evenly in [-PHI, PHI], the part of the circle that is on the disk:
+/// Samples the direction of light for a viewer by the energy over |Dp|: a bin of |Dp| by its energy on the disk, |Dp|
+/// uniformly in area within the bin, and the azimuth uniformly in [-PHI, PHI], the part of the circle on the disk. The
+/// density is
 ///   p_w = P(bin) cos theta_i / ((b^2 - a^2) PHI(|Dp|)),
-/// which is rho~(|Dp|) cos theta_i / Z for the mean rho~ of the reflectance over the circle. No sample falls off the
-/// disk, and the density integrates to 1 exactly: dissertation eq. 4.27-4.32 with the normalisation mended. A tenth of
-/// the samples is cosine-weighted, so that the density is positive wherever the reflectance is; all of them where that
-/// is black. Immutable; about 0.2 us per sample, and half of it a density.
+/// for a bin [a, b], which is rho~(|Dp|) cos theta_i / Z with rho~ the mean of the BRDF over the circle. No sample is
+/// outside the disk, and the density integrates to exactly 1: Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
+/// Reflectance Modeling and Acquisition", eq. 4.27-4.32 with corrected normalisation. A tenth of the samples is
+/// cosine-weighted, so that the density is positive wherever the BRDF is; all of them for viewers where the lobe is
+/// black. Immutable. About 0.2 us per sample and 0.1 us per density.
 class PdvSampler {
  public:
-  /// @param brdf of the lobe: the first term of a model. Evaluated some 100,000 times.
+  /// @param brdf of the lobe, i.e. the first term of a model; evaluated some 100,000 times.
   PdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes, const std::vector<double>& deviationNodes);
 
-  /// Contracts of Brdf::sample() and pdf().
+  /// As Brdf::sample() and pdf().
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   double pdf(const Direction& wi, const Direction& wo) const;
 

@@ -10,20 +10,20 @@
 
 namespace gonio::factorization {
 
-/// What a PDV model is factorised from.
+/// The input of a PDV factorisation: transformed values and weights.
 struct PdvSamples {
-  std::array<MaskedTensor, 3> channels;  ///< red, green, blue: theta_R, |Dp|, |phi|; the same cells count in each
-  std::size_t cells = 0;                 ///< that are on the disk and were measured
+  std::array<MaskedTensor, 3> channels;  ///< red, green, blue; modes theta_R, |Dp|, |phi|; the same cells have data in
+                                         ///< each
+  std::size_t cells = 0;                 ///< number of cells on the disk with data
 };
 
-/// A table over the nodes of a PDV model, transformed, the mean of phi and -phi; in the form with two factors weighted
-/// means over phi.
+/// Samples a table at the nodes of a PDV model: transformed values, as the mean of phi and -phi; in the two-factor form
+/// as weighted means over phi.
 ///
-/// Curves are read between their nodes, so a model between the last node on the disk and the first off it takes half of
-/// its value from a cell that holds no measurement. Left free, products of later terms grow without bound there.
-/// Therefore cells beside such that count take their neighbours' mean, at a hundredth of their weight.
-/// @param axes form, transform and nodes; its curves are not looked at. In parallel, deterministic.
-/// @throws Cancelled.
+/// Between the last node on the disk and the first outside it, an interpolated model depends on a cell without data.
+/// Products of later terms would grow without bound there, so cells next to those with data receive the mean of these
+/// neighbours, with a hundredth of their weight. @param axes form, transform and nodes; the curves are ignored.
+/// Parallel, deterministic. @throws Cancelled.
 PdvSamples samplePdv(const TabulatedBrdf& table, const PdvFactors& axes, PdvWeights weights,
                      const TaskControl& control = {});
 

@@ -9,7 +9,8 @@
 namespace gonio {
 
 /// An n-mode array of doubles; the first index runs fastest, so that unfoldings are those of Kolda and Bader 2009,
-/// "Tensor Decompositions and Applications" (dissertation 3.1).
+/// "Tensor Decompositions and Applications". Equation numbers refer to Tongbuasirilai 2023, "Data-Driven Approaches for
+/// Sparse Reflectance Modeling and Acquisition", section 3.1.
 class Tensor {
  public:
   Tensor() = default;
@@ -25,7 +26,7 @@ class Tensor {
   const double* data() const { return values_.data(); }
   double& operator[](std::size_t i) { return values_[i]; }
   double operator[](std::size_t i) const { return values_[i]; }
-  /// Of a tensor with three modes.
+  /// Entry of a tensor with three modes.
   double& at(int i, int j, int k) { return values_[offset(i, j, k)]; }
   double at(int i, int j, int k) const { return values_[offset(i, j, k)]; }
 
@@ -47,18 +48,18 @@ double innerProduct(const Tensor& a, const Tensor& b);
 /// The matrix of all fibres of a mode, size(mode) x the rest; the other indices run in their order, the first fastest
 /// (eq. 3.4 with q != k).
 Eigen::MatrixXd unfold(const Tensor& tensor, int mode);
-/// Its inverse.
+/// Inverse of unfold().
 Tensor fold(const Eigen::MatrixXd& matrix, int mode, const std::vector<int>& sizes);
 
-/// X x_mode U (eq. 3.3): every fibre of the mode multiplied by U, whose columns are as many as the mode's size. Without
-/// an unfolding in memory; in parallel for large tensors.
+/// X x_mode U (eq. 3.3): multiplies every fibre of the mode by U, which has size(mode) columns. Stores no unfolding;
+/// parallel for large tensors.
 Tensor modeProduct(const Tensor& tensor, const Eigen::MatrixXd& matrix, int mode);
-/// The same with U transposed, whose rows are as many as the mode's size.
+/// The same with the transpose of U, which has size(mode) rows.
 Tensor transposedModeProduct(const Tensor& tensor, const Eigen::MatrixXd& matrix, int mode);
 
 /// A (x) B (eq. 3.5).
 Eigen::MatrixXd kroneckerProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-/// The Kronecker products of the columns; as many columns in both.
+/// The Kronecker products of corresponding columns; both must have the same number of columns.
 Eigen::MatrixXd khatriRaoProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace gonio

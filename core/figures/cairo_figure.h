@@ -8,17 +8,17 @@
 
 #include "core/figures/figure_drawing.h"
 
-/// Drawings by cairo.
+/// Figures as PDF and PNG, drawn by cairo.
 namespace gonio::figures {
 
-/// Widths of texts in a font of the system: those of figurePdf() and figurePng().
+/// Measures text widths in a system font, as figurePdf() and figurePng() draw them. @param font family.
 TextWidth cairoTextWidth(const std::string& font);
 
-/// A drawing as PDF, with its fonts embedded and its pictures at their own size; the same bytes for the same drawing
-/// and the same fonts. @throws Error stating cairo's reason.
+/// A drawing as PDF, with embedded fonts and pictures at full resolution. Equal drawings and fonts give equal bytes.
+/// @throws Error that states cairo's reason.
 std::vector<std::byte> figurePdf(const FigureDrawing& drawing);
 
-/// A drawing as PNG. @param dotsPerInch its resolution. @throws Error likewise.
+/// A drawing as PNG. @param dotsPerInch resolution. @throws as figurePdf().
 std::vector<std::byte> figurePng(const FigureDrawing& drawing, double dotsPerInch);
 
 }  // namespace gonio::figures

@@ -7,24 +7,25 @@
 
 namespace gonio::figures {
 
-/// The page of a figure. The best error of each material stands in bold where there are several.
-/// @param width of texts in the description's font. @throws Error as layOutFigure().
+/// Draws the page of a figure. The best error of each material is bold if there are several representations.
+/// @param width measures text widths in the description's font. @throws as layOutFigure().
 FigureDrawing drawFigure(const FigureDescription& description, const FigureMeasurement& measurement,
                          const TextWidth& width);
 
-/// Which pixels an inset shows: whole ones, at least one. In pixels from the top left, of pictures of `size` pixels.
+/// The pixels that an inset shows: a square of at least one pixel, from the top left of a picture with `size` pixels
+/// per side.
 struct InsetPixels {
   int left = 0, top = 0, side = 1;
 };
 InsetPixels insetPixels(const FigureInset& inset, int size);
 
-/// A picture as it is displayed on white paper.
+/// A picture with exposure and tone map applied, on white.
 Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures);
-/// Pixels of a picture. Contract: they lie in it.
+/// Crops a picture. Precondition: the pixels are inside it.
 Raster cutOut(const Raster& raster, const InsetPixels& pixels);
 
-/// Whether a cell has the best value of one of the errors among all cells of a row of two or more; numbers that are no
-/// errors, and values that are not numbers, are never the best.
+/// Whether a cell has the best value of a number in its row. False for rows of one cell, numbers that are not errors
+/// (FigureNumber::isError) and NaN.
 bool isBest(const FigureDescription& description, const FigureRow& row, std::size_t cell, std::size_t number);
 
 }  // namespace gonio::figures

@@ -15,36 +15,36 @@
 
 namespace gonio::figures {
 
-/// How wide a figure is: one column of a page with two, or both.
+/// Width of a figure on a two-column page.
 enum class FigureWidth { oneColumn, twoColumns };
 
 struct FigureMaterial {
-  std::string path;        ///< what editing::openMaterial() takes
-  std::string label = {};  ///< "": the material's name
+  std::string path;        ///< as for editing::openMaterial()
+  std::string label = {};  ///< empty: the material's name
 
   bool operator==(const FigureMaterial&) const = default;
 };
 
 struct FigureRepresentation {
   study::Representation representation;
-  std::string label = {};  ///< "": the name of a model; else the representation's label with its budget
+  std::string label = {};  ///< empty: the name of the model, or the representation's label with its budget
 
   bool operator==(const FigureRepresentation&) const = default;
   std::string shownLabel() const;
 };
 
-/// A square part of every picture that is shown magnified: in fractions of the picture's side, from the top left.
+/// A square part of every picture that is magnified; in fractions of the picture's side, from the top left.
 struct FigureInset {
   double x = 0.35, y = 0.15, size = 0.25;
 
   bool operator==(const FigureInset&) const = default;
 };
 
-/// How the pictures are rendered and displayed. They are square.
+/// How the pictures, which are square, are rendered and displayed.
 struct FigurePictures {
-  std::string scene;        ///< what openScene() takes; "": comparisonScene()
-  std::string environment;  ///< what openEnvironment() takes; "": that of the scene
-  int size = 256;           ///< pixels a side
+  std::string scene;        ///< as for openScene(); empty: comparisonScene()
+  std::string environment;  ///< as for openEnvironment(); empty: the scene's own
+  int size = 256;           ///< pixels per side
   int samples = 64;         ///< per pixel
   double exposure = 0;      ///< stops
   ToneMap toneMap = ToneMap::clamp;
@@ -52,8 +52,8 @@ struct FigurePictures {
   bool operator==(const FigurePictures&) const = default;
 };
 
-/// What a figure shows and how: materials by representations. A value that can be saved, so that the figure can be made
-/// again. JSON, versioned:
+/// The content and layout of a figure: a grid of materials and representations. Saved as JSON with a version, so that a
+/// figure can be reproduced:
 ///   {"format": "gonio figure", "version": 1, "columns": "two", "font": "Helvetica", "fontSize": 8,
 ///    "materials": [{"path": "library:merl-copy/chrome", "label": "chrome"}, ..],
 ///    "representations": [{"id": "ggx"}, {"id": "factors-3d", "budget": 10, "label": "PDV"}, ..],
@@ -61,47 +61,48 @@ struct FigurePictures {
 ///                 "toneMap": "clamp"},
 ///    "numbers": ["rendered-snr", "bytes"], "inset": {"x": 0.35, "y": 0.15, "size": 0.25},
 ///    "errorMaps": true, "errorMaximum": 0.5}
-/// All but the format, the version, the materials and the representations may be left out.
+/// Only format, version, materials and representations are required.
 struct FigureDescription {
   static constexpr int currentVersion = 1;
 
   std::string title;
   FigureWidth width = FigureWidth::twoColumns;
-  std::string font = "Helvetica";  ///< family; where it is not installed, the one that the system has instead
+  std::string font = "Helvetica";  ///< family; if it is not installed, the system's substitute
   double fontSize = 0;             ///< pt; 0: 7 in one column, 8 in two
   std::vector<FigureMaterial> materials;
   std::vector<FigureRepresentation> representations;
   FigurePictures pictures;
-  std::vector<std::string> numbers{"rendered-snr", "bytes"};  ///< ids of figureNumbers(), in their order
+  std::vector<std::string> numbers{"rendered-snr", "bytes"};  ///< ids of figureNumbers(), in the order of display
   std::optional<FigureInset> inset;
   bool errorMaps = true;
-  std::optional<double> errorMaximum;  ///< difference of luminance at the end of the scale; none: from all pictures
+  std::optional<double> errorMaximum;  ///< luminance difference at the end of the error scale; empty: from all pictures
 
   bool operator==(const FigureDescription&) const = default;
 };
 
-/// "one" and "two", in descriptions and on the command line.
+/// The id in descriptions and on the command line: "one" or "two".
 std::string_view figureWidthId(FigureWidth width);
 
 nlohmann::ordered_json toJson(const FigureDescription& description);
-/// @throws Error stating the member, what was found and what was expected.
+/// @throws Error that states the member, what was found and what was expected.
 FigureDescription figureFromJson(const nlohmann::json& json);
 
-/// With the paths of materials, scene and environment resolved against the folder of the file.
-/// @throws Error naming the file.
+/// Reads a description; relative paths of materials, scene and environment are resolved against the file's folder.
+/// @throws Error that names the file.
 FigureDescription readFigureDescription(const std::filesystem::path& path);
-/// As text for a file at `path`: files beside or below its folder are written relative to it, so that both can be moved
-/// together.
+/// The JSON text for a file at `path`. Files in or below its folder are written as relative paths, so that they can be
+/// moved together.
 std::string figureDescriptionText(const FigureDescription& description, const std::filesystem::path& path);
 
-/// The files that a figure is made of, by the paths of the description; bundled ones are none.
+/// Paths of the files that a figure uses, as in the description, without bundled ones.
 std::vector<std::string> figureSources(const FigureDescription& description);
 
-/// @throws Error for a scene or an environment that cannot be opened.
+/// The scene with its environment replaced if the pictures name one. @throws Error if scene or environment cannot be
+/// opened.
 Scene figureScene(const FigurePictures& pictures);
 
-/// Stating the member, as figureFromJson(). For descriptions that were put together elsewhere.
-/// @throws Error for no materials, no representations, or numbers that are outside the ranges that files may have.
+/// Checks a description that does not come from figureFromJson(). @throws Error that states the member, if there are no
+/// materials or no representations or a number is outside the range that files allow.
 void checkFigure(const FigureDescription& description);
 
 }  // namespace gonio::figures

@@ -13,10 +13,10 @@
 
 namespace gonio::figures {
 
-/// Typographic points, in which sizes of fonts are given, in millimetres.
+/// Size of a typographic point, the unit of font sizes, in millimetres.
 inline constexpr double millimetresPerPoint = 25.4 / 72;
 
-/// A rectangle on the page: mm, the origin at the top left, y down.
+/// A rectangle on the page, mm, with the origin at the top left and y down.
 struct PageRectangle {
   double x = 0, y = 0, width = 0, height = 0;
 
@@ -25,7 +25,7 @@ struct PageRectangle {
   bool operator==(const PageRectangle&) const = default;
 };
 
-/// 8-bit sRGB RGBA, the first row at the top, opaque.
+/// 8-bit sRGB RGBA, opaque; the first row is the top one.
 struct Raster {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
@@ -34,18 +34,18 @@ struct Raster {
 struct PictureItem {
   PageRectangle place;
   Raster raster;
-  bool exactPixels = false;  ///< pixels are drawn as rectangles, not smoothed
+  bool exactPixels = false;  ///< whether pixels are drawn as rectangles instead of interpolated
 };
 
 enum class TextAnchor { start, middle, end };
 
 struct TextItem {
-  glm::dvec2 at;  ///< mm, on the base line, where the anchor says
+  glm::dvec2 at;  ///< position of the anchor on the base line, mm
   std::string text;
   double size = 8;  ///< pt
   TextAnchor anchor = TextAnchor::start;
   bool bold = false;
-  bool upward = false;  ///< turned by 90 degrees, read from below
+  bool upward = false;  ///< rotated by 90 degrees, reads from bottom to top
 };
 
 /// The outline of a rectangle.
@@ -57,14 +57,14 @@ struct FrameItem {
 
 using DrawingItem = std::variant<PictureItem, TextItem, FrameItem>;
 
-/// A page with its items in the order in which they are drawn, on white. Every file format draws this.
+/// A white page with its items in drawing order. All file formats are written from this.
 struct FigureDrawing {
   double width = 0, height = 0;  ///< mm
-  std::string font, title;       ///< family; for the file's own properties
+  std::string font, title;       ///< font family; title for the file's metadata
   std::vector<DrawingItem> items;
 };
 
-/// The width of a text in mm, of a size in pt.
+/// Returns the width of a text in mm for a font size in pt.
 using TextWidth = std::function<double(std::string_view text, double size, bool bold)>;
 
 }  // namespace gonio::figures

@@ -10,21 +10,21 @@
 
 namespace gonio::figures {
 
-/// Files that a figure can be written as.
+/// File formats of figures.
 enum class FigureFormat { pdf, svg, png };
 
-/// By the suffix of a name, in either case. @throws Error naming the file where it has another one.
+/// The format for a file name's suffix, in upper or lower case. @throws Error that names the file if the suffix is
+/// unknown.
 FigureFormat figureFormatOf(const std::filesystem::path& path);
 
-/// Of PNG files, as printers ask for pictures.
+/// Default resolution of PNG files, as required for printing.
 inline constexpr double figureDotsPerInch = 300;
 
-/// The file of a figure. @throws Error as layOutFigure(), and for what cairo cannot draw.
+/// The bytes of a figure's file. @throws Error as layOutFigure(), and for errors of cairo.
 std::vector<std::byte> figureFile(const FigureDescription& description, const FigureMeasurement& measurement,
                                   FigureFormat format, double dotsPerInch = figureDotsPerInch);
 
-/// Whether the page holds all columns; before the work of a measurement.
-/// @throws Error as layOutFigure().
+/// Checks that the page is wide enough for all columns. Call it before a measurement. @throws Error as layOutFigure().
 void checkFigureFits(const FigureDescription& description);
 
 }  // namespace gonio::figures

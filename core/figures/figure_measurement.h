@@ -11,30 +11,30 @@
 
 namespace gonio::figures {
 
-/// A representation of a material: its picture, and the description's numbers in their order.
+/// One representation of a material: its picture, and the numbers of the description in their order.
 struct FigureCell {
   Image picture;  ///< linear RGB
   std::vector<double> numbers;
 };
 
-/// One material: the picture of the reference, and a cell for each representation.
+/// One material: the reference picture, and one cell per representation.
 struct FigureRow {
   std::string name;  ///< the label, or the material's own name
   Image reference;   ///< linear RGB
   std::vector<FigureCell> cells;
 };
 
-/// All that a figure shows, measured.
+/// The measured content of a figure.
 struct FigureMeasurement {
-  std::vector<FigureRow> rows;  ///< one a material
-  double errorMaximum = 0;      ///< luminance at the end of the scale of all error maps; 0: all pictures are equal
-  double seconds = 0;           ///< that the measurement took
+  std::vector<FigureRow> rows;  ///< one per material
+  double errorMaximum = 0;  ///< luminance difference at the end of the scale of all error maps; 0 if all pictures are
+                            ///< equal
+  double seconds = 0;       ///< duration of the measurement
 };
 
-/// Reads the materials, makes and renders their representations and measures the numbers, as runStudy() does in the
-/// scene of the description. Deterministic but for numbers that are times. About two seconds a representation of a
-/// material on two cores with pictures of 256 x 256 pixels.
-/// @throws Error for a description that checkFigure() refuses, a file that cannot be read; Cancelled.
+/// Reads the materials, encodes and renders their representations and measures the numbers with study::runStudy(), in
+/// the scene of the description. Deterministic except for times. About two seconds per material and representation on
+/// two cores, for pictures of 256 x 256 pixels. @throws Error as checkFigure(), or if a file cannot be read; Cancelled.
 FigureMeasurement measureFigure(const FigureDescription& description, const TaskControl& control = {});
 
 }  // namespace gonio::figures

@@ -8,7 +8,7 @@
 
 namespace gonio::figures {
 
-/// A drawing as SVG, in mm, with its pictures embedded as PNG and its texts as text.
+/// A drawing as SVG, in mm, with pictures embedded as PNG and texts as text elements.
 std::string figureSvg(const FigureDrawing& drawing);
 
 }  // namespace gonio::figures

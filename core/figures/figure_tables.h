@@ -10,18 +10,19 @@
 
 namespace gonio::figures {
 
-/// A row for each material and representation, in the order of the figure: material, representation, label, budget, and
-/// the numbers in full precision and without prefixes ("size [B]").
+/// A CSV table with one row per material and representation, in the order of the figure: material, representation,
+/// label, budget, and the numbers in full precision without prefixes ("size [B]").
 plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement);
 
-/// A LaTeX tabular of the same rows, with the rules of the package booktabs and the best errors of each material in
-/// bold, as a file to \input.
+/// The same rows as a LaTeX tabular for \input, with rules of the package booktabs and the best errors of each material
+/// in bold.
 std::string figureLatex(const FigureDescription& description, const FigureMeasurement& measurement);
 
-/// Text with the characters escaped that LaTeX reads as commands.
+/// Text with LaTeX special characters escaped.
 std::string latexText(std::string_view text);
 
-/// "sphere-studio, 256 x 256, 64 samples", with the environment where the description replaces it.
+/// A description of the pictures, such as "sphere-studio, 256 x 256, 64 samples", with the environment if it is
+/// replaced.
 std::string figurePicturesText(const FigurePictures& pictures);
 
 }  // namespace gonio::figures

@@ -11,30 +11,30 @@
 
 namespace gonio::fitting {
 
-/// Which cells of a table count for a fit.
+/// The cells of a table that a fit uses.
 struct CellCensus {
-  std::vector<std::uint8_t> counts;  ///< one flag a cell
+  std::vector<std::uint8_t> counts;  ///< one flag per cell: 1 if used
   std::size_t used = 0, invalid = 0, grazing = 0;
 };
-/// @param maxPolarAngle rad; a cell with a direction beyond it is grazing. In parallel, about 20 ms.
+/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. Parallel, about 20 ms.
 CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle);
 
-/// The cells that a fit compares, in arrays.
+/// The cells of a fit as arrays.
 struct FitCells {
   std::vector<DirectionPair> pairs;
   std::vector<double> cosI, cosO;             ///< cosines of the polar angles of wi and wo, >= 0
-  std::vector<double> rootWeight;             ///< sqrt of the weight; the weights add up to 1
-  std::array<std::vector<double>, 3> values;  ///< reflectance by channel, 1/sr
+  std::vector<double> rootWeight;             ///< square root of the weight; the weights have sum 1
+  std::array<std::vector<double>, 3> values;  ///< BRDF values per channel, 1/sr, without the cosine
   DataSymmetry symmetry = DataSymmetry::isotropic;
 
   std::size_t size() const { return pairs.size(); }
-  /// @param weight a cell's fraction of what is compared, of any scale: rootWeight is set by normaliseWeights().
+  /// @param weight of the cell, not normalised. Call normaliseWeights() after the last cell, which sets rootWeight.
   void append(const DirectionPair& pair, const Rgb& value, double weight);
   void normaliseWeights();
 };
 
-/// A stratified part of the cells that count: each theta_h row is cut into about `thetaDStrata` x `phiDStrata` patches,
-/// one cell of a patch stands for all of it with their whole measure. Every row is kept, so the highlight stays
+/// A stratified subset of the used cells: each theta_h row is divided into about `thetaDStrata` x `phiDStrata` patches,
+/// and one cell represents its patch with the measure of all its cells. Every row is kept, so the highlight remains
 /// resolved. Deterministic.
 FitCells stratifiedCells(const TabulatedBrdf& table, const CellCensus& census, int thetaDStrata, int phiDStrata);
 

@@ -10,48 +10,48 @@
 
 namespace gonio::fitting {
 
-/// What the fits of all models to one material share: which cells count, and the parts of them that are compared.
+/// Data that the fits of all models to one material share: the used cells and stratified subsets of them.
 class FitData {
  public:
-  /// `base` lives as long as this. Of a table its cells, some 0.1 s for a MERL table; of an anisotropic BRDF cells over
-  /// all azimuths of both directions (azimuthCells()), about 0.2 s; any other is sampled as a MERL table first.
+  /// `base` must outlive this object. Uses the cells of a table (about 0.1 s for a MERL table), or cells over all
+  /// azimuths of both directions for an anisotropic BRDF (azimuthCells(), about 0.2 s); other BRDFs are first sampled
+  /// as a MERL table.
   FitData(const Brdf& base, const FitOptions& options);
 
   const FitOptions& options() const { return options_; }
-  /// A model without these parameters along two axes fits data of either kind.
+  /// Models without parameters along two axes can fit both kinds of data.
   DataSymmetry symmetry() const { return table_ ? DataSymmetry::isotropic : DataSymmetry::anisotropic; }
   std::size_t usedCells() const { return table_ ? census_.used : azimuths_.used; }
   std::size_t invalidCells() const { return table_ ? census_.invalid : azimuths_.invalid; }
   std::size_t grazingCells() const { return table_ ? census_.grazing : azimuths_.grazing; }
-  /// Over all cells, in the order of metrics::allBrdfMetrics(). In parallel.
+  /// Errors over all used cells, in the order of metrics::allBrdfMetrics(). Parallel.
   std::vector<double> errors(const Brdf& fitted) const;
-  /// What is amiss with the measurement, for people; usually nothing.
+  /// Problems of the measurement, for the user; usually empty.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// About 3,000 cells of a MERL table find the minimum, the others settle it: about 20,000 for models with few
-  /// non-linear parameters, 10,000 for the others, whose evaluations are many and dear. Made on first use, by one
-  /// thread at a time. There are cells that count.
+  /// Subsets of the cells: search() to find the minimum (about 3,000 cells of a MERL table), polish() to refine it:
+  /// about 20,000 cells for models with few non-linear parameters, 10,000 for others, which need more evaluations. Made
+  /// at the first call; call from one thread at a time. Precondition: usedCells() > 0.
   const FitTarget& search() const;
   const FitTarget& polish(std::size_t nonlinearParameters) const;
 
  private:
-  /// How finely the cells are looked at.
+  /// Density of a subset.
   enum class Part { search, fine, coarse };
   FitTarget makeTarget(Part part, double costTolerance) const;
 
   const Brdf& base_;
   FitOptions options_;
-  std::shared_ptr<const TabulatedBrdf> baked_;  ///< of an isotropic base without a table
-  const TabulatedBrdf* table_;                  ///< null of anisotropic data
-  CellCensus census_;                           ///< of the table
-  AzimuthCensus azimuths_;                      ///< else
-  FitCells allCells_;                           ///< of anisotropic data
+  std::shared_ptr<const TabulatedBrdf> baked_;  ///< if the base is isotropic but not a table
+  const TabulatedBrdf* table_;                  ///< null for anisotropic data
+  CellCensus census_;                           ///< for a table
+  AzimuthCensus azimuths_;                      ///< for anisotropic data
+  FitCells allCells_;                           ///< for anisotropic data
   std::vector<std::string> warnings_;
   mutable std::optional<FitTarget> search_, fine_, coarse_;
 };
 
-/// As fit(table, model, options, control), whose preparation is the data's constructor.
-/// @param choices values of all parameters, of which those of choices (conventions) are kept; empty: the defaults.
+/// fit() with prepared data, to fit several models to one material. @param choices as for fit(base, ...).
 FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control = {},
               const models::ParameterValues& choices = {});
 

@@ -6,34 +6,35 @@
 
 #include "core/models/model.h"
 
-/// What a fit does with each parameter of a model.
+/// How a fit treats each parameter of a model.
 namespace gonio::fitting {
 
 /// Whether the data depend on the azimuth of the half vector.
 enum class DataSymmetry { isotropic, anisotropic };
 
 enum class FitRole {
-  linear,     ///< solved in closed form inside every trial, for each channel
-  nonlinear,  ///< searched for
-  twin,       ///< takes the value of another: the data are isotropic
-  fixed       ///< stays as it is: a choice, what matters only with another choice, or a grain in isotropic data
+  linear,     ///< solved per channel for each trial of the others (solveLinearParameters())
+  nonlinear,  ///< found by a non-linear search
+  twin,       ///< copies another parameter, because the data are isotropic
+  fixed  ///< not changed: a choice, a parameter that is inactive with the current choices, or a grain in isotropic data
 };
 
-/// @param base values of all parameters; only the choices are looked at: a fit leaves them.
+/// @param base values of all parameters; only the choices are used.
 FitRole fitRole(const models::ModelSpec& spec, const models::ParameterValues& base, std::size_t parameter,
                 DataSymmetry symmetry = DataSymmetry::isotropic);
 std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const models::ParameterValues& base, FitRole role,
                                       DataSymmetry symmetry = DataSymmetry::isotropic);
 
-/// The choices that switch lobes which are on by default: those with which the width of a highlight matters.
+/// The choices that can switch off a lobe which is on by default: a width of a highlight is only active with their
+/// default.
 std::vector<std::size_t> optionalLobes(const models::ModelSpec& spec);
 
-/// Gives every twin the value of the parameter that it follows.
+/// Sets every twin to the value of the parameter that it copies.
 void copyToTwins(const models::ModelSpec& spec, models::ParameterValues& values,
                  DataSymmetry symmetry = DataSymmetry::isotropic);
 
-/// How many numbers a fit finds: linear and non-linear parameters, those with a value per channel three times; the
-/// choices at their defaults.
+/// The number of values that a fit determines, with choices at their defaults: linear and non-linear parameters, where
+/// per-channel parameters count three times.
 std::size_t fittedParameterCount(const models::ModelSpec& spec, DataSymmetry symmetry = DataSymmetry::isotropic);
 
 }  // namespace gonio::fitting

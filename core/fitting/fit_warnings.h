@@ -9,10 +9,11 @@
 
 namespace gonio::fitting {
 
-/// Sentences for people about what makes a fit to these cells doubtful: no cells, black channels, many values below
-/// 0, the same value everywhere, one cell that outweighs all others. Usually none. One pass over the cells that count.
+/// Messages for the user about problems that make a fit to these cells doubtful: no cells, black channels, many
+/// negative values, the same value everywhere, one cell that outweighs all others. Usually empty. One pass over the
+/// used cells.
 std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellCensus& census);
-/// The same of cells that no table holds. @param negative channels of them that were below 0.
+/// The same for cells without a table. @param negative number of channel values that were below 0.
 std::vector<std::string> measurementWarnings(const FitCells& cells, std::size_t negative);
 
 }  // namespace gonio::fitting

@@ -9,7 +9,7 @@
 
 namespace gonio::fitting {
 
-/// Adds up the fractions of steps that end in any order, on any thread; never falls.
+/// Sums the progress of steps that finish in any order, on any thread; never decreases.
 class ProgressMeter {
  public:
   explicit ProgressMeter(const TaskControl& control) : control_(control) {}
@@ -21,20 +21,20 @@ class ProgressMeter {
   double done_ = 0;
 };
 
-/// Where a search begins: at `base`, and at points that are spread over the soft ranges of the free parameters.
+/// Starting points of a search: `base`, and points spread over the soft ranges of the free parameters.
 std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
                                                     const std::vector<std::size_t>& free);
 
-/// Starts of anisotropic data about one that was found: its parameters along two axes drawn apart by some factors, the
-/// grain in directions all round the half-turn. None for a model without a grain.
+/// Starting points for anisotropic data around a given one: its parameters along the two axes are separated by several
+/// factors, with grain directions over the half-turn. Empty for a model without a grain.
 std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, const models::ParameterValues& about);
 
-/// Fits the parameters of some colour channels together: starts spread over the soft ranges, the best of them refined
-/// on few cells, the best of these on many. Parameters of shadowing join late: they only bend what the others explain.
-/// Deterministic for any number of threads. Never worse, over the cells of `polish`, than the best start. A stop
-/// request ends it early with the best so far.
-/// @param base values of everything that is not fitted here.
-/// @param fraction of the progress that this fit may report.
+/// Fits the parameters of several colour channels together: evaluates starts over the soft ranges, refines the best of
+/// them on the cells of `search`, and the best of these on the cells of `polish`. Parameters of shadowing are only
+/// released late, since they have a small effect. Deterministic for any number of threads. Over the cells of `polish`
+/// the result is never worse than the best start. A stop request ends the fit early with the best result so far.
+/// @param base values of all parameters that are not fitted here.
+/// @param fraction of the total progress that this fit reports.
 /// @return `base` with the parameters of `channels` (all channels of shared ones) replaced.
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,

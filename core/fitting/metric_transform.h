@@ -10,13 +10,13 @@
 
 namespace gonio::fitting {
 
-/// A metric as least squares: the residual of one value is `shape(transform(x) - transform(y))` with x the reflectance
-/// of the model times the metric's factor and y that of the measurement; the sum of the squares is the metric's sum
-/// (core/metrics).
+/// A metric as a least-squares problem: the residual of one value is `shape(transform(x) - transform(y))`, with x the
+/// model's BRDF value times the metric's factor and y the measured one's. The weighted sum of the squared residuals is
+/// the metric's sum (core/metrics).
 ///
-/// Of x below 0 (a model with signed coefficients) a transform is its straight continuation, so that the solver is led
-/// back. Slopes are bounded, so that a root at 0 does not swallow all other cells. Loops over many values ask once for
-/// the functions (visitDomain(), visitPower()) and become vector code.
+/// For x < 0 (models with signed coefficients) transforms are continued, which leads the solver back. Slopes are
+/// bounded, so that roots near 0 do not dominate. For loops over many values, visitDomain() and visitPower() select the
+/// functions once, so that the loop can be vectorised.
 class MetricTransform {
  public:
   explicit MetricTransform(metrics::BrdfMetric metric, double gamma = metrics::defaultGamma)
@@ -25,10 +25,10 @@ class MetricTransform {
   }
 
   double factor(double cosI, double cosO) const { return metrics::metricFactor(record_->factor, cosI, cosO); }
-  /// What the metric multiplies the measure of a cell by.
+  /// Factor of the metric on the measure of a cell.
   double weight(double cosI, double cosO) const { return metrics::metricWeight(record_->weight, cosI, cosO); }
 
-  /// Calls `visitor` with two functions of x: the transform and its slope.
+  /// Calls `visitor` with two functions of x: transform() and slope().
   template <typename Visitor>
   void visitDomain(Visitor&& visitor) const {
     switch (domain_) {
@@ -77,7 +77,7 @@ class MetricTransform {
     return y;
   }
 
-  /// Calls `visitor` with two functions of d: reweight(), and the slope of shape() over it.
+  /// Calls `visitor` with two functions of d: reweight(), and shapeSlope() / reweight().
   template <typename Visitor>
   void visitPower(Visitor&& visitor) const {
     switch (power_) {
@@ -92,14 +92,14 @@ class MetricTransform {
     }
   }
   bool isReweighted() const { return power_ != metrics::MetricPower::square; }
-  /// d for the quadratic metrics; for the means of |d|^p a smooth function whose square tends to |d|^p.
+  /// d for quadratic metrics; for means of |d|^p a smooth function with a square of about |d|^p.
   double shape(double d) const { return d * reweight(d); }
   double shapeSlope(double d) const {
     double y = 0;
     visitPower([&](const auto& weight, const auto& slope) { y = weight(d) * slope(d); });
     return y;
   }
-  /// shape(d) / d: the weight of iteratively reweighted least squares.
+  /// shape(d) / d: the square root of the weight in iteratively reweighted least squares.
   double reweight(double d) const {
     double y = 0;
     visitPower([&](const auto& weight, const auto&) { y = weight(d); });
@@ -107,8 +107,8 @@ class MetricTransform {
   }
 
  private:
-  static constexpr double smallest = 1e-6;  ///< 1/sr; reflectances below count as this for the slope of a root
-  static constexpr double kink = 1e-4;      ///< half width of the rounded tip of |d|
+  static constexpr double smallest = 1e-6;  ///< lower bound of |x| for the slopes of roots
+  static constexpr double kink = 1e-4;      ///< half-width of the rounded minimum of |d|
   static constexpr double offset = metrics::logRelativeOffset;
 
   const metrics::MetricRecord* record_;

@@ -13,57 +13,56 @@
 
 namespace gonio::fitting {
 
-/// What a fit compares: the cells and, once for all problems over them, what the metric makes of the measurement.
+/// The data of a fit: cells, and the measurement in the domain of the metric, computed once for all problems.
 struct FitTarget {
   FitCells cells;
   MetricTransform metric;
-  std::vector<double> factor;                      ///< what the metric multiplies the reflectance by
-  std::vector<double> rootWeight;                  ///< sqrt of the cells' weight times the metric's; they add up to 1
+  std::vector<double> factor;      ///< factor of the metric per BRDF value
+  std::vector<double> rootWeight;  ///< square root of the cell's weight times the metric's; the sum of squares is 1
   std::array<std::vector<double>, 3> transformed;  ///< transform(measured factor)
   std::array<std::vector<double>, 3> startWeight;  ///< rootWeight slope(measured factor) factor
 
-  double costTolerance;  ///< of the linear parameters, see ChannelProblem
+  double costTolerance;  ///< for the linear parameters, see ChannelProblem
 
   FitTarget(FitCells fitCells, MetricTransform fitMetric, double linearCostTolerance = 1e-13);
 };
 
-/// A least-squares problem in the non-linear parameters only (variable projection: Golub and Pereyra 1973): for each
-/// trial the linear parameters are solved inside. The Jacobian is that of Kaufman (1975): the change of the residual at
-/// fixed linear parameters, without the part that a change of these could undo; its gradient is exact.
+/// A least-squares problem in the non-linear parameters only; the linear parameters are solved for each trial (variable
+/// projection, Golub and Pereyra 1973). The Jacobian is that of Kaufman 1975: the change of the residual at fixed
+/// linear parameters, without the part that a change of the linear parameters can compensate; its gradient is exact.
 ///
-/// To keep parameters defined where the data do not determine them (f0 of a matte material; f0 against the specular
-/// strength), the cost is multiplied by 1 + preference |u - u_default|^2: a fit may be that much worse for staying near
-/// the defaults, and one that explains the data completely is not biased at all.
+/// Where the data do not determine a parameter (such as f0 of a matte material), a preference for the defaults does:
+/// the cost is multiplied by 1 + preference |u - u_default|^2. An exact fit (cost 0) is not biased by it.
 class ProjectedProblem {
  public:
   static constexpr double preference = 1e-3;
 
-  /// @param base values of all parameters; those in `freeParameters` (non-linear ones) are the unknowns.
-  /// @param channels fitted together; one alone takes per-channel parameters as that channel's.
+  /// @param base values of all parameters. @param freeParameters indices of the unknowns, non-linear parameters.
+  /// @param channels fitted together. With one channel, per-channel parameters are those of that channel.
   ProjectedProblem(const models::Model& model, const FitTarget& target, const models::ParameterValues& base,
                    std::vector<std::size_t> freeParameters, std::vector<int> channels);
 
   int unknownCount() const { return int(unknowns_.size()); }
   int residualCount() const { return int(target_.cells.size() * channels_.size()); }
   const UnitScale& scale(int unknown) const { return unknowns_[std::size_t(unknown)].scale; }
-  /// The unknowns of full parameter values, in units.
+  /// The unknowns in parameter values, in units of UnitScale.
   std::vector<double> unitsOf(const models::ParameterValues& values) const;
 
-  /// Sum of the squared residuals at unit values; solves the linear parameters.
+  /// Sum of squared residuals at `units`; solves the linear parameters.
   double cost(std::span<const double> units);
-  /// At the last units given to cost(); residualCount() values.
+  /// Writes residualCount() values for the units of the last call of cost().
   void residuals(double* out) const;
-  /// At the last units given to cost(); row-major residualCount() x unknownCount().
+  /// Writes the Jacobian for the units of the last call of cost(): residualCount() x unknownCount(), row-major.
   void jacobian(double* out) const;
 
-  /// The best parameters seen: the linear ones of this problem's channels included, the others as in `base`.
+  /// The best parameters found, including the linear ones of this problem's channels; all others as in `base`.
   models::ParameterValues bestParameters() const;
   double bestCost() const { return bestCost_; }
 
  private:
   struct Unknown {
     std::size_t parameter;
-    int channel;  ///< or all of them where -1
+    int channel;  ///< -1: all of them
     UnitScale scale;
     double defaultUnit;
   };
@@ -84,10 +83,10 @@ class ProjectedProblem {
   std::vector<int> channels_;
   std::vector<std::size_t> linear_;
   std::vector<Unknown> unknowns_;
-  bool sharesBases_;                        ///< the bases are the same in all fitted channels
+  bool sharesBases_;                        ///< whether the bases are the same in all fitted channels
   std::vector<std::vector<double>> bases_;  ///< [slot][linear parameter], unit strength
-  std::vector<double> units_;               ///< where cost() was last called
-  std::vector<ChannelSolution> solutions_;  ///< there, one per channel
+  std::vector<double> units_;               ///< of the last call of cost()
+  std::vector<ChannelSolution> solutions_;  ///< at `units_`, one per channel
   std::vector<double> bestUnits_;
   std::vector<LinearVector> bestLinear_;
   double bestCost_;

@@ -6,7 +6,7 @@
 
 namespace gonio::fitting {
 
-/// A parameter as solvers like it: 0 to 1 is its soft range, in the logarithm where the spec says so.
+/// Scales a parameter for solvers: its soft range becomes [0, 1], logarithmically if the spec says so.
 class UnitScale {
  public:
   explicit UnitScale(const models::ParameterSpec& spec);
@@ -14,14 +14,15 @@ class UnitScale {
   double toUnit(double value) const;
   /// Always inside the hard range.
   double toValue(double unit) const;
-  /// The hard range in units (that of a logarithm ends some decades below the soft range where the hard one reaches 0).
+  /// The hard range in units. For a logarithmic scale with a hard minimum of 0 it ends some decades below the soft
+  /// range.
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
 
  private:
   bool logarithmic_;
   double hardMin_, hardMax_;
-  double origin_, extent_;  ///< of the soft range, in the scale
+  double origin_, extent_;  ///< of the soft range, on the linear or logarithmic scale
   double lowest_, highest_;
 };
 

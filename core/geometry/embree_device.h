@@ -6,10 +6,10 @@
 
 namespace gonio {
 
-/// One for the process: it lives as long as any thread may trace.
+/// The Embree device of the process; it exists until the process ends.
 RTCDevice embreeDevice();
 
-/// @throws Error with Embree's number where its last call on this thread failed.
+/// @throws Error with Embree's error number if its last call on this thread failed.
 void throwIfEmbreeFailed();
 
 }  // namespace gonio

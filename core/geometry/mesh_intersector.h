@@ -10,29 +10,28 @@
 
 namespace gonio {
 
-/// Where a ray meets a mesh.
+/// An intersection of a ray and a mesh.
 struct MeshHit {
-  double t;                   ///< position = origin + t direction, but for rounding
+  double t;                   ///< ray parameter: position = origin + t direction, up to rounding
   std::uint32_t triangle;     ///< index into the mesh's triangles
-  double u, v;                ///< weights of the triangle's second and third corner, not negative, u + v <= 1
-  Direction geometricNormal;  ///< of the triangle, unit, outward, whichever side the ray came from
-  /// Interpolated between the corners', unit; the geometric normal where that one would point inward.
+  double u, v;                ///< barycentric coordinates: weights of the second and third corner, >= 0, u + v <= 1
+  Direction geometricNormal;  ///< of the triangle, unit, outward, independent of the side of the ray
+  /// Interpolated between the corners' normals, unit; the geometric normal if the interpolated one points inward.
   Direction shadingNormal;
-  glm::dvec3 position;  ///< on the triangle, from its corners and u, v: more exact than by t
+  glm::dvec3 position;  ///< computed from the corners and u, v, which is more accurate than from t
 };
 
-/// Finds where rays meet a mesh, by Embree's bounding volumes in single precision (Wald et al. 2014, "Embree: A Kernel
-/// Framework for Efficient CPU Ray Tracing") with its watertight test: a ray does not slip through between triangles
-/// that share an edge. What it finds is then computed again in double. The mesh is brought to unit size first, and rays
-/// start near it, so that neither size nor place nor a far camera costs accuracy.
+/// Intersects rays with a mesh by Embree's bounding volumes in single precision (Wald et al. 2014, "Embree: A Kernel
+/// Framework for Efficient CPU Ray Tracing"), with its watertight test: no ray passes between triangles that share an
+/// edge. Hits are then recomputed in double precision. The mesh is scaled to unit size and rays are moved close to it
+/// first, so that size, position and a distant camera do not reduce the accuracy.
 ///
-/// All const functions may be called from any number of threads. The same mesh and ray give the same bits, for any
-/// number of threads; of triangles that a ray meets in a shared edge, one is reported.
+/// Const functions may be called from several threads at once. Deterministic: equal meshes and rays give bitwise equal
+/// results. At a shared edge, one of the triangles is reported.
 class MeshIntersector {
  public:
-  /// Builds the bounding volumes on the calling thread (their order must not depend on the number of threads): about
-  /// 1 s a million triangles.
-  /// @throws Error where Embree has not the memory.
+  /// Builds the bounding volumes, on the calling thread so that they do not depend on the number of threads: about 1 s
+  /// per million triangles. @throws Error if Embree runs out of memory.
   explicit MeshIntersector(std::shared_ptr<const TriangleMesh> mesh);
   ~MeshIntersector();
   MeshIntersector(MeshIntersector&&) noexcept;
@@ -41,10 +40,10 @@ class MeshIntersector {
   const TriangleMesh& mesh() const { return *mesh_; }
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
 
-  /// The first hit with tMin <= t <= tMax, of either side of a triangle; the limits count to single precision. tMin
-  /// >= 0, tMax may be infinite; the direction has any length but 0, and t counts in it. O(log triangles).
+  /// The first hit with tMin <= t <= tMax, on either side of a triangle; the limits have single precision. tMin >= 0,
+  /// tMax may be infinite; `direction` may have any length except 0, which is the unit of t. O(log triangles).
   std::optional<MeshHit> closest(const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const;
-  /// Whether anything lies there: cheaper than the first hit.
+  /// Whether there is any hit; faster than closest().
   bool occluded(const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const;
 
  private:
@@ -53,10 +52,10 @@ class MeshIntersector {
   std::unique_ptr<const Scene> scene_;
 };
 
-/// Where a ray starts that leaves a surface on the side of `normal` (unit; negated for the other side): off the surface
-/// by 2^-19 of `scale`, the radius of the mesh's bounding sphere. That is more than single precision mistakes, so the
-/// ray does not meet the surface that it leaves (after Wächter and Binder 2019, "A Fast and Robust Method for Avoiding
-/// Self-Intersection", who count in units of the last place; here the mesh has been brought to unit size).
+/// The origin of a ray that leaves a surface on the side of `normal` (unit; negate it for the other side): moved off
+/// the surface by 2^-19 of `scale`, the radius of the mesh's bounding sphere. This exceeds the error of single
+/// precision, so the ray does not intersect its own surface (after Wächter and Binder 2019, "A Fast and Robust Method
+/// for Avoiding Self-Intersection", who use units in the last place).
 inline glm::dvec3 offsetOrigin(const glm::dvec3& position, const Direction& normal, double scale) {
   return position + normal * (scale * 0x1p-19);
 }

@@ -8,23 +8,23 @@
 #include <span>
 #include <vector>
 
-/// Which corners of triangles meet, by the places of the vertices: files repeat a vertex where texture or normal
-/// change.
+/// Topology of triangle meshes by the positions of vertices, since files repeat a vertex where texture coordinates or
+/// normals differ.
 namespace gonio {
 
 /// A triangle of a mesh: three indices of vertices, counter-clockwise as seen from outside.
 using TriangleIndices = glm::uvec3;
 
-/// For each vertex the number of the first vertex (in the order of the indices) at the same place. O(n log n).
+/// For each vertex, the lowest index of a vertex at the same position. O(n log n).
 std::vector<std::uint32_t> weldedVertices(std::span<const glm::vec3> positions);
 
-/// An edge, by the two triangles that it lies between.
+/// An edge, as the indices of its two triangles.
 struct SharedEdge {
   std::uint32_t triangle, other;
 };
 
-/// All edges of a closed, evenly wound surface: each lies between exactly two triangles that run through it in opposite
-/// directions. None where an edge is otherwise. The triangles' indices are welded ones. O(n log n).
+/// All edges of a closed, consistently wound surface, where each edge belongs to exactly two triangles, in opposite
+/// directions; empty for any other surface. @param welded triangles with welded vertices. O(n log n).
 std::optional<std::vector<SharedEdge>> closedEdges(std::span<const TriangleIndices> welded);
 
 }  // namespace gonio

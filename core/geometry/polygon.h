@@ -9,11 +9,11 @@
 
 namespace gonio {
 
-/// Cuts a polygon of n >= 3 corners, flat or nearly so, convex or not, into n - 2 triangles of its corners (0 to n - 1)
-/// with its winding, by clipping ears (Meisters 1975, "Polygons Have Ears"); a convex quadrangle along its shorter
-/// diagonal. Corners in line with their neighbours come last, so that no triangle is without an area where that can be
-/// had. What crosses itself or has no area is cut somehow. O(n) for a convex polygon, else O(n^2) as a rule and at most
-/// 10000 n: what is left then is cut into a fan.
+/// Triangulates a polygon of n >= 3 corners, planar or nearly so, convex or not, into n - 2 triangles of its corners (0
+/// to n - 1) with the same winding, by ear clipping (Meisters 1975, "Polygons Have Ears"). A convex quadrangle is cut
+/// along its shorter diagonal. Corners on a straight line are cut last, to avoid triangles without area if possible.
+/// For self-intersecting polygons and those without area the result is some triangulation. O(n) for convex polygons,
+/// otherwise typically O(n^2), limited to 10000 n steps; then the rest becomes a fan.
 std::vector<TriangleIndices> cutPolygon(std::span<const glm::vec3> corners);
 
 }  // namespace gonio

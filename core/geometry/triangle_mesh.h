@@ -12,32 +12,31 @@
 
 namespace gonio {
 
-/// What a mesh is made of.
+/// The arrays of a mesh.
 struct MeshArrays {
   std::vector<glm::vec3> positions;
   std::vector<TriangleIndices> triangles;
-  /// Shading normals, one for each corner (3 a triangle, of any length), or empty: they are made from the faces.
-  /// A normal of length 0 or one that is not finite counts as missing.
+  /// Shading normals, 3 per triangle, of any length; empty: computed from the faces. Normals of length 0 or that are
+  /// not finite count as missing.
   std::vector<glm::vec3> normals;
 };
 
-/// A surface of triangles, immutable, with what a renderer wants to know of its shape, found once. The outside of a
-/// triangle is the side from which its vertices run counter-clockwise.
+/// An immutable triangle mesh, with properties of its shape that a renderer needs. Seen from the outside, the vertices
+/// of a triangle are counter-clockwise.
 class TriangleMesh {
  public:
-  /// Takes arrays as files have them and sets them right: triangles without an area are dropped; so are vertices that
-  /// no triangle uses; missing normals are made as makeCornerNormals() says. Where given normals point, weighted by
-  /// area, rather against the winding than along it, the winding is turned; so it is where a closed mesh without
-  /// normals has its inside outward. O(n log n) and the search for convexity (isConvex()).
-  /// @throws Error that names the first vertex that is not finite, the first triangle with an index out of range, a
-  /// number of normals that is not three a triangle; or where no triangle has an area.
+  /// Builds a mesh from arrays as read from a file, with corrections: drops triangles without area and vertices that no
+  /// triangle uses; computes missing normals with makeCornerNormals(); reverses the winding if the given normals,
+  /// weighted by area, point against it, or if a closed mesh without normals is inside out. O(n log n), plus the test
+  /// of convexity (isConvex()). @throws Error that names the first vertex that is not finite or the first triangle with
+  /// an index out of range; also if the number of normals is not three per triangle, or no triangle has an area.
   explicit TriangleMesh(MeshArrays arrays);
 
   std::span<const glm::vec3> positions() const { return positions_; }
   std::span<const TriangleIndices> triangles() const { return triangles_; }
-  /// Shading normals, unit, 3 a triangle.
+  /// Unit shading normals, 3 per triangle.
   std::span<const glm::vec3> cornerNormals() const { return normals_; }
-  /// How many triangles had no area (a repeated vertex, or corners in line) and were left out.
+  /// Number of triangles that were dropped because they have no area (a repeated vertex, or collinear corners).
   std::size_t droppedTriangles() const { return dropped_; }
 
   /// Unit normal of a triangle's plane, outward.
@@ -47,31 +46,31 @@ class TriangleMesh {
     glm::dvec3 min, max;
   };
   const Bounds& bounds() const { return bounds_; }
-  /// A sphere that holds all vertices, about the middle of the bounds; not the smallest, but within a factor of
-  /// sqrt(3).
+  /// A sphere around all vertices, about the centre of the bounds; its radius is at most sqrt(3) times the smallest.
   struct Sphere {
     glm::dvec3 centre;
     double radius;
   };
   const Sphere& boundingSphere() const { return sphere_; }
 
-  /// Whether every edge, vertices at equal places being one, lies between exactly two triangles that are wound alike:
-  /// then the mesh encloses its inside without a gap.
+  /// Whether, with vertices at equal positions merged, every edge belongs to exactly two triangles with consistent
+  /// winding: then the mesh encloses its inside without gaps.
   bool isClosed() const { return shape_.closed; }
-  /// Whether the mesh is closed and every vertex lies behind the plane of every triangle, within shapeTolerance: then
-  /// no ray that leaves it to the outside meets it again. Proven only while vertices x triangles <= 2e8 (0.2 s); a
-  /// larger mesh counts as not convex.
+  /// Whether the mesh is closed and every vertex is behind the plane of every triangle, within shapeTolerance: then no
+  /// ray that leaves it to the outside hits it again. Only tested if vertices x triangles <= 2e8 (0.2 s); larger meshes
+  /// count as not convex.
   bool isConvex() const { return shape_.convex; }
-  /// Whether all lies in one plane, within shapeTolerance, facing one way: then it hides nothing of itself.
+  /// Whether all triangles lie in one plane, within shapeTolerance, and face the same side: then the mesh does not
+  /// occlude itself.
   bool isPlanar() const { return shape_.planar; }
-  /// How far, as a fraction of the bounding sphere's radius, a vertex may lie off a plane that counts as its own:
-  /// single precision tilts the planes of small triangles by that much.
+  /// Tolerated distance of a vertex from a plane, as a fraction of the bounding sphere's radius: single precision tilts
+  /// the planes of small triangles by that much.
   static constexpr double shapeTolerance = 1e-5;
 
-  /// How far the mesh reaches in a direction: the maximum of dot(vertex, direction). O(vertices).
+  /// The support function: maximum of dot(vertex, direction). O(vertices).
   double support(const Direction& direction) const;
 
-  /// What a closed mesh encloses, negative where its inside is outward; of an open mesh it means nothing. O(triangles).
+  /// The signed volume of a closed mesh, negative if it is inside out; meaningless for an open mesh. O(triangles).
   double volume() const;
 
  private:
@@ -100,9 +99,10 @@ class TriangleMesh {
   Shape shape_;
 };
 
-/// The mesh under an affine map (the matrix's last row is 0 0 0 1): normals go by the inverse transpose, a mirroring
-/// turns the winding, so that outside stays outside. The shape's facts are kept. O(n).
-/// @throws Error where the matrix is singular or not finite, or takes a vertex beyond single precision.
+/// The mesh under an affine map (the last row of the matrix is 0 0 0 1). Normals are transformed by the inverse
+/// transpose; a reflection reverses the winding, so that the outside remains outside. isClosed(), isConvex() and
+/// isPlanar() are kept, unless triangles lose their area. O(n). @throws Error if the matrix is singular or not finite,
+/// or moves a vertex beyond the range of float.
 TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix);
 
 /// Scales by `scale`, then rotates about +y by `yaw` (rad, from +z toward +x), then moves by `translation`.

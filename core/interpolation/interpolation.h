@@ -17,71 +17,71 @@
 #include "core/fitting/fit.h"
 #include "core/models/model.h"
 
-/// Materials between materials.
+/// Interpolation (blending) of materials.
 namespace gonio::editing {
 
-/// What is blended.
+/// The space in which materials are blended.
 enum class InterpolationSpace {
-  linear,        ///< the reflectances
-  parameters,    ///< those of a model fitted to each material; what the model does not explain is lost in between
-  differential,  ///< each material is moved toward the others in parameter space by a differential edit, which keeps
-                 ///< its measured detail; then the reflectances (Tongbuasirilai and Unger 2016, dissertation 4.4.1)
-  factors,       ///< curves of projected-deviation factors; what they do not explain is lost in between
-  dictionary     ///< sparse codes over an ensemble of dictionaries, so the transformed reflectances (dissertation
-                 ///< 4.4.2); what the codes leave out is lost in between
+  linear,        ///< BRDF values
+  parameters,    ///< parameters of a model fitted to each material; detail that the model does not explain is lost
+  differential,  ///< BRDF values, after each material was moved to the blended parameters by a differential edit, which
+                 ///< keeps its measured detail (Tongbuasirilai and Unger 2016; Tongbuasirilai 2023, section 4.4.1)
+  factors,       ///< curves of PDV factors; detail that they do not explain is lost
+  dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
+                 ///< section 4.4.2); detail outside the codes is lost
 };
-/// In JSON and on the command line, in the order of the enumeration.
+/// Names in JSON and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear", "parameters", "differential",
                                                                          "factors", "dictionary"};
 
-/// One of the materials between which is interpolated.
+/// One of the materials to blend.
 struct InterpolationEnd {
   std::shared_ptr<const TabulatedBrdf> table;
-  /// Of a material that is factors: they are taken as they are. Else the table is factorised.
+  /// The factors of a material that consists of PDV factors; they are used unchanged. Null: the table is factorised.
   std::shared_ptr<const factorization::PdvFactors> factors = nullptr;
-  /// Of a material that is a code over the ensemble. Else, and where it has another transform than the first code, the
-  /// table is encoded.
+  /// The code of a material that is a code over the ensemble. If null, or if its transform differs from the first
+  /// code's, the table is encoded.
   std::shared_ptr<const dictionary::SparseCode> code = nullptr;
-  /// The material in its own form where `table` was sampled from it (RGL and UTIA files ..), without and with `edits`.
-  /// Null: the table is the material.
+  /// The material in its own form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files). Null:
+  /// the material is the table.
   std::shared_ptr<const Brdf> base = nullptr;
   EditList edits = {};
 
-  /// What a weight of 1 gives.
+  /// The material that a weight of 1 gives.
   std::shared_ptr<const Brdf> material() const { return base ? applyEdits(base, edits) : table; }
 };
 
 struct InterpolationOptions {
-  const models::Model* model = nullptr;  ///< of `parameters` and `differential`; null: GGX
+  const models::Model* model = nullptr;  ///< for `parameters` and `differential`; null: GGX
   fitting::FitOptions fit = {};
-  /// Of `factors`, where no material is factors: tables are factorised in the first one's form, transform, terms and
-  /// nodes. Without nodes of |Dp| all materials share those of the set.
+  /// For `factors`, if no material consists of factors; otherwise tables are factorised with the form, transform, terms
+  /// and nodes of the first material that does. Without nodes of |Dp|, all materials share deviationNodes() of the set.
   factorization::PdvOptions pdv = {};
-  std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< of `dictionary`, which needs it
-  dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< of tables
-  std::size_t codeCoefficients = 1024;  ///< per channel, of what lies in between: the largest are kept
+  std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< required for `dictionary`
+  dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< for tables
+  std::size_t codeCoefficients = 1024;  ///< per channel, of a blended code: the largest are kept
 };
 
 /// A table of transformed values, which may be negative.
 struct TransformedTable {
   HalfDifferenceGrid grid;
-  std::vector<glm::vec3> values;    ///< in the order of a TabulatedBrdf's
-  std::vector<std::uint8_t> valid;  ///< the same
+  std::vector<glm::vec3> values;    ///< in the order of TabulatedBrdf::values()
+  std::vector<std::uint8_t> valid;  ///< as TabulatedBrdf::valid()
 };
 
-/// What a preview can mix for itself, pixel by pixel, while a point is dragged between the materials: the reflectance
-/// is the inverse transform of the sum over the tables of weight times value.
+/// A blend that a preview's shader can evaluate per pixel while the weights change: the BRDF value is the inverse
+/// transform of the sum of weight times value over the tables.
 struct TransformedMixture {
   DataTransform transform = DataTransform::none;
   std::vector<TransformedTable> tables;  ///< one per material
 };
 
-/// Materials prepared for blending: fits and factorisations are done, so that a point that is dragged between them
-/// costs what the blend costs. Immutable.
+/// Materials prepared for blending: fits, factorisations and codes are computed once, so that new weights only cost the
+/// blend itself. Immutable.
 ///
-/// Weights are one per material, each in [0, 1], with the sum 1. A weight of 1 gives that material itself, bit for bit,
-/// in its own form: in spaces that lose detail in between there is a step beside the ends. `linear` and `differential`
-/// mix the materials in their own form, all others what is made of their tables.
+/// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its own
+/// form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential` mix
+/// materials in their own form; the other spaces use their tables.
 class Interpolation {
  public:
   using Table = std::shared_ptr<const TabulatedBrdf>;
@@ -90,39 +90,40 @@ class Interpolation {
   std::size_t materials() const { return ends_.size(); }
   const std::vector<InterpolationEnd>& ends() const { return ends_; }
 
-  /// Evaluated directly, nothing is tabulated. @throws Error for weights that are none.
+  /// The blend, evaluated directly without a table. @throws Error for invalid weights.
   std::shared_ptr<const Brdf> brdf(std::span<const double> weights) const;
-  /// The same of the materials' tables, on the grid of the first. @throws Error as brdf(); Cancelled.
+  /// The blend of the materials' tables, on the grid of the first. @throws Error as brdf(); Cancelled.
   Table table(std::span<const double> weights, const TaskControl& control = {}) const;
 
-  // What the blend is made of; nothing in spaces that have no such thing. Also where a weight is 1 these are the fitted
-  // ones, which stand for the material less exactly than itself. @throws Error as brdf().
+  // Components of the blend; empty in other spaces. They are those of the fits even if a weight is 1, where brdf()
+  // gives the material itself. @throws Error as brdf().
 
   /// The blended parameters of the model, in `parameters` and `differential`.
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
-  /// One edit a material, in `differential`: the blend is the weighted sum of the materials so edited.
+  /// One edit per material, in `differential`: the blend is the weighted sum of the edited materials.
   std::vector<DifferentialEdit> moves(std::span<const double> weights) const;
   /// The blended curves, in `factors`.
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;
-  /// The blended code, in `dictionary`. Across dictionaries some 100 ms.
+  /// The blended code, in `dictionary`. Takes some 100 ms if the codes use different dictionaries.
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
-  /// In `linear`, in `differential` (to be moved by moves() before they are mixed) and in `dictionary` (all that the
-  /// codes hold, uncut). Some 50 ms and 18 MB per material. The reflectances are those of brdf() up to the cut to the
-  /// count of coefficients, the bounds of the codes (each material's here, the blend's there) and single precision.
+  /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply moves() to the tables
+  /// before mixing. In `dictionary` they contain all coefficients. Some 50 ms and 18 MB per material. Differences from
+  /// brdf(): no limit on the number of coefficients, bounds of the codes per material instead of the blend, single
+  /// precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
  protected:
-  /// @throws Error when there are none.
+  /// @throws Error if there are no materials.
   explicit Interpolation(std::span<const InterpolationEnd> ends);
   const std::vector<Table>& tables() const { return tables_; }
 
-  // No weight is 1.
+  // Precondition: no weight is 1.
   virtual std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const = 0;
-  /// By default the blended BRDF at the nodes of the first material's grid.
+  /// Default: blendedBrdf() at the nodes of the first material's grid.
   virtual Table blendedTable(std::span<const double> weights, const TaskControl& control) const;
 
-  // Any weights.
+  // For any weights.
   virtual std::optional<models::ParameterValues> blendedParameters(std::span<const double>) const { return {}; }
   virtual std::vector<DifferentialEdit> movesTo(std::span<const double>) const { return {}; }
   virtual std::optional<factorization::PdvFactors> blendedFactors(std::span<const double>) const { return {}; }
@@ -133,9 +134,9 @@ class Interpolation {
   std::vector<Table> tables_;
 };
 
-/// Prepares two or more materials (one is allowed). Fits take about 1 s per material, factorisations and codes too.
-/// @throws Error where materials cannot be blended in the space: factors of different transforms, no dictionary or
-/// codes of another one; Cancelled.
+/// Prepares one or more materials. Fits, factorisations and codes take about 1 s per material. @throws Error if the
+/// materials cannot be blended in the space: factors of different transforms, a missing ensemble, or codes of another
+/// one; Cancelled.
 std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace space,
                                                           std::span<const InterpolationEnd> ends,
                                                           const InterpolationOptions& options = {},

@@ -4,11 +4,11 @@
 
 #include "core/interpolation/interpolation.h"
 
-/// What prepareInterpolation() chooses from, one per file.
+/// The implementations of prepareInterpolation(), one file per space.
 namespace gonio::editing {
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control);
-/// `parameters`, or `differential` where the measured detail is kept.
+/// The space `differential` with keepDetail, else `parameters`.
 std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationEnd> ends, bool keepDetail,
                                                        const InterpolationOptions& options, const TaskControl& control);
 std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
@@ -16,11 +16,11 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
 std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationEnd> ends,
                                                        const InterpolationOptions& options, const TaskControl& control);
 
-/// The tables as they are, untransformed.
+/// The tables without transform.
 TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
-/// The ends' own tables.
+/// The table of each end.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends);
-/// The ends' tables on the grid of the first. @throws Cancelled.
+/// The tables resampled on the grid of the first. @throws Cancelled.
 std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
                                             const TaskControl& control);
 

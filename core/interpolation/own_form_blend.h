@@ -9,25 +9,26 @@
 
 namespace gonio::editing {
 
-/// A blend in the form that all its materials have.
+/// A blend in the common form of its materials.
 struct OwnFormBlend {
-  std::shared_ptr<const Brdf>
-      brdf;               ///< an RGL or UTIA file in memory, the viewer in the slot of the incident direction
-  std::size_t nodes = 0;  ///< of which material; UTIA files share theirs
-  /// dB: what its difference from the blend reflects of a uniform light, sign aside, over what the blend reflects.
+  std::shared_ptr<const Brdf> brdf;  ///< an RglBrdf or UtiaBrdf with IncidentSlot::viewer
+  std::size_t nodes = 0;             ///< index of the material with the same nodes; UTIA files all have the same
+  /// Ratio, in dB, of the light that the blend reflects under uniform illumination to that of the absolute difference
+  /// of `brdf` and blend, averaged over viewers.
   double accuracy = std::numeric_limits<double>::infinity();
 };
 
-/// Less accurate ones are not used: a highlight as narrow as a mirror's beside a wide one has no nodes in common.
+/// Minimum accuracy, dB, of blends of RGL files. It fails e.g. for a mirror-like and a wide highlight, which need
+/// different nodes.
 inline constexpr double leastBlendAccuracy = 30;
 
 /// Whether a space mixes materials in their own form: `linear` and `differential`.
 bool mixesOwnForms(InterpolationSpace space);
 
-/// Of UTIA files a UTIA file, of which linear blends are exact; of RGL files (all isotropic, or all anisotropic) an RGL
-/// file that holds the blend at the nodes of one of them, that which follows it best. Nothing in spaces that do not mix
-/// own forms, where a material has another form, and where no nodes follow the blend. @throws Error for weights that
-/// are none; Cancelled.
+/// For UTIA files a UTIA file, exact for linear blends. For RGL files (all isotropic, or all anisotropic) an RGL file
+/// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix own
+/// forms, if a material has another form, or below leastBlendAccuracy. Materials of weight 0 are ignored. @throws Error
+/// for invalid weights; Cancelled.
 std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,
                                          std::span<const double> weights, const TaskControl& control = {});
 

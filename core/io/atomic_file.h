@@ -9,28 +9,28 @@
 
 namespace gonio::io {
 
-/// Replaces a file's content in one step: written to a temporary neighbour, flushed, renamed. On failure the old file
-/// is as it was and no temporary stays behind.
-/// @throws Error naming the file and the system's reason.
+/// Replaces a file's content in one step: writes a temporary file in the same folder, flushes and renames it. On
+/// failure the old file is unchanged and the temporary file is removed. @throws Error that names the file and the
+/// system's reason.
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void writeFileAtomically(const std::filesystem::path& path, const std::string& text);
 
-/// One of several files that belong together.
+/// One of several files to write together.
 struct FileContent {
   std::filesystem::path path;
   std::span<const std::byte> content;
 };
 
-/// All of them or none: every one is written to its temporary neighbour before the first is renamed. Where a rename
-/// fails, those files that are new are removed again.
-/// @throws Error likewise.
+/// Writes several files: all temporary files are written before the first is renamed, so that errors of writing leave
+/// all files unchanged. If a rename fails, files that did not exist before are removed; files that were already
+/// replaced are not restored. @throws as writeFileAtomically().
 void writeFilesAtomically(std::span<const FileContent> files);
 
-/// For work whose result is written much later: whether writeFileAtomically() would find a folder in which it can make
-/// its temporary file. Leaves nothing behind. @throws Error likewise.
+/// Checks before a long computation that writeFileAtomically() could create its temporary file. Leaves no file.
+/// @throws as writeFileAtomically().
 void checkWritable(const std::filesystem::path& path);
 
-/// Whether a path leads to one of these files, under whatever name: through links, by a relative path.
+/// Whether a path refers to one of these files, also through links or as a relative path.
 bool isOneOf(const std::filesystem::path& path, std::span<const std::filesystem::path> files);
 
 }  // namespace gonio::io

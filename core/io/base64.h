@@ -8,7 +8,7 @@
 
 namespace gonio::io {
 
-/// Bytes as the text of data addresses (RFC 4648, with padding).
+/// Bytes as base64 text (RFC 4648, with padding), for data URIs.
 inline std::string base64Text(std::span<const std::byte> bytes) {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

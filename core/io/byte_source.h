@@ -10,25 +10,26 @@
 
 namespace gonio::io {
 
-/// Bytes of known size, read at any position: a file, or memory. Readers look at a source first and allocate only what
-/// its size bears out. Reading is safe from any number of threads. No error names a file: who knows the path names it,
-/// once (core/support/naming_file.h).
+/// Bytes of known size with random access: a file, or memory. Readers compare announced sizes with size() before they
+/// allocate memory. Reading from several threads at once is safe. Errors do not name the file; the caller that knows
+/// the path adds it (core/support/naming_file.h).
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
   virtual std::uint64_t size() const = 0;
   /// Fills `target` from `offset`.
-  /// @throws Error when the source ends before (a file that was cut meanwhile) or the system reports an error.
+  /// @throws Error if the source ends before (such as a file that was truncated meanwhile) or the system reports an
+  /// error.
   virtual void readAt(std::uint64_t offset, std::span<std::byte> target) const = 0;
 
   /// All bytes.
-  /// @throws Error as readAt, and where there are more than `maxBytes`.
+  /// @throws Error as readAt(), and if there are more than `maxBytes`.
   std::vector<std::byte> readAll(std::uint64_t maxBytes = std::uint64_t(1) << 33) const;
 };
 
 class FileSource final : public ByteSource {
  public:
-  /// @throws Error that states the system's reason; a folder or a device is refused.
+  /// @throws Error that states the system's reason; also for folders and devices.
   explicit FileSource(const std::filesystem::path& path);
   ~FileSource() override;
   FileSource(const FileSource&) = delete;
@@ -42,7 +43,7 @@ class FileSource final : public ByteSource {
   std::uint64_t size_ = 0;
 };
 
-/// Looks at memory that the caller keeps alive.
+/// Bytes in memory, which must outlive this object.
 class MemorySource final : public ByteSource {
  public:
   explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}

@@ -17,11 +17,11 @@
 #include "core/io/byte_source.h"
 
 /// The container of Gonio's own binary files, little-endian: a signature of eight characters, a version, then the
-/// format's fields one behind the other: numbers, arrays of numbers, and descriptions (uint32 length, JSON).
+/// fields of the format in sequence: numbers, arrays of numbers, and descriptions (uint32 length, JSON).
 namespace gonio::io {
 
 struct ContainerFormat {
-  std::string_view name;       ///< for errors: "PDV" in "not a PDV file (signature missing)"
+  std::string_view name;       ///< for errors, e.g. "PDV" in "not a PDV file (signature missing)"
   std::string_view signature;  ///< eight characters
   std::uint32_t version = 1;
   std::size_t versionBytes = sizeof(std::uint32_t);
@@ -29,18 +29,18 @@ struct ContainerFormat {
 };
 
 bool hasSignature(const ByteSource& source, const ContainerFormat& format);
-/// @throws FormatMismatch when the signature is missing.
+/// @throws FormatMismatch if the signature is missing.
 void expectSignature(const ByteSource& source, const ContainerFormat& format);
 
 class ContainerWriter {
  public:
-  /// Signature and version.
+  /// Starts a file with signature and version.
   explicit ContainerWriter(const ContainerFormat& format);
 
   template <typename Number>
   requires std::is_arithmetic_v<Number>
   void number(Number value) { append(std::as_bytes(std::span(&value, 1))); }
-  /// A vector, an array or a matrix (column by column): what has data() and size().
+  /// Appends a vector, array or matrix (column by column): any type with data() and size().
   template <typename Values>
   void values(const Values& values) {
     append(std::as_bytes(std::span(values.data(), std::size_t(values.size()))));
@@ -56,12 +56,12 @@ class ContainerWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Takes the fields off the front of a file. Every error begins with the name of the format and states what was found
-/// and what was expected.
+/// Reads the fields of a file in sequence. Every error begins with the name of the format and states what was found and
+/// what was expected.
 class ContainerReader {
  public:
-  /// @throws FormatMismatch when the signature is missing; Error when the file is too large, ends within its header or
-  /// has another version.
+  /// @throws FormatMismatch if the signature is missing; Error if the file is too large, ends within its header or has
+  /// another version.
   ContainerReader(const ContainerFormat& format, const ByteSource& source);
 
   template <typename Number>
@@ -71,8 +71,8 @@ class ContainerReader {
     std::memcpy(&value, bytes.data(), sizeof value);
     return value;
   }
-  /// Fills what has data() and size(); its size was compared with that of the file before (expectLeft()).
-  /// @param what for the error where a value is not finite: "mean".
+  /// Fills a container with data() and size(). Call expectLeft() before allocating it. @param what name of the value in
+  /// the error for values that are not finite, e.g. "mean".
   template <typename Values>
   void values(Values& target, std::string_view what) {
     using Value = std::remove_cvref_t<decltype(target.data()[0])>;
@@ -82,7 +82,7 @@ class ContainerReader {
       for (std::size_t i = 0; i < std::size_t(target.size()); ++i)
         if (!std::isfinite(target.data()[i])) failNotFinite(what, i);
   }
-  /// A square matrix of finite numbers; nothing is allocated where the file ends before.
+  /// Reads a square matrix of finite numbers; checks the size of the file before it allocates memory.
   template <typename Scalar>
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> squareMatrix(int size) {
     expectAtLeast(std::size_t(size) * std::size_t(size) * sizeof(Scalar));
@@ -93,7 +93,7 @@ class ContainerReader {
   nlohmann::json description();
   std::span<const std::byte> rest() { return take(left_.size()); }
 
-  /// @throws Error unless so many bytes are left: the size that the fields so far call for.
+  /// @throws Error unless exactly `bytes` bytes are left.
   void expectLeft(std::uint64_t bytes) const;
 
   [[noreturn]] void fail(const std::string& fault) const;

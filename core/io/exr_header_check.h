@@ -7,15 +7,14 @@
 
 namespace gonio::io {
 
-/// What a picture's header says, checked before it is believed: sides of at most 32768, at most 2^27 pixels, and no
-/// more than `maxPixelsPerByte` for each byte of the file.
-/// @throws Error that states the size.
+/// Checks the size that an image's header announces: sides of at most 32768, at most 2^27 pixels, and at most
+/// `maxPixelsPerByte` pixels per byte of the file. @throws Error that states the size.
 void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t maxPixelsPerByte);
 
-/// Walks the attributes of all headers of an OpenEXR file and checks that each value has exactly the bytes that it
-/// says, and that the picture and its line buffers have reasonable sizes. OpenEXR itself (3.1) reads values of known
-/// types whatever size they announce, and allocates what unknown ones announce before it looks for their bytes.
-/// @throws Error that states what was found, and where.
+/// Checks all headers of an OpenEXR file: every attribute value must have exactly the announced size, and image and
+/// line buffers must have reasonable sizes. Needed because OpenEXR 3.1 reads values of known types regardless of the
+/// announced size, and allocates the announced size of unknown types before it reads them. @throws Error that states
+/// what was found, and where.
 void checkExrHeader(std::span<const std::byte> bytes);
 
 }  // namespace gonio::io

@@ -10,7 +10,7 @@
 
 #include "core/support/json_object.h"
 
-/// The bytes of glTF files: containers and addresses.
+/// Low-level parsing of glTF files: binary container, base64 and URIs.
 namespace gonio::io {
 
 /// The JSON text of a file, and its binary part if it has one.
@@ -18,11 +18,12 @@ struct GltfParts {
   std::span<const std::byte> text, binary;
 };
 
-/// Of a binary file its chunks, of another all as text. @throws Error where a chunk is cut off; of another version.
+/// The chunks of a binary file; all bytes as text for another file. @throws Error if a chunk is truncated or the
+/// version is not supported.
 GltfParts gltfParts(std::span<const std::byte> bytes);
-/// @throws Error naming the buffer where the text is not base64.
+/// @throws Error that names the buffer if the text is not base64.
 std::vector<std::byte> decodedBase64(const JsonObject& buffer, std::string_view text);
-/// A relative address with its %20 and the like as a path.
+/// A relative URI, with its percent-encoding decoded, as a path.
 std::filesystem::path decodedPath(std::string_view address);
 
 }  // namespace gonio::io

@@ -7,7 +7,7 @@
 
 /// Text files of the pgII goniophotometer of pab (Apian-Bennewitz 2010, "New scanning gonio-photometer for extended
 /// BRTF measurements"), also written by mgpp and read by Tekari: a header of lines that begin with #, then rows of
-/// theta, phi and values in degrees; one incident direction a file.
+/// theta, phi (degrees) and values; one incident direction per file.
 ///
 ///     #sample_name "felt"
 ///     #format: theta phi BSDF
@@ -16,18 +16,18 @@
 ///     10.5 0 0.31
 ///
 /// Keys that are read: `intheta` and `inphi`, or `incident_angle` with both; `format:` with the quantity, BSDF or BRDF
-/// in 1/sr, or DSF, which is BSDF times the cosine of the row's theta and is divided by it; `colorimetry:` (of three
-/// values per row, CIE-XYZ, else taken as linear sRGB; of one, grey); `sample_name`. Keys may have a colon. Directions
-/// point away from the surface, theta from its normal. A theta above 90 degrees lies on the other side: rows on another
-/// side than the light are transmission and are left out.
+/// in 1/sr, or DSF, which is the BSDF times the cosine of the row's theta and is divided by it; `colorimetry:` (for
+/// three values per row: CIE-XYZ, otherwise they are read as linear sRGB; one value is grey); `sample_name`. Keys may
+/// have a colon. Directions point away from the surface; theta is the polar angle from its normal. A theta above 90
+/// degrees is on the other side: rows on the side opposite to the light are transmission and are ignored.
 namespace gonio::io {
 
-/// @throws FormatMismatch where the first line is no # line, or the format and the incident direction are not in the
-/// header, its first 64 KiB.
+/// @throws FormatMismatch if the first line does not begin with #, or format and incident direction are not in the
+/// header's first 64 KiB.
 void expectGoniophotometer(const ByteSource& source);
 
-/// @throws FormatMismatch where the file holds transmission (BTDF); Error naming the line: angles or values that are
-/// not finite numbers, rows of other lengths; or where there is no row of reflection.
+/// @throws FormatMismatch if the file contains transmission (BTDF); Error that names the line, for angles or values
+/// that are not finite numbers and rows of different length; Error if there is no row of reflection.
 ScatteredSamples readGoniophotometer(const ByteSource& source);
 
 }  // namespace gonio::io

@@ -13,25 +13,24 @@
 
 namespace gonio::io {
 
-/// Reads an OpenEXR or Radiance HDR picture, found by content, as linear RGB; alpha where an EXR has it. Values are as
-/// the file has them: an EXR may hold negative ones and ones that are not finite. An EXR with a luminance channel only
-/// is read as grey. At most 32768 pixels a side and 2^27 in all, checked before anything is allocated for them.
-/// @throws Error naming the file and what was found.
+/// Reads an OpenEXR or Radiance HDR image, recognised by content, as linear RGB, with alpha if an EXR has it. Values
+/// are not changed: an EXR may contain negative values and values that are not finite. An EXR with only a luminance
+/// channel is read as grey. At most 32768 pixels per side and 2^27 in total, checked before memory is allocated.
+/// @throws Error that names the file and states what was found.
 Image readImage(const std::filesystem::path& path);
-/// The same of bytes in memory; the error names no file.
+/// The same for bytes in memory; the error names no file.
 Image readImage(std::span<const std::byte> bytes);
 
-/// Writes 32-bit float OpenEXR (RGB, and A where the image has alpha; ZIP) with text attributes. Atomic.
-/// @throws Error naming the file.
+/// Writes 32-bit float OpenEXR (RGB, and A where the image has alpha; ZIP) with text attributes, atomically.
+/// @throws Error that names the file.
 void writeExr(const Image& image, const std::filesystem::path& path,
               const std::map<std::string, std::string>& attributes = {});
 
-/// 8-bit sRGB PNG from RGBA display bytes, the first row at the top (core/rendering/tone_map.h makes them).
-/// @throws Error when the bytes are not those of the size.
+/// 8-bit sRGB PNG from RGBA display bytes (core/rendering/tone_map.h), top row first. @throws Error if the number of
+/// bytes does not match the size.
 std::vector<std::byte> encodePng(const std::vector<unsigned char>& rgba, int width, int height);
 
-/// Writes 8-bit sRGB PNG from RGBA display bytes, the first row at the top (core/rendering/tone_map.h makes them).
-/// Atomic. @throws Error naming the file.
+/// Writes encodePng() to a file, atomically. @throws Error that names the file.
 void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path);
 
 }  // namespace gonio::io

@@ -7,12 +7,12 @@
 
 namespace gonio::io {
 
-/// Levels of lists and objects in each other that JSON text may have.
+/// Maximum nesting depth of arrays and objects in JSON text.
 inline constexpr int maxJsonDepth = 64;
 
-/// JSON from text. Copies, comparisons and the end of a value recurse: without the limit a few megabytes of brackets
-/// exhaust the stack, so that deeper text is refused while it is read.
-/// @throws Error stating the limit, or what is wrong with the text; it names no file.
+/// Parses JSON. Text deeper than maxJsonDepth is rejected, because copying, comparing and destroying values is
+/// recursive: a few megabytes of brackets would exhaust the stack. @throws Error that states the limit or the fault of
+/// the text; it names no file.
 nlohmann::json parseJson(std::string_view text);
 
 }  // namespace gonio::io

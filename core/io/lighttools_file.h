@@ -24,18 +24,18 @@
 ///     DataEnd
 ///
 /// Angles in degrees. Unlike in Zemax files, the scattered direction is given about the normal: ScatterRadial is its
-/// polar angle, ScatterAzimuth its azimuth; the light stands at the azimuth POI + 90 degrees. With the symmetry
-/// PlaneSymmetrical one side of the plane of incidence is enough. A block for each angle of
-/// incidence (AOI; at most 90 degrees): a row an azimuth, a column a polar angle, BRDF in 1/sr without the cosine. With
-/// SpectralContent XYZ a block names its TristimulusValue TrisX, TrisY or TrisZ. Blocks of the back and of transmission
-/// are left out; several wavelengths are averaged. Lines that begin with # are comments.
+/// polar angle, ScatterAzimuth its azimuth; the light is at the azimuth POI + 90 degrees. With the symmetry
+/// PlaneSymmetrical one side of the plane of incidence is sufficient. There is a block per angle of incidence (AOI; at
+/// most 90 degrees), with one row per azimuth and one column per polar angle: BRDF in 1/sr, without the cosine. With
+/// SpectralContent XYZ a block states its TristimulusValue TrisX, TrisY or TrisZ. Blocks of the back and of
+/// transmission are ignored; several wavelengths are averaged. Lines that begin with # are comments.
 namespace gonio::io {
 
-/// @throws FormatMismatch where the keys ScatterRadial and AOI are not in the first 64 KiB of text.
+/// @throws FormatMismatch if the keys ScatterRadial and AOI are not in the first 64 KiB of text.
 void expectLightTools(const ByteSource& source);
 
-/// @throws FormatMismatch for a file without reflection of the front, or of several planes of incidence (anisotropic);
-/// Error naming the line.
+/// @throws FormatMismatch for a file without reflection of the front, or with several planes of incidence
+/// (anisotropic); Error that names the line.
 IncidenceFile readLightTools(const ByteSource& source);
 
 }  // namespace gonio::io

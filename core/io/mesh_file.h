@@ -8,17 +8,18 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-/// Meshes in files of all formats that are read: obj_file.h, ply_file.h, gltf_file.h.
+/// Reading of meshes in all supported formats: obj_file.h, ply_file.h, gltf_file.h.
 namespace gonio::io {
 
-/// The suffixes, with their dots, in the order in which dialogs name them.
+/// The suffixes with their dots, in the order of dialogs.
 const std::vector<std::string>& meshSuffixes();
-/// The same with spaces between them: "*.obj *.ply ..." with a `prefix` of "*".
+/// The suffixes separated by spaces, each after `prefix`: "*.obj *.ply ..." for "*".
 std::string meshSuffixList(const std::string& prefix = {});
-/// By its suffix, whatever its case.
+/// Whether the suffix is that of a mesh format, in upper or lower case.
 bool isMeshFile(const std::filesystem::path& path);
 
-/// All of a file as one mesh. @throws Error naming the file: where its suffix is none of these; as its reader does.
+/// All content of a file as one mesh. @throws Error that names the file, for an unknown suffix or as the format's
+/// reader.
 TriangleMesh readMesh(const std::filesystem::path& path);
 
 }  // namespace gonio::io

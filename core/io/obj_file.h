@@ -8,16 +8,16 @@
 #include "core/io/byte_source.h"
 #include "core/support/task_control.h"
 
-/// Meshes in Wavefront OBJ files: of the text, the lines v (positions), vn (normals) and f (faces: positions, or
-/// positions and normals, counted from 1, or from the end where negative) are read, all groups and objects as one mesh;
-/// faces of more than three corners are cut by cutPolygon(). Texture coordinates, materials, lines and curves are left
-/// out. Numbers are read strictly, which the loaders at hand do not do: they take what is no number for 0.
+/// Meshes in Wavefront OBJ files. Reads the lines v (positions), vn (normals) and f (faces: positions, or positions and
+/// normals, counted from 1, or from the end if negative), all groups and objects as one mesh; cutPolygon() triangulates
+/// faces of more than three corners. Texture coordinates, materials, lines and curves are ignored. Numbers are parsed
+/// strictly, unlike in common loaders, which read invalid numbers as 0.
 namespace gonio::io {
 
-/// @throws Error naming the file: the line, what was found there and what was expected; where there are no faces; over
-/// 2 GB or 100 million triangles; as TriangleMesh does. @throws Cancelled.
+/// @throws Error that names the file and the line, what was found and what was expected; also without faces, over 2 GB
+/// or 100 million triangles; as TriangleMesh. @throws Cancelled.
 TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control = {});
-/// The same of bytes; an error names no file.
+/// The same for bytes; errors name no file.
 TriangleMesh readObj(const ByteSource& source, const TaskControl& control = {});
 
 }  // namespace gonio::io

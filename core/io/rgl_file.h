@@ -13,18 +13,18 @@
 namespace gonio::io {
 
 struct RglFile {
-  std::shared_ptr<const RglBrdf> brdf;  ///< with the viewer in the slot of the incident direction
+  std::shared_ptr<const RglBrdf> brdf;  ///< with IncidentSlot::viewer
   std::string description;
-  bool isSpectral = false;          ///< a `_spec` file: `spectra` in place of `rgb`
+  bool isSpectral = false;          ///< whether it is a `_spec` file, with `spectra` instead of `rgb`
   std::vector<int> grid;            ///< sizes of the field `rgb` or `spectra`
-  std::uint64_t negativeCount = 0;  ///< negative values in it
+  std::uint64_t negativeCount = 0;  ///< number of negative values in that field
 };
 
-/// Reads an `_rgb` or a `_spec` file of the database, isotropic or anisotropic. Spectra are seen under D65 by the CIE
-/// 1931 observer (spectrumWeights()). A luminance serves sampling alone: where it is 0 or not finite the visible
-/// normals are sampled. A file without `luminance` and `vndf`, such as the bundled ones (scripts/bundle_rgl.py), has
-/// them computed from its colours and from `ndf` (or `visible_ndf`, of the same layout).
-/// @throws FormatMismatch; Error naming the first value that is not finite.
+/// Reads an `_rgb` or a `_spec` file of the database, isotropic or anisotropic. Spectra are converted to linear sRGB
+/// under D65 for the CIE 1931 observer (spectrumWeights()). The field `luminance` is only used for importance sampling.
+/// If `luminance` and `vndf` are missing, as in bundled files (scripts/bundle_rgl.py), they are computed from the
+/// colours and from `ndf` (or `visible_ndf`, of the same layout). @throws FormatMismatch; Error that names the first
+/// value that is not finite.
 RglFile readRgl(const ByteSource& source);
 
 }  // namespace gonio::io

@@ -10,18 +10,19 @@
 
 namespace gonio::io {
 
-/// A measurement at single pairs of directions, without a grid: what the readers of such formats share. A whole
-/// material is made of it by core/materials/scattered_material.h.
+/// A measurement at scattered pairs of directions, without a grid: the result of readers of such formats.
+/// core/materials/scattered_material.h converts it to a material.
 struct ScatteredSamples {
   std::vector<DirectionPair> directions;  ///< both above the horizon
-  std::vector<Rgb> values;                ///< linear RGB in 1/sr without the cosine, finite and >= 0; one per pair
-  std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty where they are not known
-  std::size_t negativeCount = 0;          ///< channels that were below 0 and were set to 0
-  std::size_t belowHorizonCount = 0;      ///< rows that were left out: a direction at or below the horizon
+  std::vector<Rgb> values;                ///< linear RGB, 1/sr, without the cosine, finite and >= 0; one per pair
+  std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty if unknown
+  std::size_t negativeCount = 0;          ///< number of channel values that were below 0 and were set to 0
+  std::size_t belowHorizonCount = 0;      ///< number of rows that were ignored because a direction is at or below the
+                                          ///< horizon
   std::string description;                ///< of the sample, from the file; may be empty
 
-  /// Adds a row, or counts it where a direction lies at or below the horizon.
-  /// @param value finite; negative channels become 0 and are counted.
+  /// Adds a row, or only counts it if a direction is at or below the horizon. @param value finite; negative channels
+  /// become 0 and are counted.
   void add(const DirectionPair& pair, const Rgb& value) {
     if (!(pair.wi.z > horizonTolerance && pair.wo.z > horizonTolerance)) {
       ++belowHorizonCount;

@@ -11,7 +11,7 @@
 
 namespace gonio::io {
 
-/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces.
+/// Incremental SHA-256 (FIPS 180-4).
 class Sha256 {
  public:
   Sha256();
@@ -30,7 +30,7 @@ class Sha256 {
 
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
-/// Of all bytes of a source, read in pieces. About 20 ms for 35 MB on a processor with SHA instructions.
+/// SHA-256 of all bytes of a source, read in pieces. About 20 ms for 35 MB on a processor with SHA instructions.
 std::string sha256Hex(const ByteSource& source);
 
 }  // namespace gonio::io

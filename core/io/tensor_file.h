@@ -14,11 +14,11 @@
 
 namespace gonio::io {
 
-/// What a tensor file begins with; two bytes of the version and a uint32 number of fields follow.
+/// The first bytes of a tensor file, before two bytes of the version and a uint32 number of fields.
 inline constexpr std::string_view tensorMagic{"tensor_file\0", 12};
 inline constexpr std::size_t tensorHeaderBytes = tensorMagic.size() + 2 + sizeof(std::uint32_t);
 
-/// The types that `tensor_file` numbers.
+/// The type numbers of `tensor_file`.
 enum class TensorType : std::uint8_t {
   uint8 = 1,
   int8,
@@ -37,16 +37,16 @@ enum class TensorType : std::uint8_t {
 struct Tensor {
   TensorType type{};
   std::vector<std::uint64_t> shape;
-  std::span<const std::byte> bytes;  ///< inside the TensorFile, which must live on
+  std::span<const std::byte> bytes;  ///< inside the TensorFile, which must outlive this object
 
   std::uint64_t count() const;
-  /// The numbers of a float16 or float32 tensor, finite or not; 0 of all other types.
+  /// The values of a float16 or float32 tensor, also if not finite; zeros for other types.
   std::vector<float> floats() const;
-  /// "float32 1 x 8 x 128 x 128"
+  /// Type and shape, e.g. "float32 1 x 8 x 128 x 128".
   std::string describe() const;
 };
 
-/// @throws FormatMismatch when the bytes do not begin like a tensor file of version 1.0.
+/// @throws FormatMismatch if the bytes do not begin like a tensor file of version 1.0.
 void expectTensorFile(const ByteSource& source);
 
 /// A container of named arrays, format `tensor_file` 1.0, little-endian (the EPFL RGL database uses it): the magic
@@ -54,19 +54,18 @@ void expectTensorFile(const ByteSource& source);
 /// number of dimensions, a type byte, a uint64 offset of the data and uint64 sizes.
 class TensorFile {
  public:
-  /// Every number of the directory is checked against the file's size; only the file itself is held in memory.
-  /// @throws FormatMismatch.
+  /// Reads the file into memory and checks its directory against the file's size. @throws FormatMismatch.
   explicit TensorFile(const ByteSource& source);
 
-  /// All fields by their names.
+  /// All fields by name.
   const std::map<std::string, Tensor, std::less<>>& fields() const { return fields_; }
   bool contains(std::string_view name) const { return fields_.find(name) != fields_.end(); }
-  /// The field, with this type and this many dimensions.
-  /// @throws FormatMismatch that states what the file has instead.
+  /// The field of this name, type and number of dimensions. @throws FormatMismatch that states what the file has
+  /// instead.
   const Tensor& field(std::string_view name, TensorType type, std::size_t dimensions) const;
   /// A field of type float32 or float16. @throws FormatMismatch as field().
   const Tensor& floatField(std::string_view name, std::size_t dimensions) const;
-  /// The same as numbers. @throws Error naming the first that is not finite.
+  /// The values of floatField(). @throws Error that names the first one that is not finite.
   std::vector<float> floats(std::string_view name, std::size_t dimensions) const;
   /// A uint8 field as text.
   std::string text(std::string_view name) const;

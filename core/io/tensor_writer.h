@@ -8,7 +8,7 @@
 
 namespace gonio::io {
 
-/// One field of a tensor file that is to be written.
+/// One field of a tensor file to write.
 struct TensorField {
   std::string name;
   TensorType type{};
@@ -19,7 +19,7 @@ struct TensorField {
   static TensorField text(std::string name, std::string_view text);
 };
 
-/// A tensor file 1.0 (TensorFile reads it) with the fields in this order, the data of each aligned to 8 bytes.
+/// A tensor file of version 1.0 with the fields in this order, each aligned to 8 bytes.
 std::vector<std::byte> encodeTensorFile(std::span<const TensorField> fields);
 
 }  // namespace gonio::io

@@ -10,27 +10,28 @@
 
 #include "core/io/byte_source.h"
 
-/// Text formats of measuring instruments: lines of words and numbers (tables with named columns: csv_text.h).
+/// Parsing of text formats of measuring instruments: lines of words and numbers. For tables with named columns see
+/// csv_text.h.
 namespace gonio::io {
 
-/// A line of a text with its number, for errors.
+/// A line of a text with its number.
 struct TextLine {
   std::size_t number = 0;  ///< from 1
-  std::string_view text;   ///< without line end, spaces and tabs about it
+  std::string_view text;   ///< without line end and surrounding spaces and tabs
 
-  /// "line 7: found 'a b', expected ..". A long line is cut.
+  /// @throws Error "line 7: found 'a b', expected ...". Long lines are shortened.
   [[noreturn]] void fail(const std::string& expected) const;
 };
 
-/// The lines of a text that are not empty, one after another. Ends: "\n", "\r\n", "\r".
+/// Iterates over the lines of a text that are not empty. Line ends: "\n", "\r\n", "\r".
 class TextLines {
  public:
-  /// @param text that outlives the lines.
+  /// @param text must outlive the lines.
   explicit TextLines(std::string_view text) : rest_(text) {}
   std::optional<TextLine> next();
-  /// How many bytes are left: what follows holds at most as many numbers.
+  /// Number of bytes left, an upper bound of the numbers that can follow.
   std::size_t bytesLeft() const { return rest_.size(); }
-  /// Number of the line that was read last; 0 before the first.
+  /// Number of the last line read; 0 before the first.
   std::size_t number() const { return number_; }
 
  private:
@@ -38,18 +39,18 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// The words of a line: what stands between spaces, tabs, commas and semicolons.
+/// The words of a line, separated by spaces, tabs, commas and semicolons.
 std::vector<std::string_view> words(std::string_view line);
 
-/// A word as a finite number, in decimal notation; none where it is not one.
+/// A word as a finite number in decimal notation; empty if it is not one.
 std::optional<double> finiteNumber(std::string_view word);
-/// All words of a line as numbers. @throws Error naming the line and the word where one is not a finite number.
+/// All words of a line as numbers. @throws Error that names the line and a word which is not a finite number.
 std::vector<double> finiteNumbers(const TextLine& line);
 
-/// The first 64 KiB of a source as text, for sniffers. @throws FormatMismatch where it holds bytes that no text has,
-/// stating `expected`.
+/// The first 64 KiB of a source as text, to recognise formats. @throws FormatMismatch that states `expected`, if there
+/// are bytes that do not occur in text.
 std::string textHead(const ByteSource& source, const std::string& expected);
-/// All of it. @throws Error where it has more bytes.
+/// All bytes of a source as text. @throws Error if there are more than `maxBytes`.
 std::string allText(const ByteSource& source, std::uint64_t maxBytes = std::uint64_t(1) << 26);
 
 }  // namespace gonio::io

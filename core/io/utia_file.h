@@ -11,20 +11,20 @@
 
 /// Files of the UTIA BRDF database (Filip and Vávra 2014, "Template-Based Sampling of Anisotropic BRDFs"). Two layouts:
 /// - `.bin`: little-endian float64 [3][288][288], the planes of red, green and blue, 1,990,656 bytes without a header;
-/// - `.exr`: an OpenEXR picture of 288 x 288 pixels.
-/// A row is an incident direction, a column a viewing direction, each polar angle index * 48 + azimuth index; 15 and
-/// 7.5 degrees per step. Values are taken as BRDF values in 1/sr, as the code that the database publishes returns them.
-/// The absolute scale of the database is not documented beyond that: other readers rescale it (dj_brdf by Dupuy).
+/// - `.exr`: an OpenEXR image of 288 x 288 pixels.
+/// Rows are incident directions, columns viewing directions, each with index polar angle index * 48 + azimuth index, in
+/// steps of 15 and 7.5 degrees. Values are read as BRDF values in 1/sr, as the database's published code returns them.
+/// The absolute scale is not documented beyond that; other readers rescale it (dj_brdf by Dupuy).
 namespace gonio::io {
 
-/// @throws FormatMismatch where neither the size and first values of a `.bin` file nor an EXR picture of 288 x 288
-/// pixels are found. Reads an EXR picture whole, if it has at most 16 MiB.
+/// @throws FormatMismatch if the source has neither the size and plausible first values of a `.bin` file nor is an EXR
+/// image of 288 x 288 pixels. EXR images of up to 16 MiB are read completely.
 void expectUtia(const ByteSource& source);
 
-/// @throws FormatMismatch; Error naming the first value that is not finite or beyond the range of float.
+/// @throws FormatMismatch; Error that names the first value that is not finite or beyond the range of float.
 std::shared_ptr<const UtiaBrdf> readUtia(const ByteSource& source);
 
-/// The bytes of a `.bin` file. @param values as UtiaBrdf::values().
+/// A `.bin` file. @param values as UtiaBrdf::values().
 std::vector<std::byte> encodeUtia(std::span<const glm::vec3> values);
 
 }  // namespace gonio::io

@@ -10,26 +10,28 @@
 
 namespace gonio::io {
 
-/// The words of a text one after another, whatever lines they stand in; lines that begin with # are passed over.
+/// Reads the words of a text in sequence, across lines; lines that begin with # are ignored.
 class WordReader {
  public:
-  /// @param text that outlives the reader.
+  /// @param text must outlive the reader.
   explicit WordReader(std::string_view text) : lines_(text) {}
 
   /// The next word; empty at the end of the text.
   std::string_view next();
-  /// The next word. @throws Error naming line and `what` at the end of the text.
+  /// The next word. @throws Error that names the line and `what` at the end of the text.
   std::string_view word(const char* what);
-  /// @throws Error naming the line where the next word is not a finite number.
+  /// The next word as a number. @throws Error that names the line if it is not a finite number.
   double number(const char* what);
-  /// A count from 1, for which the text that is left can have as many numbers. @throws Error likewise.
+  /// The next word as a count >= 1, at most the number of values that the rest of the text can contain. @throws as
+  /// number().
   std::size_t count(const char* what);
-  /// @param numbers at most what the text that is left can hold: nothing is allocated beyond. @throws Error likewise.
+  /// The next `numbers` words as numbers. Checks first that the rest of the text can contain so many. @throws as
+  /// number().
   std::vector<double> numbers(std::size_t numbers, const char* what);
-  /// Passes over the rest of the line.
+  /// Skips the rest of the line.
   void skipLine() { words_.clear(); }
 
-  /// @throws Error "line 7: found 'word', expected ..".
+  /// @throws Error "line 7: found 'word', expected ...".
   [[noreturn]] void fail(std::string_view word, const std::string& expected) const;
 
  private:

@@ -25,18 +25,17 @@
 ///     ..
 ///     DataEnd
 ///
-/// Angles in degrees. The scattered direction is given about the mirror direction: radial angle from it, azimuth 0
-/// toward the normal, counter-clockwise. A block for each sample rotation and angle of incidence: the total integrated
-/// scatter (not used), then a row an azimuth, a column a radial angle, BRDF in 1/sr without the cosine. With
-/// SpectralContent XYZ the blocks of TristimulusX, TristimulusY and TristimulusZ follow each other, taken as
-/// tristimulus values with the white of D65 at Y = 1. Several sample rotations are averaged: the BRDF is isotropic.
-/// Lines that begin with # are comments.
+/// Angles in degrees. The scattered direction is relative to the mirror direction: radial angle from it, azimuth
+/// counter-clockwise with 0 toward the normal. There is a block per sample rotation and angle of incidence: the total
+/// integrated scatter (not used), then one row per azimuth and one column per radial angle, BRDF in 1/sr, without the
+/// cosine. With SpectralContent XYZ the blocks TristimulusX, TristimulusY and TristimulusZ follow one another, with D65
+/// white at Y = 1. Sample rotations are averaged: the BRDF is isotropic. Lines that begin with # are comments.
 namespace gonio::io {
 
-/// @throws FormatMismatch where the keys AngleOfIncidence and ScatterRadial are not in the first 64 KiB of text.
+/// @throws FormatMismatch if the keys AngleOfIncidence and ScatterRadial are not in the first 64 KiB of text.
 void expectZemax(const ByteSource& source);
 
-/// @throws FormatMismatch for a file of transmission (BTDF); Error naming the line.
+/// @throws FormatMismatch for a file of transmission (BTDF); Error that names the line.
 IncidenceFile readZemax(const ByteSource& source);
 
 }  // namespace gonio::io

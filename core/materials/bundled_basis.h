@@ -9,17 +9,17 @@
 
 namespace gonio::materials {
 
-/// Every second node of MERL tables in theta_h and theta_d, every fourth in phi_d: reconstructions from single points
-/// are no better on a finer grid.
+/// Every second node of MERL tables in theta_h and theta_d, every fourth in phi_d. A finer grid does not improve
+/// reconstructions from scattered points.
 inline constexpr HalfDifferenceGrid bundledBasisGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 45};
 
-/// What is known of materials before one is measured, over bundledBasisGrid.
+/// Prior knowledge of materials, learned from the bundled library, on bundledBasisGrid.
 struct BundledBasis {
   dictionary::PrincipalComponents components;  ///< of the measured and near-measured bundled materials
-  std::vector<float> largest;  ///< of each cell, the largest value of a channel of a bundled material, 1/sr
+  std::vector<float> largest;                  ///< per cell, the largest channel value of all bundled materials, 1/sr
 };
 
-/// Learned at the first call of a process (5 s), then shared; 19 MB. @throws Cancelled; the next call then starts
+/// Computed at the first call in a process (5 s), then shared; 19 MB. @throws Cancelled; the next call then starts
 /// again.
 std::shared_ptr<const BundledBasis> bundledBasis(const TaskControl& control = {});
 

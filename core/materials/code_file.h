@@ -9,39 +9,39 @@
 #include "core/materials/material.h"
 
 /// A file of a sparse code, `.code`: a container (core/io/container.h) "GONIOCOD", uint16 version 1; uint8 transform
-/// (in the order of dataTransformNames), uint8 precision (0 single, 1 half), uint16 counts of theta_h, theta_d, phi_d,
-/// uint16 whether phi_d is folded, uint64 id of the dictionary; then the packed channels (dictionary::packChannels).
-/// About 3 KB for 262 coefficients a channel in half precision.
+/// (in the order of dataTransformNames), uint8 precision (0 single, 1 half), uint16 numbers of nodes of theta_h,
+/// theta_d, phi_d, uint16 whether phi_d is folded, uint64 id of the ensemble (NamedEnsemble); then
+/// dictionary::packChannels(). About 3 kB for 262 coefficients per channel in half precision.
 namespace gonio::materials {
 
-/// What the file has before the packed channels.
+/// Size of the file before the packed channels.
 inline constexpr std::size_t codeHeaderBytes = 8 + 2 + 1 + 1 + 4 * 2 + 8;
 
 /// The bytes of the file.
 std::vector<std::byte> encodeCode(const dictionary::SparseCode& code, std::uint64_t dictionaryId,
                                   dictionary::CodePrecision precision = dictionary::CodePrecision::half);
-/// Atomic. @throws Error naming the file.
+/// Writes a file, atomically. @throws Error that names the file.
 void writeCode(const dictionary::SparseCode& code, std::uint64_t dictionaryId, const std::filesystem::path& path,
                dictionary::CodePrecision precision = dictionary::CodePrecision::half);
 
-/// A code with the id of the dictionary that it is over.
+/// A code and the id of its ensemble.
 struct CodeFile {
   dictionary::SparseCode code;
   std::uint64_t dictionaryId = 0;
   dictionary::CodePrecision precision = dictionary::CodePrecision::half;
 };
 
-/// @throws Error naming the file: what was found, what was expected.
+/// @throws Error that names the file, what was found and what was expected.
 CodeFile readCode(const std::filesystem::path& path);
 CodeFile readCode(const io::ByteSource& source);
-/// @throws FormatMismatch when the bytes do not begin like a code.
+/// @throws FormatMismatch if the bytes do not begin like a code.
 void expectCode(const io::ByteSource& source);
 
-/// @throws Error when the code is over another dictionary.
+/// @throws Error if the code belongs to another ensemble.
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary);
 
-/// Makes a material what a code over bundledDictionary() stands for: decoded, with a description. Under 50 ms.
-/// @throws Error when it is over another dictionary.
+/// Sets a material to a code over bundledDictionary(): decodes it and sets the description. Under 50 ms. @throws Error
+/// if the code belongs to another ensemble.
 void setCode(const CodeFile& code, Material& material);
 
 }  // namespace gonio::materials

@@ -10,24 +10,24 @@
 
 namespace gonio::materials {
 
-/// A file of an ensemble, `.dictionary`: a container (core/io/container.h) "GONIODIC", version 1; a description with
-/// the grid, the sparsities and what it learned from; the matrices of each dictionary (phi_d, theta_d, theta_h), column
-/// by column, float32. 5.9 MiB for 32 dictionaries. What is read is orthonormal to 1e-12: the rounding to single
-/// precision is polished away.
+/// Writes an ensemble, `.dictionary`: a container (core/io/container.h) "GONIODIC", version 1; a description with the
+/// grid, the sparsities and the training materials; the matrices of each dictionary (phi_d, theta_d, theta_h), column
+/// by column, float32. 5.9 MiB for 32 dictionaries. Readers orthonormalise the matrices again, to 1e-12
+/// (dictionary::polished()).
 void writeDictionary(const dictionary::Ensemble& ensemble, const std::filesystem::path& path);
 
-/// An ensemble with its name: what codes call it by.
+/// An ensemble with the id that codes refer to.
 struct NamedEnsemble {
   dictionary::Ensemble ensemble;
   std::uint64_t id = 0;  ///< the first eight bytes of the SHA-256 of the file
 };
 
-/// @throws Error naming the file: what was found, what was expected.
+/// @throws Error that names the file, what was found and what was expected.
 std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path& path);
-/// The same of bytes; an error names no file.
+/// The same for bytes; errors name no file.
 std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source);
 
-/// The ensemble that comes with Gonio, read once (about 0.1 s).
+/// The ensemble bundled with Gonio, read at the first call (about 0.1 s).
 std::shared_ptr<const NamedEnsemble> bundledDictionary();
 
 }  // namespace gonio::materials

@@ -5,10 +5,10 @@
 #include "core/coordinates/half_difference_grid.h"
 #include "core/support/json_object.h"
 
-/// A grid in the description of a file.
+/// Grids in the JSON descriptions of files.
 namespace gonio::materials {
 
-inline constexpr int maxGridNodes = 1024;  ///< an axis
+inline constexpr int maxGridNodes = 1024;  ///< per axis
 
 inline nlohmann::json gridJson(const HalfDifferenceGrid& grid) {
   return {{"thetaH", grid.thetaHCount},
@@ -17,7 +17,7 @@ inline nlohmann::json gridJson(const HalfDifferenceGrid& grid) {
           {"reciprocal", grid.reciprocal}};
 }
 
-/// @throws Error naming the member that is missing or beyond 1 to maxGridNodes.
+/// @throws Error that names a member which is missing or not in [1, maxGridNodes].
 inline HalfDifferenceGrid gridOf(const JsonObject& object) {
   const auto count = [&](const char* key) { return int(object.number(key, 1, maxGridNodes)); };
   return {.thetaHCount = count("thetaH"),

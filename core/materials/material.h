@@ -14,53 +14,51 @@
 
 namespace gonio::materials {
 
-/// Where a material comes from.
+/// The origin of a material.
 struct MaterialSource {
   std::filesystem::path path;      ///< of the file, absolute; "library:sgd/chrome" for a bundled material
   std::string format;              ///< MaterialFormat::name of a file; "SGD fit", "blend", "gonio document"
   std::string sha256;              ///< of the file's bytes, or of a bundled material's parameters; lower-case hex
-  std::string description;         ///< from the file or for people: "SGD fit of MERL chrome, Bagher et al. 2012"
+  std::string description;         ///< for display or from the file, e.g. "SGD fit of MERL chrome, Bagher et al. 2012"
   std::vector<int> grid;           ///< sizes of the stored data, e.g. 90 90 180
-  std::vector<std::string> notes;  ///< what the reader changed: "12 negative values were set to 0"
+  std::vector<std::string> notes;  ///< what the reader changed, e.g. "12 negative values were set to 0"
 };
 
-/// A material as it was read: the source and its BRDF in the file's own form. Immutable once loaded.
+/// A material as read: its origin and its BRDF in the file's own form. Immutable once loaded.
 struct Material {
   std::string name;
   MaterialSource source;
-  std::shared_ptr<const Brdf> brdf;                    ///< evaluates the file in its own parameterisation
-  std::shared_ptr<const TabulatedBrdf> table;          ///< the same object when the file is a table, else null;
-                                                       ///< of an anisotropic replayed edit its mean over the azimuths
-  std::shared_ptr<const dictionary::SparseCode> code;  ///< of a sparse code over bundledDictionary(), else null
+  std::shared_ptr<const Brdf> brdf;            ///< evaluates the file in its own parameterisation
+  std::shared_ptr<const TabulatedBrdf> table;  ///< the same object if the file is a table, else null; for a table with
+                                               ///< anisotropic edits the mean over the azimuths
+  std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over bundledDictionary(), else null
 
-  /// The table for editing: `table`, or the BRDF sampled onto the MERL grid (about 1 s for an RGL file or
-  /// factors).
+  /// `table`, or the BRDF sampled on the MERL grid (about 1 s for an RGL file or factors). @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;
 };
 
-/// Reads any supported file, found by its content, or a bundled material by "library:sgd/NAME" or "library:rgl/NAME".
-/// @throws Error naming the file and in its first line what is wrong with it; of one that could not be read the lines
-/// after it state what each format found.
-/// @throws Cancelled.
+/// Reads a file of any supported format, recognised by content, or a bundled material ("library:SOURCE/NAME").
+/// @throws Error with the file and the fault in its first line; if no format accepts the file, the following lines
+/// state what each reader found. @throws Cancelled.
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control = {});
-/// The same of bytes; the material has no name and no path, an error names no file.
+/// The same for bytes; the material has no name and no path, and errors name no file.
 Material readMaterial(const io::ByteSource& source, const TaskControl& control = {});
 
-/// Writes a table or a material, atomically, in the format that the suffix asks for (writableFormat()). A file of this
-/// format that was only read is copied byte for byte (its hash is verified first); all else is tabulated.
-/// @throws Error naming the file.
+/// Writes a table or a material, atomically, in the format of the suffix (writableFormat()). An unchanged material
+/// whose file has this format is copied byte for byte after verifying its hash; other materials are tabulated.
+/// @throws Error that names the file.
 void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path);
 void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control = {});
 
-/// What a bundled material is.
+/// Kinds of bundled materials.
 enum class LibraryOrigin { measured, nearMeasured, publishedFit };
-/// "measured", "near-measured copy", "published fit".
+/// The name for display: "measured", "near-measured copy", "published fit".
 std::string_view libraryOriginName(LibraryOrigin origin);
 
 struct LibraryEntry {
-  std::string id;           ///< "sgd/chrome": the source (core/materials/library_list.h) and the name
-  std::string name;         ///< "chrome"
-  std::string description;  ///< for people: "SGD fit of MERL chrome, Bagher et al. 2012"
+  std::string id;           ///< source (core/materials/library_list.h) and name, e.g. "sgd/chrome"
+  std::string name;         ///< for display, e.g. "chrome"
+  std::string description;  ///< for display, e.g. "SGD fit of MERL chrome, Bagher et al. 2012"
   LibraryOrigin origin = LibraryOrigin::measured;
   std::string kind;  ///< "metal", "paint", ...
 };

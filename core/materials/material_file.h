@@ -9,9 +9,8 @@
 
 namespace gonio::materials {
 
-/// The bytes that a material was read from: of its file, or of a bundled measured one ("library:rgl/NAME").
-/// @throws Error naming the file where it cannot be read or has changed since (its hash), and where the material is of
-/// no file.
+/// The bytes from which a material was read: its file, or that of a bundled measured material ("library:rgl/NAME").
+/// @throws Error that names the file, if it cannot be read or its hash has changed, or if the material has no file.
 std::vector<std::byte> materialFile(const MaterialSource& source);
 
 }  // namespace gonio::materials

@@ -7,14 +7,14 @@
 
 namespace gonio::materials {
 
-/// Makes a whole material of a measurement at scattered pairs of directions: ridge regression over the principal
-/// components of the bundled materials (acquisition::reconstruct(); Nielsen et al. 2015, "On Optimal, Minimal BRDF
-/// Sampling for Reflectance Acquisition"), sampled onto the MERL grid. The material is isotropic and reciprocal,
-/// whatever was measured. No value exceeds both the largest measured one and the largest of the bundled materials at
-/// its node. Points at one node of bundledBasisGrid are averaged; where more than 8192 nodes remain, some of them are
-/// used, evenly. Fills all of a material but its name, path, format and hash; its notes state how many points were used
-/// and left out, and the leave-one-out error. Deterministic. About 1 s, and the learning of bundledBasis() once.
-/// @throws Error where no point lies where the bundled materials have values; Cancelled.
+/// Reconstructs a whole material from a measurement at scattered pairs of directions: ridge regression over the
+/// principal components of the bundled materials (acquisition::reconstruct(); Nielsen et al. 2015, "On Optimal, Minimal
+/// BRDF Sampling for Reflectance Acquisition"), sampled on the MERL grid. The material is always isotropic and
+/// reciprocal. Values are limited to the larger of the largest measured value and the largest value of the bundled
+/// materials at the node. Points at the same node of bundledBasisGrid are averaged; if more than 8192 nodes remain, an
+/// evenly spaced subset is used. Sets all members of the material except name, path, format and hash; its notes state
+/// the numbers of used and ignored points and the leave-one-out error. Deterministic. About 1 s, plus bundledBasis() at
+/// the first call. @throws Error if no point lies where the bundled materials have values; Cancelled.
 void setScattered(const io::ScatteredSamples& samples, const TaskControl& control, Material& material);
 
 }  // namespace gonio::materials

@@ -9,26 +9,25 @@
 #include "core/materials/material.h"
 #include "core/models/model.h"
 
-/// The bundled library: the published SGD fits of the 100 MERL materials (Bagher et al. 2012;
+/// The published SGD fits of the 100 MERL materials in the bundled library (Bagher et al. 2012;
 /// resources/ATTRIBUTIONS.md).
 namespace gonio::materials {
 
-/// The table as it was published, CSV with a header line, built into the program.
+/// The published table, CSV with a header line, compiled into the program.
 std::string_view sgdFigures();
 
 /// MaterialSource::format of a fit.
 inline constexpr std::string_view sgdFormat = "SGD fit";
 
 struct SgdFit {
-  std::string name;                    ///< "chrome"
-  models::ParameterValues parameters;  ///< of the model "sgd"
+  std::string name;                    ///< e.g. "chrome"
+  models::ParameterValues parameters;  ///< parameters of the model "sgd"
 
   std::string description() const;  ///< "SGD fit of MERL chrome, Bagher et al. 2012"
   std::string sha256() const;       ///< of the parameters as JSON
 };
 
-/// Parses a table with a header that names the columns.
-/// @throws Error naming the line and the column.
+/// Parses the table. @throws Error that names the line and the column.
 std::vector<SgdFit> parseSgdFigures(std::string_view csv);
 
 /// The bundled fits, parsed once.

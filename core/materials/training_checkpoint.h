@@ -9,11 +9,11 @@
 
 namespace gonio::materials {
 
-/// A checkpoint of a training, atomic: a container (core/io/container.h) "GONIOCKP", version 1, with a description that
-/// names the training, and the state in double precision. @throws Error naming the file.
+/// Writes a checkpoint of a training, atomically: a container (core/io/container.h) "GONIOCKP", version 1, with a
+/// description that identifies the training, and the state in double precision. @throws Error that names the file.
 void writeCheckpoint(const dictionary::TrainingState& state, const std::string& training,
                      const std::filesystem::path& path);
-/// @throws Error naming the file; also where it is of another training.
+/// @throws Error that names the file, also if it belongs to another training.
 dictionary::TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path);
 
 }  // namespace gonio::materials

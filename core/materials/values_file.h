@@ -9,24 +9,24 @@
 #include "core/acquisition/measured_values.h"
 
 /// Measured values of a sampling plan as CSV (csv_text.h): the columns index, r, g, b (linear sRGB, 1/sr, without the
-/// cosine), and where standard deviations are known noise_r, noise_g, noise_b, or one column noise for all three.
-/// Rows in any order; other columns are passed over.
+/// cosine), and optionally standard deviations: noise_r, noise_g, noise_b, or one column noise for all three. Rows may
+/// have any order; other columns are ignored.
 ///
-/// Without r, g and b, three or more columns that are named by their wavelength, "550", "550nm" or "550 nm", are a
-/// spectrum: it becomes linear sRGB (spectrumWeights()), negative channels 0; `noise` is that of each wavelength.
+/// Without r, g and b, three or more columns with wavelengths as names ("550", "550nm" or "550 nm") are a spectrum,
+/// which is converted to linear sRGB (spectrumWeights()); negative channels become 0; `noise` applies to each
+/// wavelength.
 namespace gonio::materials {
 
-/// With all digits. @param values one a sample of the plan.
+/// Numbers are written without loss. @param values one per sample of the plan.
 std::string valuesCsv(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values);
-/// Atomic. @throws Error naming the file.
+/// Writes a file, atomically. @throws Error that names the file.
 void writeValues(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values,
                  const std::filesystem::path& path);
 
-/// One value for each sample of the plan, in its order.
-/// @throws Error naming the file and, where there is one, the line: a row that is missing, stands twice or has an index
-/// that the plan has not; a value that is negative or no number; a column that is missing.
+/// Reads one value per sample of the plan, in its order. @throws Error that names the file and, if possible, the line:
+/// a row that is missing, repeated or not in the plan; a value that is negative or not a number; a missing column.
 acquisition::MeasuredValues readValues(const std::filesystem::path& path, const acquisition::SamplingPlan& plan);
-/// The same of text; an error names no file.
+/// The same for text; errors name no file.
 acquisition::MeasuredValues parseValues(std::string_view text, const acquisition::SamplingPlan& plan);
 
 }  // namespace gonio::materials

@@ -6,11 +6,11 @@
 
 namespace gonio {
 
-/// Decompositions of dense matrices in double precision. Eigen computes them; they are compiled here once, because
-/// each costs the compiler many seconds.
+/// Decompositions of dense matrices in double precision by Eigen. Compiled once here, because each takes the compiler
+/// many seconds.
 
-/// The eigenvectors of a symmetric positive semi-definite matrix, orthonormal columns, the largest eigenvalue first;
-/// the largest entry in size of each column is positive.
+/// Eigenvectors of a symmetric positive semi-definite matrix: orthonormal columns, by decreasing eigenvalue; the entry
+/// of largest absolute value of each column is positive.
 struct EigenBasis {
   Eigen::MatrixXd vectors;
   Eigen::VectorXd values;  ///< >= 0, descending
@@ -24,11 +24,11 @@ struct ThinSvd {
   Eigen::VectorXd singularValues;  ///< >= 0, descending
   Eigen::MatrixXd v;
 };
-/// By Jacobi rotations after a QR decomposition with pivots. Cost: O(rows columns min(rows, columns)) and some ten
+/// Jacobi rotations after a QR decomposition with pivoting. Cost: O(rows columns min(rows, columns)) and some ten
 /// sweeps of O(min(rows, columns)^3).
 ThinSvd thinSvd(const Eigen::MatrixXd& matrix);
 
-/// Solves A X = B for a symmetric, positive or negative semi-definite A (LDL^T with pivots), columns of B at once.
+/// Solves A X = B for a symmetric, positive or negative semi-definite A (LDL^T with pivoting), for all columns of B.
 /// Cost: O(n^3 + n^2 columns).
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

@@ -7,10 +7,9 @@
 
 namespace gonio {
 
-/// atan2(y, x) of finite numbers, without branches and calls so that loops over it become vector code: absolute error
-/// below 1e-15 and relative error below 4e-16 near 0, also for results near 0. A zero x counts as positive: (0, 0)
-/// gives 0. The arc tangent is a polynomial on |t| <= tan(pi/8) (Chebyshev interpolation of degree 10 in t^2, error
-/// 5e-18).
+/// atan2(y, x) of finite numbers, without branches and calls, so that loops are vectorised. Absolute error below 1e-15,
+/// relative error below 4e-16 for results near 0. x = 0 counts as positive: (0, 0) gives 0. The arc tangent is a
+/// polynomial on |t| <= tan(pi/8) (Chebyshev interpolation of degree 10 in t^2, error 5e-18).
 inline double fastAtan2(double y, double x) {
   const double absX = std::abs(x), absY = std::abs(y);
   const double large = absX > absY ? absX : absY, small = absX > absY ? absY : absX;

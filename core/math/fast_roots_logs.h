@@ -7,14 +7,14 @@
 #include <cstdint>
 #include <numbers>
 
-/// Cube root and logarithm without branches and calls, so that loops over them become vector code: always inlined,
-/// since the compiler finds them too long otherwise.
+/// Cube root and logarithm without branches and calls, so that loops are vectorised. Always inlined, because the
+/// compiler would consider them too long.
 namespace gonio {
 
-/// The cube root of a finite number: relative error below 5e-16. The exponent divided by three gives a first value
-/// within 6 %, Halley's and Newton's steps the rest.
+/// The cube root of a finite number: relative error below 5e-16. Starts with the exponent divided by three, which is
+/// within 6 %, followed by Halley and Newton steps.
 [[gnu::always_inline]] inline double fastCbrt(double x) {
-  // Subnormal numbers have no exponent to divide, and twice a huge one is none.
+  // Subnormal numbers have no exponent to divide, and twice a huge number overflows.
   const double size = std::abs(x);
   const bool isTiny = size < 1e-290;
   const bool isHuge = size > 1e290;
@@ -33,15 +33,15 @@ namespace gonio {
 }
 
 /// ln(1 + x) for finite x > -1: relative error below 5e-16. With 1 + x = 2^k m, m in [sqrt(1/2), sqrt(2)), it is
-/// k ln 2 + 2 artanh((m - 1) / (m + 1)), and a term for what 1 + x rounds away.
+/// k ln 2 + 2 artanh((m - 1) / (m + 1)), plus a term for the rounding of 1 + x.
 [[gnu::always_inline]] inline double fastLog1p(double x) {
   const double u = 1 + x;
   const double ofSmall = x - (u - 1), ofLarge = 1 - (u - x), rounded = x < 1 ? ofSmall : ofLarge;
-  // The exponent goes up by one from sqrt(2) on.
+  // The exponent increases by one at sqrt(2).
   constexpr std::uint64_t one = 0x3ff0000000000000, rootHalf = 0x3fe6a09e667f3bcd;
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(u) + (one - rootHalf);
   const double m = std::bit_cast<double>((shifted & 0x000fffffffffffff) + rootHalf);
-  // An integer below 2^52 in the last bits of 2^52 is a double without a conversion, which not every processor has for
+  // An integer below 2^52 in the mantissa of 2^52 needs no conversion to double, which not every processor supports for
   // vectors.
   const double k = std::bit_cast<double>((shifted >> 52) | 0x4330000000000000) - (0x1p52 + 1023);
   const double f = m - 1, s = f / (f + 2), z = s * s, half = 0.5 * f * f;
@@ -55,7 +55,7 @@ namespace gonio {
   series = series * z + 1.0 / 7;
   series = series * z + 1.0 / 5;
   series = series * z + 1.0 / 3;
-  // 2 s = f - half + s half, without the rounding of s; k ln 2 in two parts, of which the first is exact.
+  // 2 s = f - half + s half, without the rounding of s; k ln 2 in two parts, the first of them exact.
   constexpr double ln2Upper = 0x1.62e42feep-1, ln2Lower = std::numbers::ln2 - ln2Upper;
   const double small = s * (half + 2 * z * series) + (k * ln2Lower + rounded / u);
   return k * ln2Upper - ((half - small) - f);

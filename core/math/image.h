@@ -9,8 +9,8 @@
 
 namespace gonio {
 
-/// A linear RGB picture in float, row-major, the first row at the top. `alpha` is empty or has one value per pixel
-/// (0 background, 1 covered); the colours are then premultiplied by it, as in OpenEXR.
+/// A linear RGB image in float, row-major, top row first. `alpha` is empty or has one value per pixel (0 background, 1
+/// covered); colours are then premultiplied by it, as in OpenEXR.
 struct Image {
   int width = 0;
   int height = 0;

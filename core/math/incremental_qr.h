@@ -6,15 +6,15 @@
 
 namespace gonio {
 
-/// A = Q R of a matrix that grows by columns: Gram-Schmidt, each new column orthogonalised twice, which keeps Q
-/// orthonormal to rounding (Giraud et al. 2005, "Rounding error analysis of the classical Gram-Schmidt
-/// orthogonalization process"). What greedy choices of columns need: O(rows x columns) a column.
+/// QR decomposition of a matrix that grows by columns, for greedy selections: Gram-Schmidt, where each new column is
+/// orthogonalised twice, so that Q is orthonormal up to rounding (Giraud et al. 2005, "Rounding error analysis of the
+/// classical Gram-Schmidt orthogonalization process"). O(rows x columns) per column.
 class IncrementalQr {
  public:
-  /// A column whose part outside the span of the others is at most this fraction of its length belongs to the span.
+  /// A column belongs to the span of the others if its part outside is at most this fraction of its length.
   static constexpr double collinear = 1e-8;
 
-  /// Memory for `maxColumns` columns of `rows` entries, at most as many as there are rows.
+  /// Allocates memory for `maxColumns` columns of `rows` entries, at most `rows` columns.
   IncrementalQr(Eigen::Index rows, Eigen::Index maxColumns);
 
   Eigen::Index size() const { return size_; }
@@ -23,10 +23,11 @@ class IncrementalQr {
   /// Upper triangular, size() x size().
   auto r() const { return r_.topLeftCorner(size_, size_); }
 
-  /// False, and nothing changes, when the column is 0 or lies in the span of those before.
+  /// Appends a column. Returns false, without change, if it is 0 or lies in the span of the previous columns.
   bool append(const Eigen::Ref<const Eigen::VectorXd>& column);
 
-  /// c of R c = b; with b = Q^T x the coefficients of the columns nearest to x. @param b size() entries.
+  /// Solves R c = b. For b = Q^T x, c are the least-squares coefficients of x over the columns. @param b size()
+  /// entries.
   Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& b) const;
 
  private:

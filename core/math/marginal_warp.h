@@ -10,22 +10,22 @@
 
 #include "core/math/types.h"
 
-/// Two-dimensional functions on the unit square that depend on two parameters (the azimuth and the polar angle of a
-/// direction), as the EPFL RGL database stores them: bilinear between the nodes of a grid, and bilinear in the
-/// parameters. Dupuy and Jakob, "An Adaptive Parameterization for Efficient Material Acquisition and Rendering" (2018).
+/// Functions on the unit square that depend on two parameters (azimuth and polar angle of a direction), as in the EPFL
+/// RGL database: bilinear between the nodes of a grid, and bilinear in the parameters. Dupuy and Jakob, "An Adaptive
+/// Parameterization for Efficient Material Acquisition and Rendering" (2018).
 namespace gonio {
 
-/// The up to four slices (pairs of parameter nodes) that a pair of parameter values lies between.
+/// The up to four slices (pairs of parameter nodes) around a pair of parameter values, with bilinear weights.
 struct SliceBlend {
   int count = 0;
   std::array<std::uint32_t, 4> slice{};
-  std::array<double, 4> weight{};  ///< they sum to 1; none is 0
+  std::array<double, 4> weight{};  ///< sum 1; none is 0
 };
 
-/// The parameter nodes: slice = phi index * thetas.size() + theta index.
+/// The parameter nodes. The index of a slice is phi index * thetas.size() + theta index.
 class ParameterGrid {
  public:
-  /// Both strictly increasing, rad, at least one value each.
+  /// @param phis, thetas strictly increasing, rad, at least one value each.
   ParameterGrid(std::vector<float> phis, std::vector<float> thetas);
   std::size_t slices() const { return phis_.size() * thetas_.size(); }
   const std::vector<float>& phis() const { return phis_; }
@@ -37,14 +37,14 @@ class ParameterGrid {
   std::vector<float> phis_, thetas_;
 };
 
-/// The cell of a width x height grid of nodes (at least 2 x 2) over the unit square that a point lies in.
+/// The cell of a point in a width x height grid of nodes (at least 2 x 2) over the unit square.
 struct GridCell {
   std::size_t column = 0, row = 0;
   double x = 0, y = 0;  ///< position inside the cell, [0, 1]
 };
 GridCell gridCell(const glm::dvec2& point, std::size_t width, std::size_t height);
 
-/// Slices of values at the nodes of a grid; rows run slowest.
+/// Values at the nodes of a grid, [slice][row][column].
 template <typename Value>
 struct SliceStack {
   std::size_t width = 0, height = 0;
@@ -55,7 +55,7 @@ struct SliceStack {
   }
 };
 
-/// Bilinear interpolation. `Sum` is the type in which it is computed.
+/// Bilinear interpolation on the square and between slices. `Sum` is the type of the computation.
 template <typename Sum, typename Value>
 Sum interpolate(const SliceStack<Value>& stack, const SliceBlend& blend, const glm::dvec2& point) {
   const GridCell cell = gridCell(point, stack.width, stack.height);
@@ -69,35 +69,36 @@ Sum interpolate(const SliceStack<Value>& stack, const SliceBlend& blend, const g
   return sum;
 }
 
-/// The map that carries a density on the unit square to the uniform one, by its marginal distribution over rows (y) and
-/// its conditional one inside a row (x). The density is a bilinear interpolant, each slice scaled to the integral 1.
+/// The map from a density on the unit square to the uniform density, by the marginal distribution over rows (y) and the
+/// conditional distribution in a row (x). The density is a bilinear interpolant; each slice is normalised to integral
+/// 1.
 class MarginalWarp {
  public:
-  /// What a slice without a positive value becomes.
+  /// Treatment of a slice without positive values: an error, or the uniform density.
   enum class EmptySlice { refused, uniform };
 
-  /// @throws Error naming `name` where a value is negative, or a slice without a positive one is refused.
+  /// @throws Error with `name` if a value is negative, or a slice has no positive value (EmptySlice::refused).
   MarginalWarp(SliceStack<float> density, const std::string& name, EmptySlice empty = EmptySlice::refused);
 
   struct Sample {
     glm::dvec2 point{0};
-    double density = 0;  ///< at the point, of the unit square
+    double density = 0;  ///< at the point, per unit area of the square
   };
 
-  /// Where the map takes a point: x = conditional distribution at point.x, y = marginal distribution at point.y.
-  /// With the density there.
+  /// Maps a point of the density to the uniform square (x: conditional distribution at point.x, y: marginal
+  /// distribution at point.y), with the density at `point`.
   Sample invert(const SliceBlend& blend, const glm::dvec2& point) const;
-  /// The inverse: a point drawn from the density by two uniform numbers in [0, 1], and its density. Two binary
-  /// searches.
+  /// Samples the density, the inverse of invert(): a point from two uniform numbers in [0, 1], and its density. Two
+  /// binary searches.
   Sample sample(const SliceBlend& blend, const glm::dvec2& u) const;
-  /// Of the unit square: integrates to 1.
+  /// Density per unit area; integrates to 1 over the square.
   double density(const SliceBlend& blend, const glm::dvec2& point) const;
 
-  /// The density of each slice in units of a cell: what density() returns is this times the number of cells.
+  /// The density of each slice per cell: density() is this times the number of cells.
   const SliceStack<float>& cellDensity() const { return density_; }
-  /// Integral of each row up to a node, in cells; the last of a row is the row's total.
+  /// Integral of each row up to a node, per cell; the last value of a row is its total.
   const SliceStack<float>& conditional() const { return conditional_; }
-  /// Integral over the rows up to a row; [slice][row], the last of a slice 1.
+  /// Integral over the rows up to a row, [slice][row]; the last value of a slice is 1.
   const std::vector<float>& marginal() const { return marginal_; }
 
  private:

@@ -7,19 +7,19 @@
 
 namespace gonio {
 
-/// Slopes of the cubic curve through points that rises and falls only where the points do: Fritsch and Butland 1984, "A
-/// Method for Constructing Local Monotone Piecewise Cubic Interpolants" (the weighted harmonic mean; 0 at extremes).
-/// @param nodes strictly increasing, as many as values, at least one.
+/// Slopes at the points of a monotone cubic interpolant, which rises and falls only where the points do: Fritsch and
+/// Butland 1984, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants" (weighted harmonic mean; 0 at
+/// extrema). @param nodes strictly increasing, one per value, at least one.
 std::vector<double> monotoneSlopes(std::span<const double> nodes, std::span<const double> values);
 
-/// Where a coordinate lies between nodes; beyond the ends it is held at the end.
+/// The place of a coordinate between two nodes, clamped to the ends.
 struct NodePlace {
-  std::size_t index;  ///< of the node before; index + 1 is a node too, unless there is only one
-  double fraction;    ///< of the way to the next, [0, 1]
+  std::size_t index;  ///< of the lower node; index + 1 is a node too, unless there is only one
+  double fraction;    ///< position between the nodes, [0, 1]
 };
 NodePlace placeBetween(std::span<const double> nodes, double x);
 
-/// Weights of two nodes' values and slopes in the cubic between them (Hermite), the slopes' times the distance.
+/// Hermite weights of the values and slopes of two nodes; those of the slopes include the distance of the nodes.
 struct HermiteWeights {
   double before, after, slopeBefore, slopeAfter;
 

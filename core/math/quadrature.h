@@ -6,7 +6,7 @@
 
 namespace gonio {
 
-/// Nodes, ascending, and weights of a rule: the integral of f is about sum of weights[i] f(nodes[i]).
+/// A quadrature rule with ascending nodes: the integral of f is approximately the sum of weights[i] f(nodes[i]).
 struct QuadratureRule {
   std::vector<double> nodes, weights;
 
@@ -18,11 +18,11 @@ struct QuadratureRule {
   }
 };
 
-/// Gauss-Legendre rule with n >= 1 nodes on [a, b]: exact for polynomials of degree 2n - 1. O(n^2); keep the rule
-/// rather than the interval when many intervals follow each other.
+/// Gauss-Legendre rule with n >= 1 nodes on [a, b]: exact for polynomials of degree 2n - 1. O(n^2); for many intervals
+/// compute the rule once and scale it.
 QuadratureRule gaussLegendre(int n, double a = -1, double b = 1);
 
-/// Gauss-Legendre with n nodes on each of `panels` equal parts of [a, b]: for integrands with a narrow peak or a kink.
+/// Gauss-Legendre with n nodes on each of `panels` equal parts of [a, b]: for integrands with a narrow peak or kink.
 QuadratureRule compositeGaussLegendre(int n, int panels, double a, double b);
 
 }  // namespace gonio

@@ -6,8 +6,8 @@
 
 namespace gonio {
 
-/// The smallest of 1, 2 and 5 times a power of ten that is no smaller, up to rounding (0.2 stays 2 * 0.1): steps of
-/// ticks, ends of scales. 0 of what is not above 0.
+/// The smallest number >= value that is 1, 2 or 5 times a power of ten, up to rounding (0.2 stays 2 * 0.1), for steps
+/// of ticks and ends of scales. 0 if value is not above 0.
 inline double roundedUp(double value) {
   if (!(value > 0)) return 0;
   constexpr double tolerance = 1 + 1e-12;

@@ -8,19 +8,19 @@
 
 namespace gonio {
 
-/// A well-mixed hash of two numbers: seeds by counter (pixel, dimension), so that no state runs through a picture.
+/// A well-mixed hash of two numbers, for counter-based seeds (pixel, dimension) without state.
 std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b);
 
 /// Point `index` of the van der Corput sequence in base 2 with Owen's nested uniform scrambling and shuffling, in [0,
 /// 1). Burley 2020, "Practical Hash-based Owen Scrambling". O(1).
 double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed);
 
-/// Point `index` of the first two dimensions of Sobol's sequence, scrambled and shuffled as above, in [0, 1)^2: any
-/// 2^k points from an index that is a multiple of 2^k are stratified in every way that 2^k cells of one shape can be.
+/// Point `index` of the first two dimensions of Sobol's sequence, scrambled and shuffled as above, in [0, 1)^2: any 2^k
+/// points that start at a multiple of 2^k are stratified over every partition of the square into 2^k congruent cells.
 /// Different seeds give independent point sets. O(1).
 glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed);
 
-/// scrambledSobol() of one seed, for many points: what depends on the seed alone is computed once.
+/// scrambledSobol() for many points of one seed: computes the seed-dependent part once.
 class SobolPoints {
  public:
   explicit SobolPoints(std::uint32_t seed);

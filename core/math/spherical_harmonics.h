@@ -9,17 +9,17 @@
 
 namespace gonio {
 
-/// How many pairs (l, m) with 0 <= m <= l < bands there are.
+/// Number of pairs (l, m) with 0 <= m <= l < bands.
 constexpr std::size_t harmonicCount(int bands) { return std::size_t(bands) * std::size_t(bands + 1) / 2; }
-/// Place of (l, m) in an array of them: grouped by m, then by l.
+/// Index of (l, m) in an array sorted by m, then by l.
 constexpr std::size_t harmonicIndex(int bands, int l, int m) {
   return std::size_t(m) * std::size_t(bands) - std::size_t(m) * std::size_t(m - 1) / 2 + std::size_t(l - m);
 }
 
 /// The polar parts of the real spherical harmonics without Condon-Shortley phase: for 0 <= m <= l < bands
 ///   q_lm(z) = sqrt((2l + 1) / (4 pi) (l - m)! / (l + m)!) (d/dz)^m P_l(z),
-/// so that y_l0 = q_l0(z) and y_l(+-m) = sqrt 2 q_lm(z) Re or Im (x + i y)^m are orthonormal over the sphere. By the
-/// recurrence in l of the normalised functions: no factorials, stable up to hundreds of bands. O(bands^2).
+/// so that y_l0 = q_l0(z) and y_l(+-m) = sqrt 2 q_lm(z) Re or Im (x + i y)^m are orthonormal over the sphere. Computed
+/// by the recurrence in l of the normalised functions, without factorials; stable up to hundreds of bands. O(bands^2).
 /// @param result harmonicCount(bands) values, in the order of harmonicIndex().
 inline void normalisedLegendre(int bands, double z, std::span<double> result) {
   double diagonal = 0.5 * std::sqrt(std::numbers::inv_pi);

@@ -7,11 +7,11 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
-/// The conventions of the whole project, said once.
+/// The conventions of the whole project.
 ///
 /// Directions are unit vectors in the local shading frame, z is the surface normal. `wi` points toward the light, `wo`
 /// toward the viewer: both point away from the surface. A BRDF value is linear RGB (sRGB primaries) in 1/sr, without
-/// the cosine. Angles are radians, except in text for people. Decisions are computed in double, tables kept in float.
+/// the cosine. Angles are in radians, except in text for the user. Most computations use double; tables store float.
 namespace gonio {
 
 using Direction = glm::dvec3;
@@ -29,7 +29,7 @@ struct DirectionPair {
   Direction wo{0, 0, 1};
 };
 
-/// Rotations leave horizontal directions a little below the surface: down to here they count as horizontal.
+/// Tolerance of z: rotations may move horizontal directions slightly below the surface; they count as horizontal.
 inline constexpr double horizonTolerance = 1e-12;
 inline bool isBelowHorizon(const Direction& w) { return !(w.z >= -horizonTolerance); }
 

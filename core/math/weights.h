@@ -6,13 +6,13 @@
 #include <optional>
 #include <span>
 
-/// Weights of materials that are blended: one per material, each in [0, 1], with the sum 1.
+/// Weights of blended materials: one per material, each in [0, 1], with sum 1.
 namespace gonio {
 
-/// @throws Error that states the count, weight or sum (to 1e-9) that is wrong; weights that are not numbers too.
+/// @throws Error that states the wrong number of weights, weight (also NaN) or sum (tolerance 1e-9).
 void checkWeights(std::span<const double> weights, std::size_t materials);
 
-/// The material that has all of the weight.
+/// The index of the material of weight 1, if any.
 std::optional<std::size_t> wholeWeight(std::span<const double> weights);
 
 }  // namespace gonio

@@ -7,7 +7,7 @@
 
 namespace gonio::metrics {
 
-/// 10 log10(signal / noise) of two energies. No noise gives +infinity; no signal NaN (0/0 and 0/x alike): undefined.
+/// 10 log10(signal / noise) of two energies, dB. +infinity without noise; NaN without signal, with or without noise.
 inline double decibels(double signal, double noise) {
   if (!(signal > 0)) return std::numeric_limits<double>::quiet_NaN();
   if (noise == 0) return std::numeric_limits<double>::infinity();

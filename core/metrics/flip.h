@@ -6,14 +6,14 @@
 
 namespace gonio::metrics {
 
-/// Pixels per degree of the viewer of FLIP: a monitor of 3840 pixels and 0.7 m width, seen from 0.7 m.
+/// Pixels per degree of visual angle in FLIP: a monitor of 3840 pixels and 0.7 m width at a distance of 0.7 m.
 inline constexpr double flipPixelsPerDegree = 0.7 * (3840 / 0.7) * (pi / 180);
 
-/// The mean of the LDR FLIP of all pixels, in [0, 1]; 0 for equal pictures: the difference that a viewer sees when the
-/// two pictures alternate. Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A
-/// Difference Evaluator for Alternating Images", DOI 10.1145/3406183; constants as there and in the authors' program
-/// (spatial filters of b = 0.0047, 0.0053, and 0.04 with 0.025). Of the displayed pictures, clamped to [0, 1].
-/// @throws Error when the sizes differ.
+/// Mean LDR FLIP over all pixels, in [0, 1]; 0 for equal pictures: the difference that a viewer perceives when the two
+/// pictures alternate. Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild 2020, "FLIP: A Difference
+/// Evaluator for Alternating Images", DOI 10.1145/3406183; constants as in the paper and the authors' program (spatial
+/// filters with b = 0.0047, 0.0053, and 0.04 with 0.025). Compares the displayed pictures, clamped to [0, 1].
+/// @throws Error if the sizes differ.
 double flip(const Image& reference, const Image& test);
 
 }  // namespace gonio::metrics

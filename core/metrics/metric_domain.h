@@ -11,10 +11,10 @@
 #include "core/math/types.h"
 #include "core/metrics/brdf_metric.h"
 
-/// The arithmetic of the metrics, for those that sum errors and those that minimise them.
+/// Arithmetic of the metrics, shared by their evaluation and minimisation.
 namespace gonio::metrics {
 
-/// What a reflectance of these two cosines is multiplied by.
+/// The factor of a BRDF value at these cosines.
 inline double metricFactor(MetricFactor factor, double cosI, double cosO) {
   switch (factor) {
     case MetricFactor::one:
@@ -37,7 +37,7 @@ inline double metricWeight(MetricWeight weight, double cosI, double cosO) {
   }
 }
 
-/// Calls `visitor` with the function (r, t) -> d of one domain that treats each channel alone; r, t >= 0.
+/// Calls `visitor` with the function (r, t) -> d of a domain that treats channels separately; r, t >= 0.
 template <typename Visitor>
 void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
   switch (domain) {
@@ -69,10 +69,10 @@ void visitPower(MetricPower power, Visitor&& visitor) {
   }
 }
 
-/// CIE 1976 L*, a*, b* of a reflectance (1/sr, linear sRGB primaries, >= 0); the perfect diffuser, 1 / pi, is white.
+/// CIE 1976 L*, a*, b* of a BRDF value (1/sr, linear sRGB, >= 0), where the perfect diffuser, 1 / pi, is white.
 Rgb labOf(const Rgb& reflectance);
-/// Of the Euclidean distance of two colours the components, a column for each. @param reference, test 3 x n,
-/// reflectances as labOf() takes them; @param differences 3 x n.
+/// The differences of L*, a*, b* of n pairs of colours. @param reference, test 3 x n, BRDF values as for labOf().
+/// @param differences 3 x n, result.
 void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& test, Eigen::Array3Xd& differences);
 
 }  // namespace gonio::metrics

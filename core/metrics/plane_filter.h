@@ -16,7 +16,7 @@ struct Plane {
   std::vector<double> values;
 };
 
-/// function(pixel) of every pixel, radiance as double.
+/// function(pixel) for every pixel, with the radiance as double.
 template <typename Function>
 Plane planeOf(const Image& image, const Function& function) {
   Plane plane{.width = image.width, .height = image.height, .values = std::vector<double>(image.pixels.size())};
@@ -24,9 +24,9 @@ Plane planeOf(const Image& image, const Function& function) {
   return plane;
 }
 
-/// Correlation with the separable kernel column(y) row(x); pixels beyond the border have the value of the nearest one.
-/// In parallel; the same bits for any number of threads.
-/// @param row, column weights of an odd number of pixels, the middle one at the pixel itself.
+/// Correlation with the separable kernel column(y) row(x); pixels beyond the border have the value of the nearest
+/// pixel. Parallel; results do not depend on the number of threads. @param row, column weights of an odd number of
+/// pixels, centred at the pixel.
 Plane filtered(const Plane& plane, std::span<const double> row, std::span<const double> column);
 
 /// exp(-x^2 / (2 deviation^2)) for x = -radius, .., radius, divided by its sum. @param deviation in pixels, > 0.

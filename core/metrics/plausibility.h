@@ -10,34 +10,35 @@
 
 namespace gonio::metrics {
 
-/// One test of physical plausibility. `worst` is the largest violation in the unit that the check's name implies:
-///   "reciprocity"   |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), largest channel
-///   "energy"        directional albedo, largest channel (reported when it passes, too)
-///   "negative"      -f, 1/sr
-///   "non-finite"    count of the directions with such a value
-///   "extrapolated"  fraction of what a picture shows that lies where the table has no data
+/// One check of physical plausibility. `worst` is the largest violation; its meaning depends on `name`:
+///   "reciprocity" |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), largest channel
+///   "energy" directional albedo, largest channel (also reported if the check passes)
+///   "negative" -f, 1/sr
+///   "non-finite" number of directions with such a value
+///   "extrapolated" fraction of a picture that shows directions without data in the table
 struct PlausibilityCheck {
   std::string name;
   bool passed = true;
   double worst = 0;
-  double limit = 0;     ///< passed while `worst` is at most this
-  double fraction = 0;  ///< of the directions that were tried: beyond the limit, [0, 1]
-  /// Where the worst is: the light and the viewer. For "energy" the viewer's angle counts alone (wi is the normal).
+  double limit = 0;     ///< the check passes if `worst` is at most this
+  double fraction = 0;  ///< fraction of the tested directions beyond the limit, [0, 1]
+  /// Directions of `worst`. For "energy" only wo is meaningful (wi is the normal).
   std::optional<DirectionPair> at = {};
-  std::string where = {};  ///< `at` in degrees for people
+  std::string where = {};  ///< `at` in degrees, as text
 };
 
-/// Reciprocity |f(i,o) - f(o,i)| <= 2 % of the larger value's scale, albedo <= 1 + 1 % at 0..85 degrees, no negative
-/// and no non-finite values, over a fixed deterministic set of directions. Of an RGL file, which may hold colours
-/// outside the sRGB gamut, the luminance must not be negative. Some 100 ms. @throws Cancelled.
+/// Checks reciprocity (relative difference at most 2 %), energy (albedo at most 1.01 for viewers at 0 to 85 degrees),
+/// negative and non-finite values, over a fixed set of directions. For an RGL file, which may contain colours outside
+/// the sRGB gamut, "negative" tests the luminance. Takes some 100 ms. @throws Cancelled.
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control = {});
 
-/// "negative" alone, for edits that are clamped before they are shown: values that are below 0, and below those of the
-/// base, by more than a millionth of the mean count.
+/// The check "negative" for edits before clamping: counts values that are below 0 and below the base's value by more
+/// than a millionth of the mean value.
 PlausibilityCheck checkNegative(const Brdf& edited, const Brdf& base);
 
-/// "extrapolated": pairs of directions up to 85 degrees, weighed by both cosines, whose nearest cell is invalid: they
-/// are shown black or take the values of neighbours. At most 1 % passes. `at` is the pair nearest to the normal.
+/// The check "extrapolated": the fraction of direction pairs up to 85 degrees, weighted by both cosines, with an
+/// invalid nearest cell; they are black or use values of neighbours. Passes up to 1 %. `at` is the pair nearest to the
+/// normal.
 PlausibilityCheck checkCoverage(const TabulatedBrdf& table);
 
 }  // namespace gonio::metrics

@@ -6,14 +6,14 @@
 
 #include "core/models/common_parameters.h"
 
-/// What the two ABC models share: Loew, Kronander, Ynnerman and Unger 2012, BRDF Models for Accurate and Efficient
-/// Rendering of Glossy Surfaces, after the power spectrum of polished surfaces (Church).
+/// Common parts of the two ABC models: Löw, Kronander, Ynnerman and Unger 2012, "BRDF Models for Accurate and Efficient
+/// Rendering of Glossy Surfaces", based on Church's power spectrum of polished surfaces.
 namespace gonio::models {
 
 inline constexpr std::string_view abcReference =
     "Loew, Kronander, Ynnerman and Unger 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces";
 
-/// (1 + B x)^-C, x >= 0: large B stays finite.
+/// (1 + B x)^-C, x >= 0; finite for large B.
 inline double abcLobe(double x, double b, double c) { return std::exp(-c * std::log1p(b * x)); }
 
 /// The integral of abcLobe() over x in [0, 1].
@@ -23,7 +23,7 @@ inline double abcLobeIntegral(double b, double c) {
 }
 
 // clang-format off
-// The hard ranges admit every published fit of the 100 MERL materials (A to 5710, B to 8.1e6, C 0.014 to 2.7).
+// The hard ranges include all published fits of the 100 MERL materials (A up to 5710, B up to 8.1e6, C 0.014 to 2.7).
 constexpr ParameterSpec abcAmplitudeParameter(std::string_view formula) {
   return {.id = "a", .label = "Amplitude", .symbol = "A", .unit = "",
           .softMin = 0, .softMax = 1000, .hardMin = 0, .hardMax = 1e6, .defaultValue = 50,

@@ -8,8 +8,8 @@
 
 #include "core/models/cosine_power.h"
 
-/// Pairs of parameters along the grain of a surface (x) and across it (y), and the direction of the grain. Both equal:
-/// an isotropic surface, whose grain means nothing.
+/// Pairs of parameters along the grain of a surface (x) and across it (y), and the direction of the grain. If both are
+/// equal, the surface is isotropic and the direction has no effect.
 namespace gonio::models {
 
 // clang-format off
@@ -47,7 +47,7 @@ constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string
   spec.isotropicTwin = "exponent-x";
   return spec;
 }
-/// A half-turn is the whole of it; the hard range is twice that, so that no fit and no slider ends at a seam.
+/// The period is pi; the hard range is twice as large, so that fits and sliders do not stop at its ends.
 constexpr ParameterSpec rotationParameter() {
   return {.id = "rotation", .label = "Rotation", .symbol = "psi", .unit = "rad",
           .softMin = -halfPi, .softMax = halfPi, .hardMin = -pi, .hardMax = pi, .defaultValue = 0,
@@ -59,14 +59,14 @@ constexpr ParameterSpec rotationParameter() {
 }
 // clang-format on
 
-/// Where a model has its grain among its parameters.
+/// Indices of the grain's parameters in a model.
 struct GrainIndices {
   std::size_t x, y, rotation;
 };
 
-/// The same surface with the grain along x, where the highlight is narrower, and a rotation in [-pi/2, pi/2); 0 where
-/// both axes are equal. For Model::canonical().
-/// @param widthRises whether a larger parameter is a wider highlight (a roughness) or a narrower one (an exponent).
+/// Parameters of the same surface with x along the narrower axis of the highlight, and a rotation in [-pi/2, pi/2), 0
+/// if both axes are equal. For Model::canonical(). @param widthRises true if larger parameters widen the highlight
+/// (roughness), false if they narrow it (exponent).
 inline ParameterValues alongGrain(ParameterValues values, const GrainIndices& at, bool widthRises) {
   Rgb &x = values.values[at.x], &y = values.values[at.y], &rotation = values.values[at.rotation];
   if (x == y) {
@@ -83,8 +83,7 @@ inline ParameterValues alongGrain(ParameterValues values, const GrainIndices& at
   return values;
 }
 
-/// The parameters as they are and, behind them, (cos, sin, 0) of the rotation: Model::shaderParameters() of models with
-/// a grain.
+/// The parameters followed by (cos, sin, 0) of the rotation: Model::shaderParameters() of models with a grain.
 inline std::vector<glm::vec3> withGrainAxis(const ParameterValues& values, std::size_t rotation) {
   std::vector<glm::vec3> result(values.values.begin(), values.values.end());
   const double angle = values.values[rotation].x;

@@ -8,8 +8,8 @@
 
 namespace gonio::models {
 
-/// Beckmann's distribution of facets, exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h), 1/sr: the integral of D cos
-/// theta_h over the hemisphere is 1 (Beckmann and Spizzichino 1963; Cook and Torrance 1982 without the 1/pi). O(1).
+/// Beckmann's distribution of facets, exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h), 1/sr: D cos theta_h
+/// integrates to 1 over the hemisphere (Beckmann and Spizzichino 1963; Cook and Torrance 1982 omit the 1/pi). O(1).
 /// @param inverseM2 1 / m^2, m the root mean square slope.
 inline double beckmannDistribution(const SurfaceGeometry& g, double inverseM2) {
   const double cos2H = g.half.z * g.half.z;

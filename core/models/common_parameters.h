@@ -6,7 +6,7 @@
 #include "core/models/model.h"
 #include "core/models/parameter_spec.h"
 
-/// Parameters that mean the same in several models.
+/// Parameters with the same meaning in several models.
 namespace gonio::models {
 
 // clang-format off
@@ -26,7 +26,8 @@ constexpr ParameterSpec specularParameter(double defaultValue, std::string_view 
           .formula = formula, .reference = reference, .role = ParameterRole::highlight};
 }
 
-/// Roughness of microfacet models: small is glossy. Below 1e-4 a lobe is narrower than any light or measurement.
+/// Roughness of microfacet models; small values are glossy. The hard minimum is 1e-4, where a lobe is narrower than any
+/// light or measurement resolution.
 constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_view description,
                                            std::string_view formula, std::string_view reference,
                                            double hardMax = 1, double defaultValue = 0.3) {
@@ -46,7 +47,7 @@ constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
           .role = ParameterRole::normalReflectance};
 }
 
-/// In place of normalReflectanceParameter() where the source fits an index (to 100).
+/// Replaces normalReflectanceParameter() in models whose source fits an index (up to 100).
 constexpr ParameterSpec refractiveIndexParameter(std::string_view reference) {
   return {.id = "index-of-refraction", .label = "Index of refraction", .symbol = "eta", .unit = "",
           .softMin = 1, .softMax = 5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
@@ -79,7 +80,7 @@ constexpr ParameterSpec choiceParameter(std::string_view id, std::string_view la
           .group = ParameterGroup::convention,
           .description = description, .formula = formula, .reference = reference, .choices = choices};
 }
-/// Which Fresnel term: that of the model's source is the default.
+/// Choice of the Fresnel term. @param ofSource the term in the model's source, used as default.
 constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
   return choiceParameter("fresnel", "Fresnel", "F",
                          "Fresnel term, the rise of the reflectance toward grazing angles: exact for glass and "
@@ -90,26 +91,27 @@ constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
 }
 // clang-format on
 
-/// A parameter that means something else in one model.
+/// The parameter with another role, for models where its meaning differs.
 constexpr ParameterSpec withRole(ParameterSpec spec, ParameterRole role) {
   spec.role = role;
   return spec;
 }
 
-/// Index of the choice that a value stands for: the nearest.
+/// Index of the choice nearest to a value.
 constexpr int chosen(double value) { return int(value + 0.5); }
 
-/// The Fresnel term of these parameters. @param term, edgeTint indices of fresnelParameter() and edgeTintParameter().
+/// The Fresnel term that the parameters select. @param term, edgeTint indices of fresnelParameter() and
+/// edgeTintParameter().
 inline Fresnel chosenFresnel(const ParameterValues& p, std::size_t term, std::size_t edgeTint, double f0) {
   return {FresnelChoice(chosen(p.values[term].x)), f0, p.values[edgeTint].x};
 }
 
-/// cos theta_d at which samplers take the reflectance: highlights are about that bright.
+/// cos theta_d at which samplers evaluate the Fresnel term to estimate the brightness of highlights.
 inline constexpr double typicalCosine = 0.7;
 
-/// For Model::lobes() of a model whose first parameters are k_d of its body and k_s of its highlight: each by the
-/// model's formula with the other black. @param width of the highlight, which depends on all other parameters.
-/// @param ofBody what the body depends on beside k_d.
+/// Model::lobes() for models with k_d and k_s as first parameters: body and highlight, each as the model's formula with
+/// the other term black. The highlight depends on all other parameters. @param width of the highlight. @param ofBody
+/// parameters besides k_d on which the body depends.
 template <typename Create>
 std::vector<ModelLobe> bodyAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
                                         std::vector<Rgb> ofBody = {}) {

@@ -7,12 +7,12 @@
 #include "core/models/common_parameters.h"
 #include "core/models/surface_geometry.h"
 
-/// Powers of a cosine about the mirror direction (Phong) and the half vector (Blinn). Where the cosine is near 1 it is
-/// taken from the distance of the directions, so exponents of a million keep their digits.
+/// Powers of the cosine to the mirror direction (Phong) or the half vector (Blinn). Near 1 the cosine is computed from
+/// the distance of the directions, so that exponents of a million are accurate.
 namespace gonio::models {
 
 // clang-format off
-/// Exponent of a cosine lobe. Published fits of measured materials go up to 6.3e5.
+/// Exponent of a cosine lobe; up to 6.3e5 in published fits of measured materials.
 constexpr ParameterSpec exponentParameter(std::string_view formula, std::string_view reference) {
   return {.id = "exponent", .label = "Shininess", .symbol = "n", .unit = "",
           .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
@@ -31,14 +31,14 @@ inline double reflectionPower(const SurfaceGeometry& g, double n) {
   return powerOfComplement(glm::dot(apart, apart) / 2, n);
 }
 
-/// cos^n theta_h; exact for a nearly horizontal half vector too. O(1).
+/// cos^n theta_h; also accurate for nearly horizontal half vectors. O(1).
 inline double halfVectorPower(const SurfaceGeometry& g, double n) {
   return std::exp(n * (g.oneMinusCosH < 0.5 ? std::log1p(-g.oneMinusCosH) : std::log(g.half.z)));
 }
 
-/// What makes the directional albedo of cos^n theta_h exactly 1 at normal incidence, where it is largest.
+/// Factor that makes the directional albedo of cos^n theta_h exactly 1 at normal incidence, where it is largest.
 inline double halfVectorUnitAlbedo(double n) { return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2))); }
-/// The same of cos^n alpha.
+/// The same for cos^n alpha.
 inline double reflectionUnitAlbedo(double n) { return (n + 2) / (2 * pi); }
 
 }  // namespace gonio::models

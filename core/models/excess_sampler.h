@@ -8,9 +8,9 @@
 
 namespace gonio::models {
 
-/// A sampler for models that are given by their values rather than by a distribution of normals: a matte part, and half
-/// vectors by what the highlight adds to it at theta_d = 0.
-/// @param diffuseAlbedo of the matte part; @param excess what the highlight adds at theta_h (rad), 1/sr, any sign.
+/// A sampler for models without a distribution of normals: a diffuse part, and half vectors distributed as the
+/// highlight at theta_d = 0. @param diffuseAlbedo of the diffuse part. @param excess callable with theta_h (rad),
+/// returns the BRDF value of the highlight without the diffuse part, 1/sr, of any sign.
 template <typename Excess>
 LobeMixture<CosineLobe, HalfVectorLobe<TabulatedNormals>> excessSampler(double diffuseAlbedo, const Excess& excess) {
   // d omega_i = 4 cos theta_d d omega_h, and about the mirror direction of a vertical viewer theta_d = theta_h.

@@ -8,23 +8,24 @@
 
 namespace gonio::models {
 
-/// Facets whose slope r = tan theta_h has the density p / (pi beta^2 Gamma(1/p)) exp(-(r / beta)^(2p)): the exponential
+/// Microfacets with slope r = tan theta_h and density p / (pi beta^2 Gamma(1/p)) exp(-(r / beta)^(2p)): the exponential
 /// power distribution of Holzschuch and Pacanowski 2017 (A Two-Scale Microfacet Reflectance Model Combining Reflection
-/// and Diffraction, section 4.3), Beckmann's with p = 1. Its masking is Smith's, which has no closed form but depends
-/// on p and tan theta / mean slope only: a table of p, made once, gives one of the angle. Constructing one takes some
-/// microseconds.
+/// and Diffraction, section 4.3), which is Beckmann's for p = 1. Smith's masking has no closed form, but only depends
+/// on p and tan theta / mean slope: a table over p, computed once, provides a table over the angle. The constructor
+/// takes some microseconds.
 class ExponentialPowerDistribution {
  public:
-  /// The hard range of p: what the table holds.
+  /// The range of p in the table.
   static constexpr double minPower = 0.05, maxPower = 5;
   static constexpr std::size_t maskingNodes = 48;
 
-  /// @param beta width, > 0; @param p power, [minPower, maxPower].
+  /// @param beta width, > 0. @param p power, [minPower, maxPower].
   ExponentialPowerDistribution(double beta, double p);
 
-  /// D, 1/sr: the integral of D cos theta_h over the hemisphere is 1. O(1).
+  /// D, 1/sr: D cos theta_h integrates to 1 over the hemisphere. O(1).
   double density(double sin2H, double cosH) const;
-  /// cos theta Lambda(theta), Smith's Lambda by cubic interpolation: G1 = 1 / (1 + Lambda), right to 1e-4. O(1).
+  /// cos theta Lambda(theta), with Smith's Lambda by cubic interpolation; G1 = 1 / (1 + Lambda) is accurate to 1e-4.
+  /// O(1).
   double foldedLambda(double cosTheta, double sinTheta) const;
 
   /// ln D at the pole.
@@ -43,9 +44,9 @@ class ExponentialPowerDistribution {
   std::array<double, maskingNodes> masking_;
 };
 
-/// Smith's masking of both directions over the product of the cosines, with the correlation of azimuths apart by phi
-/// of van Ginneken, Stavridi and Koenderink 1998: 1 / (1 + max(Lambda) + lambda min(Lambda)), lambda = 4.41 phi /
-/// (4.41 phi + 1).
+/// Smith's masking of both directions divided by the product of the cosines. The masking is 1 / (1 + max(Lambda) +
+/// lambda min(Lambda)), lambda = 4.41 phi / (4.41 phi + 1), with the correlation of azimuths that differ by phi of van
+/// Ginneken, Stavridi and Koenderink 1998.
 double foldedSmithMasking(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets);
 
 }  // namespace gonio::models

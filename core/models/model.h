@@ -12,98 +12,98 @@
 
 namespace gonio::models {
 
-/// Chapter 4.2 of the dissertation: made to look right, derived from physics, or a series of basis functions.
+/// Classes of models after Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
+/// Acquisition", section 4.2: designed for appearance, derived from physics, or a series of basis functions.
 enum class ModelFamily { empirical, analytic, series };
 
-/// What a model is, for people and programs.
+/// The description of a model.
 struct ModelSpec {
-  std::string_view id;           ///< "ggx"; also the name of its shader (shaders/models/ggx.glsl)
-  std::string_view name;         ///< "GGX"
-  std::string_view description;  ///< one or two sentences: what it is for, where it is not reciprocal or gains energy
+  std::string_view id;           ///< e.g. "ggx"; also the name of its shader (shaders/models/ggx.glsl)
+  std::string_view name;         ///< for display, e.g. "GGX"
+  std::string_view description;  ///< one or two sentences: purpose, and whether it is not reciprocal or gains energy
   std::string_view formula;
   std::string_view reference;  ///< author, title, year, equation
   std::span<const ParameterSpec> parameters;
   ModelFamily family = ModelFamily::analytic;
-  /// What the model claims and the tests hold it to. Reciprocal: the value is the same when wi and wo are exchanged.
+  /// Whether exchanging wi and wo leaves the value unchanged; tested.
   bool reciprocal = true;
-  /// The white-furnace albedo is at most 1 at every angle and for all other parameters within their soft ranges, when
-  /// the linear parameters are at most 1 and add up to 1 at most (choices at their defaults).
+  /// Whether the directional albedo is at most 1 at every angle, if the linear parameters are at most 1 and have a sum
+  /// of at most 1, for all other parameters in their soft ranges and choices at their defaults; tested.
   bool conservesEnergy = false;
-  /// Whether the channels differ at equal parameters, because the formula knows their wavelengths. Such a model has no
-  /// parameter that is per channel and not linear.
+  /// Whether channels differ for equal parameters, because the formula uses their wavelengths. Per-channel parameters
+  /// of such models must be linear.
   bool dependsOnWavelength = false;
 
-  /// Index of a parameter by its id, or nothing.
+  /// Index of the parameter with an id, if any.
   std::optional<std::size_t> find(std::string_view parameterId) const;
 };
 
-/// One value a parameter, in the order of ModelSpec::parameters. A shared parameter has the same value in all three
+/// One value per parameter, in the order of ModelSpec::parameters. Shared parameters have the same value in all three
 /// channels.
 struct ParameterValues {
   std::vector<Rgb> values;
   bool operator==(const ParameterValues&) const = default;
 };
 
-/// What the tangent of theta_h in the profile of a highlight scales with.
+/// Width of a highlight: its profile over tan theta_h scales with it.
 struct LobeWidth {
-  double x = 0, y = 0;  ///< along the grain and across it; 0: there is no highlight to widen
+  double x = 0, y = 0;  ///< along and across the grain; 0: the lobe has no width
   double rotation = 0;  ///< of the grain from the tangent, rad
 };
 
-/// One of the terms that a model is the sum of.
+/// One term of a model that is a sum of lobes.
 struct ModelLobe {
   std::unique_ptr<const Brdf> brdf;
   LobeWidth width;
-  std::vector<Rgb> colours;     ///< all that its chromaticity depends on: the lobe is black where they are
-  std::vector<Rgb> parameters;  ///< all else that it depends on
+  std::vector<Rgb> colours;     ///< parameters that determine its chromaticity; the lobe is black if they are 0
+  std::vector<Rgb> parameters;  ///< all other parameters on which it depends
 };
 
-/// A parametric reflectance model: a factory of BRDFs. Immutable; the registry owns one of each.
+/// A parametric BRDF model, which creates BRDFs. Immutable; the registry owns one instance per model.
 class Model {
  public:
-  /// What a model does with its parameters, which are valid: right count, finite, inside the hard ranges.
+  /// The functions of a model. Their parameters are valid: right number, finite, in the hard ranges.
   struct Functions {
     std::unique_ptr<const Brdf> (*create)(const ParameterValues&);
-    /// For instantiateUnclamped(); null where nothing is cut.
+    /// For instantiateUnclamped(); null if the model does not clamp.
     std::unique_ptr<const Brdf> (*createUnclamped)(const ParameterValues&) = nullptr;
-    /// For Model::shaderParameters(); null for the values as they are.
+    /// For Model::shaderParameters(); null: the values themselves.
     std::vector<glm::vec3> (*shaderParameters)(const ParameterValues&) = nullptr;
-    /// For Model::lobes(); null for models that are no sum of lobes.
+    /// For Model::lobes(); null for models that are not a sum of lobes.
     std::vector<ModelLobe> (*lobes)(const ParameterValues&) = nullptr;
-    /// For Model::canonical(); null where parameters have one order.
+    /// For Model::canonical(); null: the values themselves.
     ParameterValues (*canonical)(const ParameterValues&) = nullptr;
   };
-  /// @param spec outlives the model.
+  /// @param spec must outlive the model.
   Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {}
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
   const ModelSpec& spec() const { return spec_; }
 
-  /// The BRDF at these parameters, with everything that does not depend on directions computed beforehand.
-  /// Values outside the hard range are clamped to it (see clampToHardRange() for the report).
-  /// @throws Error when the count of values is wrong or one is not finite; the text names the parameter.
+  /// The BRDF for given parameters; terms that do not depend on directions are precomputed. Values outside the hard
+  /// range are clamped (clampToHardRange() reports them). @throws Error if the number of values is wrong or one is not
+  /// finite; the message names the parameter.
   std::unique_ptr<const Brdf> instantiate(const ParameterValues& parameters) const;
 
-  /// As instantiate(), without the cut at 0 of models whose linear parameters may be negative: linear in them, and its
-  /// values may be negative. For fits.
+  /// As instantiate(), but without clamping at 0, so that the BRDF is linear in the linear parameters and may be
+  /// negative if they are. For fits.
   std::unique_ptr<const Brdf> instantiateUnclamped(const ParameterValues& parameters) const;
 
-  /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: the parameters themselves, clamped,
-  /// except where float cannot hold a parameter or something that does not depend on directions is computed
-  /// beforehand. The count of entries is the same for all parameters.
+  /// The array `p` of the model's GLSL implementation (shaders/models/ID.glsl): the clamped parameters, or precomputed
+  /// values where float is not sufficient or work can be saved. The number of entries does not depend on the values.
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
-  /// How many components each entry of shaderParameters() has: 3, or 1 where they are always equal.
+  /// Number of independent components of each entry of shaderParameters(): 3, or 1 if all three are always equal.
   std::vector<int> shaderComponents() const;
 
-  /// Whether it is a sum of a body and lobes about the half vector, each with its widths.
+  /// Whether the model is a sum of a body and lobes about the half vector, each with a width.
   bool hasLobes() const { return functions_.lobes != nullptr; }
-  /// The terms of the sum, the same number for all parameters: their values add up to instantiate()'s. In the shader
-  /// they are lobes_ID() (shaders/models). Only of a model that hasLobes(). @throws Error as instantiate().
+  /// The lobes, of which the sum is instantiate(); their number does not depend on the values. In GLSL they are
+  /// lobes_ID() (shaders/models). Precondition: hasLobes(). @throws Error as instantiate().
   std::vector<ModelLobe> lobes(const ParameterValues& parameters) const;
 
-  /// Parameters of the same values in the order that people expect: lobes from wide to sharp.
+  /// Equivalent parameters of the same BRDF in canonical form, such as lobes by decreasing width.
   ParameterValues canonical(const ParameterValues& parameters) const;
 
  private:
@@ -111,23 +111,21 @@ class Model {
   Functions functions_;
 };
 
-/// The defaults of the specs.
+/// The default values of all parameters.
 ParameterValues defaultParameters(const ModelSpec& spec);
 
-/// One clamped value, for a report to the user.
+/// A clamped value, to report to the user.
 struct ClampedParameter {
   std::string_view id;
   int channel;
   double given, used;
 };
-/// Clamps to the hard ranges in place; returns what was changed.
-/// @throws Error as Model::instantiate.
+/// Clamps the parameters to the hard ranges in place; returns the changes. @throws Error as Model::instantiate().
 std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters);
 
-/// All models, in the order in which lists show them. Immutable, built once.
+/// All models, in the order of lists.
 std::span<const Model* const> allModels();
-/// By ModelSpec::id.
-/// @throws Error that lists the known ids.
+/// The model with a ModelSpec::id. @throws Error that lists the known ids.
 const Model& findModel(std::string_view id);
 
 }  // namespace gonio::models

@@ -8,7 +8,8 @@
 
 namespace gonio::models {
 
-/// Model::instantiate() that knows its model and parameters: a material that is a model, such as a published fit.
+/// A BRDF of Model::instantiate() that also provides its model and parameters, for materials that are models, such as
+/// published fits.
 class ModelBrdf final : public Brdf {
  public:
   /// @throws Error as Model::instantiate().

@@ -8,10 +8,9 @@
 
 namespace gonio::models {
 
-/// Between the parameters of one model: weighted means, geometric ones of parameters of a logarithmic scale where all
-/// are positive, as a slider would stand. Choices must agree.
-/// @param ends one a weight; @param weights >= 0, sum 1. Where a weight is 1 its end comes back bit for bit.
-/// @throws Error naming a choice that differs.
+/// Blends parameters of one model: weighted means; geometric means for parameters with a logarithmic scale if all
+/// values are positive. Choices must be equal. @param ends one per weight. @param weights >= 0, sum 1. An end of weight
+/// 1 is returned bitwise unchanged. @throws Error that names a choice which differs.
 ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> ends, std::span<const double> weights);
 
 }  // namespace gonio::models

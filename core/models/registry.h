@@ -4,7 +4,7 @@
 
 #include "core/models/model.h"
 
-/// The one list of models: adding one means its source file, its shader, its test, and a line here and in registry.cpp.
+/// The list of models. A new model needs a source file, a shader, a test, and a line here and in registry.cpp.
 namespace gonio::models {
 
 const Model& lambert();

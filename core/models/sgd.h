@@ -2,15 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-/// Parts of the SGD model. Source: Bagher, Soler and
-/// Holzschuch, "Accurate Fitting of Measured Reflectances using a Shifted Gamma Micro-facet Distribution" (2012).
+/// Parts of the SGD model: Bagher, Soler and Holzschuch 2012, "Accurate Fitting of Measured Reflectances using a
+/// Shifted Gamma Micro-facet Distribution".
 namespace gonio::models {
 
-/// ln K, K = 1 / (alpha Gamma(1 - p, alpha)): makes the integral of D cos theta_h over the hemisphere 1. alpha > 0.
+/// ln K, K = 1 / (alpha Gamma(1 - p, alpha)), the factor with which D cos theta_h integrates to 1 over the hemisphere.
+/// alpha > 0.
 double sgdLogNormalisation(double alpha, double p);
 
-/// G1 in [0, 1] at the polar angle theta (rad): exactly 1 up to theta0. `logC` is ln c: c goes up to 1e109 in published
-/// fits, where c (theta - theta0)^k must not be formed factor by factor.
+/// G1 in [0, 1] at the polar angle theta (rad); exactly 1 up to theta0. @param logC ln c, because c is up to 1e109 in
+/// published fits and c (theta - theta0)^k would overflow.
 double sgdMasking(double theta, double lambda, double logC, double k, double theta0);
 
 }  // namespace gonio::models

@@ -10,7 +10,7 @@
 
 namespace gonio::models {
 
-/// What most models ask of a pair of directions, computed once and without cancellation.
+/// Quantities of a pair of directions that most models need, computed without cancellation.
 struct SurfaceGeometry {
   Direction wi, wo;
   Direction half;       ///< unit half vector
@@ -20,12 +20,12 @@ struct SurfaceGeometry {
   double oneMinusCosH;  ///< 1 - cos theta_h, by sin2H / (1 + cos theta_h)
 };
 
-/// False where a BRDF is 0 by definition: wi = -wo, or a direction at or below the horizon. Models divide by cosines,
-/// so down to `horizonTolerance` above it counts as at the horizon too: cosines given to models are at least that
-/// large.
+/// Returns false where a BRDF is 0 by definition: wi = -wo, or a direction at or below the horizon. Since models divide
+/// by cosines, directions less than `horizonTolerance` above the horizon count as on it.
 bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& geometry);
 
-/// Makes a Brdf of a function `Rgb evaluate(const SurfaceGeometry&)` and a density to sample it by, a LobeMixture.
+/// A Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`, 1/sr, without the cosine, and a LobeMixture for
+/// importance sampling.
 template <typename Evaluate, typename Sampler>
 class GeometryBrdf final : public Brdf {
  public:

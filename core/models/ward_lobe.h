@@ -12,9 +12,9 @@ namespace gonio::models {
 
 inline constexpr std::string_view ward1992 = "Ward 1992, Measuring and Modeling Anisotropic Reflection";
 
-/// exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (4 pi alpha_x alpha_y): the Gaussian of surface slopes that
-/// the models of Ward's family share (Ward 1992, eq. 5a without the square root; Walter 2005, Notes on the Ward BRDF:
-/// no azimuth is needed). x runs along a grain that is turned by `rotation` (rad) from the tangent.
+/// exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (4 pi alpha_x alpha_y): the Gaussian of surface slopes in
+/// the models of Ward's family (Ward 1992, eq. 5a without the square root; in the form of Walter 2005, "Notes on the
+/// Ward BRDF", without azimuth). x is along the grain, at the angle `rotation` (rad) from the tangent.
 class WardLobe {
  public:
   WardLobe(double alphaX, double alphaY, double rotation)
@@ -34,7 +34,7 @@ class WardLobe {
   double inverseX2_, inverseY2_, normaliser_;
 };
 
-/// k_d / pi + k_s WardLobe * fade: the models differ in `double fade(const SurfaceGeometry&)` alone.
+/// k_d / pi + k_s WardLobe * fade: the models differ only in `double fade(const SurfaceGeometry&)`.
 template <typename Fade>
 std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, double rotation,
                                          Fade fade) {

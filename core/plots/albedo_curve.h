@@ -7,10 +7,10 @@
 
 namespace gonio::plots {
 
-/// Directional albedo (a plain number: the integral of f cos theta_i over the light's hemisphere) against the polar
-/// angle of the viewer, 0 to 89 degrees, denser toward grazing. Where a measurement has no data it counts as 0.
-/// `samples` of each integral; in parallel, deterministic. About 20 ms an angle with the default on one core.
-/// @throws Cancelled.
+/// Directional albedo (the integral of f cos theta_i over the light's hemisphere, without unit) for polar angles of the
+/// viewer from 0 to 89 degrees, denser toward grazing. Directions without data count as 0. Parallel, deterministic;
+/// about 20 ms per angle on one core with the default number of samples. @param count number of angles. @param samples
+/// per integral. @throws Cancelled.
 Curve albedoCurve(const Brdf& brdf, int count = 31, int samples = 1 << 14, const TaskControl& control = {});
 
 }  // namespace gonio::plots

@@ -6,9 +6,9 @@
 
 namespace gonio::plots {
 
-/// `count` >= 2 ascending values from `first` to `last`, both exactly there, dense about `centre` (clamped to the
-/// range): the spacing grows with the distance as a hyperbolic sine, some `density`-fold from the centre to the far
-/// end. For highlights that are narrow in an otherwise smooth curve.
+/// `count` >= 2 ascending values from exactly `first` to exactly `last`, dense about `centre` (clamped to the range),
+/// for curves with a narrow highlight: the spacing grows with the distance from the centre as a hyperbolic sine, by a
+/// factor of about `density` at the far end.
 std::vector<double> nodesAbout(double centre, double first, double last, int count, double density = 30);
 
 }  // namespace gonio::plots

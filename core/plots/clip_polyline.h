@@ -8,9 +8,9 @@
 
 namespace gonio::plots {
 
-/// The parts of a line through `points` that lie in the rectangle [min, max], each cut exactly at its edges. A point
-/// that is not finite ends a part. For formats that cannot clip, such as SVG 1.2 Tiny. Liang and Barsky, "A New Concept
-/// and Method for Line Clipping" (1984).
+/// Clips a polyline to the rectangle [min, max], for formats without clipping such as SVG 1.2 Tiny; the parts end
+/// exactly at the edges. A point that is not finite ends a part. Liang and Barsky 1984, "A New Concept and Method for
+/// Line Clipping".
 std::vector<std::vector<glm::dvec2>> clipPolyline(std::span<const glm::dvec2> points, const glm::dvec2& min,
                                                   const glm::dvec2& max);
 

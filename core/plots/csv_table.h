@@ -8,18 +8,18 @@
 namespace gonio::plots {
 
 struct CsvColumn {
-  std::string title;                    ///< name and unit: "measured [1/sr]"
+  std::string title;                    ///< name and unit, e.g. "measured [1/sr]"
   std::vector<double> values;           ///< NaN becomes an empty field
-  std::vector<std::string> texts = {};  ///< instead of values, where there are some
+  std::vector<std::string> texts = {};  ///< if not empty, used instead of `values`
   std::size_t rows() const { return texts.empty() ? values.size() : texts.size(); }
 };
 
-/// Numbers, and texts where a column has them, for other programs: comment lines that begin with "# " say what they
-/// are, one line of titles, then one line a row. Decimal point, shortest digits that read back to the same double, "\n"
-/// at line ends (RFC 4180 quoting).
+/// A table for other programs. The CSV text has comment lines that begin with "# ", a line of titles, then one line per
+/// row. Numbers have a decimal point and the fewest digits that read back to the same double; line ends are "\n",
+/// quoting as in RFC 4180.
 struct CsvTable {
   std::vector<std::string> comments;
-  std::vector<CsvColumn> columns;  ///< all of one length
+  std::vector<CsvColumn> columns;  ///< all with the same number of rows
 };
 
 std::string toCsv(const CsvTable& table);

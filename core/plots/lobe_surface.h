@@ -6,12 +6,12 @@
 
 namespace gonio::plots {
 
-/// The whole lobe for one direction of the light: values over the hemisphere of the viewer, at the nodes of a mesh of
-/// rings about the normal that is dense about the mirror direction.
+/// The lobe for one direction of the light: values over the hemisphere of the viewer, at the nodes of a mesh of rings
+/// about the normal, dense near the mirror direction.
 struct LobeSurface {
-  int rings = 0;                      ///< polar angles, from the normal to the horizon
-  int sectors = 0;                    ///< azimuths; the last is a neighbour of the first
-  std::vector<Direction> directions;  ///< wo; sectors run fastest
+  int rings = 0;                      ///< number of polar angles, from the normal to the horizon
+  int sectors = 0;                    ///< number of azimuths; the last is adjacent to the first
+  std::vector<Direction> directions;  ///< wo per node; sectors run fastest
   PlottedValues points;
 
   std::size_t index(int ring, int sector) const {
@@ -19,7 +19,8 @@ struct LobeSurface {
   }
 };
 
-/// Light at polar angle `thetaI` (rad) and azimuth pi, as in Section. Some ms.
+/// @param thetaI polar angle of the light, rad; its azimuth is pi, as in Section. @param coverage as in
+/// evaluatePlotted(). Takes some ms.
 LobeSurface lobeSurface(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr,
                         int rings = 64, int sectors = 96);
 

@@ -9,42 +9,43 @@
 
 #include "core/brdf/tabulated_brdf.h"
 
-/// What plots show of a BRDF, as numbers: no drawing. Angles are rad; values linear RGB in 1/sr (conventions of
-/// core/math/types.h), times the cosine that the caller chose.
+/// Data of plots of a BRDF, without drawing. Angles are in rad; values are linear RGB, 1/sr (conventions of
+/// core/math/types.h), times the chosen CosineFactor.
 namespace gonio::plots {
 
-/// What a plotted value is multiplied with. Plots say which in the title of the axis.
+/// The factor of plotted values, which plots state in the title of the axis.
 enum class CosineFactor {
   none,      ///< f
   incident,  ///< f cos theta_i, the integrand of reflected light
-  outgoing   ///< f cos theta_o, the light that a detector of fixed area collects from a lit spot
+  outgoing   ///< f cos theta_o, proportional to the light that a detector of fixed area collects from an illuminated
+             ///< spot
 };
 
-/// What is drawn of the three channels.
+/// The plotted channel.
 enum class Channel { luminance, red, green, blue };
 double channelOf(Channel channel, const Rgb& value);
 
 enum class PointState : std::uint8_t {
   known,
-  belowHorizon,  ///< one of the directions is below the surface
-  notMeasured    ///< the table has no valid cell about this point
+  belowHorizon,  ///< a direction is below the surface
+  notMeasured    ///< the table has no valid cell around this point
 };
 
 struct PlottedValues {
-  std::vector<Rgb> values;         ///< 0 where the state is not `known`
-  std::vector<PointState> states;  ///< one a value
+  std::vector<Rgb> values;         ///< 0 if the state is not `known`
+  std::vector<PointState> states;  ///< one per value
 
-  /// The value of a channel, NaN where it is not known.
+  /// The value of a channel; NaN if it is not known.
   double at(std::size_t index, Channel channel) const;
 };
 
-/// Evaluates pairs of directions. `coverage`, where given, is the measurement that decides which points are measured:
-/// an edited measurement has no data where the measurement has none.
+/// Evaluates pairs of directions. @param coverage if not null, the measurement that determines which points are
+/// measured, such as the base of an edited measurement.
 PlottedValues evaluatePlotted(const Brdf& brdf, std::span<const DirectionPair> pairs, CosineFactor cosine,
                               const TabulatedBrdf* coverage = nullptr);
 
-/// Models are 0 at the horizon itself. Plots over angles end this much before it (rad, 0.05 degrees), so that no line
-/// falls to 0 there.
+/// Distance from the horizon at which plots over angles end, rad (0.05 degrees): models are 0 on the horizon, and lines
+/// would drop to 0 there.
 inline constexpr double horizonMargin = radians(0.05);
 
 }  // namespace gonio::plots

@@ -6,7 +6,7 @@
 
 namespace gonio::plots {
 
-/// A line through a BRDF: values over one angle.
+/// Values of a BRDF over one angle.
 struct Curve {
   std::vector<double> angles;  ///< rad, ascending
   PlottedValues points;        ///< one per angle
@@ -14,25 +14,25 @@ struct Curve {
 
 enum class SectionAxis { thetaH, thetaD, thetaO };
 
-/// What varies along a section, and where it lies.
+/// The definition of a section: the varying angle, and the fixed ones.
 struct Section {
   SectionAxis axis = SectionAxis::thetaO;
-  /// Of theta_o: light at this polar angle and azimuth pi, viewer at signed polar angle theta_o in the plane of azimuth
-  /// `planeAzimuth`: in the plane of incidence (0) theta_o = theta_i is the mirror direction, -theta_i looks back at
-  /// the light.
+  /// For SectionAxis::thetaO: the light has this polar angle and azimuth pi; the viewer has the signed polar angle
+  /// theta_o in the plane of azimuth `planeAzimuth` (0: plane of incidence). There theta_o = theta_i is the mirror
+  /// direction and theta_o = -theta_i is retro-reflection. Rad.
   double thetaI = radians(45), planeAzimuth = 0;
-  /// Of theta_h: theta_d and phi_d are fixed. Of theta_d: theta_h and phi_d are. With theta_h = 0, theta_d is the angle
-  /// of incidence of a mirror.
+  /// Fixed angles, rad. For SectionAxis::thetaH: thetaD and phiD; for SectionAxis::thetaD: thetaH and phiD. With thetaH
+  /// = 0, theta_d is the angle of incidence of mirror reflection.
   double thetaH = 0, thetaD = radians(45), phiD = halfPi;
   CosineFactor cosine = CosineFactor::none;
   int count = 721;
 };
 
-/// The section's curve: theta_h and theta_d over [0, pi/2], theta_o over [-pi/2, pi/2], all up to `horizonMargin`;
-/// nodes are dense where a highlight may be. Under a ms for models.
+/// The curve of a section: theta_h and theta_d over [0, pi/2], theta_o over [-pi/2, pi/2], without `horizonMargin`;
+/// nodes are dense where a highlight is expected. Under 1 ms for models. @param coverage as in evaluatePlotted().
 Curve sectionCurve(const Brdf& brdf, const Section& section, const TabulatedBrdf* coverage = nullptr);
 
-/// The value of a channel between the nodes of a curve, linear; NaN outside them and beside a point that is not known.
+/// The value of a channel, linear between the nodes of a curve; NaN outside them and next to a point that is not known.
 double valueAt(const Curve& curve, double angle, Channel channel);
 
 /// The lobe in the plane of incidence: the section over theta_o at planeAzimuth = 0.

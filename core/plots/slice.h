@@ -6,13 +6,13 @@
 
 namespace gonio::plots {
 
-/// How theta_h is laid out in a slice.
+/// Spacing of theta_h in a slice.
 enum class ThetaHSpacing {
-  linear,     ///< even
-  squareRoot  ///< theta_h = u^2 pi/2 for u in [0, 1]: MERL's own spacing, wide at the highlight
+  linear,     ///< uniform
+  squareRoot  ///< theta_h = u^2 pi/2 for u in [0, 1]: as in MERL tables, which magnifies the highlight
 };
 
-/// The plane theta_h by theta_d of half-difference space at one phi_d, as a picture.
+/// The plane (theta_h, theta_d) of half-difference space for one phi_d, as an image.
 struct Slice {
   int width = 0;   ///< along theta_h
   int height = 0;  ///< along theta_d
@@ -20,17 +20,17 @@ struct Slice {
   double phiD = halfPi;  ///< rad
   PlottedValues cells;   ///< theta_h runs fastest
 
-  /// Angles of the middle of a column and of a row, rad.
+  /// Angles at the centre of a column or row, rad.
   double thetaH(int column) const;
   double thetaD(int row) const;
   std::size_t index(int column, int row) const { return std::size_t(row) * std::size_t(width) + std::size_t(column); }
 };
 
-/// Place of theta_h along the axis, [0, 1], and back.
+/// Conversion of theta_h (rad) to a fraction of the axis, [0, 1], and back.
 double thetaHShare(ThetaHSpacing spacing, double thetaH);
 double thetaHAt(ThetaHSpacing spacing, double fraction);
 
-/// `size` by `size` cells (a MERL table has 90). Some ms.
+/// A slice of `size` x `size` cells (90 in MERL tables). Takes some ms. @param coverage as in evaluatePlotted().
 Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,
                           const TabulatedBrdf* coverage = nullptr, int size = 90);
 

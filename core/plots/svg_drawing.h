@@ -10,23 +10,23 @@
 
 namespace gonio::plots {
 
-/// Shapes that distinguish points without their colours.
+/// Shapes of points, which distinguish them without colour.
 enum class Marker { square, circle, triangle, diamond, cross, star };
 
 struct SvgStroke {
   std::string_view colour = "#222222";
-  double width = 1;           ///< in the page's unit, as all lengths
-  std::string_view dashes{};  ///< "4 3"; none: solid
+  double width = 1;           ///< in the page's unit, like all lengths
+  std::string_view dashes{};  ///< e.g. "4 3"; empty: solid
 };
 
-/// What a drawing is measured in and written with.
+/// Unit and font of a drawing.
 struct SvgPage {
-  std::string_view unit{};  ///< "mm"; none: pixels
+  std::string_view unit{};  ///< e.g. "mm"; empty: pixels
   std::string_view fontFamily = "sans-serif";
 };
 
-/// A drawing as SVG 1.1 text: in the page's unit, the origin at the top left, y down, on white. Colours as CSS names
-/// them.
+/// Writes a drawing as SVG 1.1, in the page's unit, with the origin at the top left and y down, on white. Colours are
+/// CSS colours.
 class SvgDrawing {
  public:
   SvgDrawing(double width, double height, const SvgPage& page = {});
@@ -34,12 +34,13 @@ class SvgDrawing {
   void line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke = {});
   void polyline(std::span<const glm::dvec2> points, const SvgStroke& stroke = {});
   void frame(const glm::dvec2& low, const glm::dvec2& high, const SvgStroke& stroke = {});
-  /// @param size about half its height and width.
-  /// @param title what a viewer shows while the pointer rests on it; none where it is empty.
+  /// @param size about half the height and width.
+  /// @param title tooltip in SVG viewers; empty: none.
   void marker(Marker marker, const glm::dvec2& at, double size, std::string_view colour, bool hollow,
               std::string_view title = {});
 
-  /// An embedded picture, stretched to the rectangle. @param exactPixels drawn as squares, not smoothed.
+  /// An embedded picture, scaled to the rectangle. @param exactPixels whether pixels are drawn as squares instead of
+  /// interpolated.
   void picture(const glm::dvec2& low, const glm::dvec2& high, std::span<const std::byte> png, bool exactPixels);
 
   enum class Anchor { start, middle, end };
@@ -47,15 +48,15 @@ class SvgDrawing {
     double size = 12;  ///< in the page's unit
     Anchor anchor = Anchor::start;
     bool bold = false;
-    bool upward = false;  ///< turned by 90 degrees, read from below
-    bool halo = false;    ///< white about the letters, where they cross lines
+    bool upward = false;  ///< rotated by 90 degrees, reads from bottom to top
+    bool halo = false;    ///< white outline, for text across lines
     std::string_view colour = "#222222";
   };
-  /// @param at on the base line, where the anchor says.
+  /// @param at position of the anchor on the base line.
   void text(const glm::dvec2& at, std::string_view text, const TextStyle& style);
   void text(const glm::dvec2& at, std::string_view words) { text(at, words, TextStyle()); }
 
-  /// The whole file.
+  /// The complete file.
   std::string str() const { return body_ + "</svg>\n"; }
 
  private:

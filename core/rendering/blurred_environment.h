@@ -8,15 +8,15 @@
 
 namespace gonio {
 
-/// Size of a blurred environment's picture: 2.8 degrees per pixel.
+/// Size of a blurred environment in pixels: 2.8 degrees per pixel.
 inline constexpr int blurredWidth = 128, blurredHeight = 64;
-/// Width of the blur: the concentration of a von Mises-Fisher distribution, exp(concentration cos angle) up to scale,
-/// whose standard deviation is 6 degrees along either tangent (concentration = 1 / variance, rad).
+/// Concentration of the blur kernel, a von Mises-Fisher distribution proportional to exp(concentration cos angle): 1 /
+/// variance, for a standard deviation of 6 degrees along each tangent.
 inline constexpr double blurConcentration = 91.2;
 
-/// The environment as it is shown behind objects when it is out of focus: its radiance convolved on the sphere with the
-/// distribution above, cut off at 20 degrees. It lights nothing. A constant stays as it is. Computed once
-/// while the environment lives, some 0.1 s; from any thread. @param environment not null.
+/// The environment as a background out of focus, which does not illuminate objects: its radiance convolved on the
+/// sphere with the kernel above, cut off at 20 degrees. Constants are preserved. Computed once in the lifetime of the
+/// environment (some 0.1 s); callable from several threads. @param environment not null.
 std::shared_ptr<const EnvironmentMap> blurredEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
 
 }  // namespace gonio

@@ -6,33 +6,33 @@
 
 namespace gonio {
 
-/// A camera that orbits a point of the world (y up), for previews of a sphere its centre at the origin. With both
-/// angles 0 it looks along -z.
+/// A camera that orbits `target` in world coordinates (y up). With both angles 0 it looks along -z.
 struct OrbitCamera {
   double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
   double distance = 4;        ///< of the eye from the target
-  double fieldOfView = 0.55;  ///< of the picture's smaller side, rad; 0 is an orthographic view that shows |y| <= 1.15
+  double fieldOfView = 0.55;  ///< along the picture's smaller side, rad; 0: an orthographic view that shows |y| <= 1.15
   Direction target{0};        ///< world
   bool operator==(const OrbitCamera&) const = default;
 };
 
-/// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, with the extent e
-/// of viewExtent() gives: perspective: origin eye, direction normalize(x e.x right + y e.y up + forward); orthographic:
-/// origin eye + x e.x right + y e.y up, direction forward.
+/// Defines the camera's rays, for CPU and shader. For a picture position (x, y) in [-1, 1], y up, and e = viewExtent():
+/// perspective: origin eye, direction normalize(x e.x right + y e.y up + forward); orthographic: origin eye + x e.x
+/// right + y e.y up, direction forward.
 struct CameraFrame {
   Direction eye, right, up, forward;
-  double halfExtent;  ///< of the picture's smaller side, at distance 1 (perspective) or in the world (orthographic)
+  double halfExtent;  ///< half extent of the picture's smaller side, at distance 1 (perspective) or in world units
+                      ///< (orthographic)
   bool orthographic;
 };
 CameraFrame cameraFrame(const OrbitCamera& camera);
 
-/// Half width and half height of the view for a picture of aspect width / height: the target fits into a narrow picture
-/// as into a wide one.
+/// Half width and half height of the view. The smaller side has the extent `halfExtent`, so that the target fits in
+/// narrow and wide pictures. @param aspect width / height.
 glm::dvec2 viewExtent(const CameraFrame& frame, double aspect);
 
 Ray cameraRay(const CameraFrame& frame, double x, double y, double aspect);
-/// The same at (x e.x, y e.y).
+/// The same for a given point (x e.x, y e.y).
 inline Ray cameraRay(const CameraFrame& frame, const glm::dvec2& viewPoint) {
   const Direction across = viewPoint.x * frame.right + viewPoint.y * frame.up;
   if (frame.orthographic) return {frame.eye + across, frame.forward};

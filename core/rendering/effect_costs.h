@@ -8,32 +8,32 @@
 
 namespace gonio {
 
-/// A picture with one effect as its plan has it, against the picture with it the other way round.
+/// Comparison of the planned picture with the picture in which one effect is switched.
 struct EffectCost {
   Effect effect;
-  double seconds = 0;       ///< what the effect adds to the picture's time, as it was measured
-  double secondsNoise = 0;  ///< by how much that is uncertain: both pictures' spreads, see EffectCostOptions::repeats
-  double difference = 0;    ///< RMS of the two pictures' difference over the RMS of the picture
-  double noise = 0;         ///< the same of two pictures of different seeds: what chance alone differs by
+  double seconds = 0;       ///< measured rendering time that the effect adds
+  double secondsNoise = 0;  ///< its uncertainty: the spreads of both pictures, see EffectCostOptions::repeats
+  double difference = 0;    ///< RMS of the difference of both pictures, relative to the RMS of the picture
+  double noise = 0;         ///< the same for two pictures with different seeds: the part due to noise
 
-  /// Whether the time is within its noise: the effect may cost this much or nothing.
+  /// Whether the time is within its uncertainty, so that the effect may cost nothing.
   bool isWithinNoise() const { return std::abs(seconds) <= secondsNoise; }
 };
 
 struct EffectCostOptions {
   int width = 128, height = 128, samples = 16;
-  /// Of each picture: the shortest time counts, what lies between it and the median is its spread.
+  /// Renderings per picture: the shortest time is used, and its difference from the median is the spread.
   int repeats = 3;
   EffectThresholds thresholds;
 };
 
 struct EffectCosts {
-  double seconds = 0;  ///< of the picture as planned
+  double seconds = 0;  ///< time of the planned picture
   std::vector<EffectCost> effects;
 };
 
-/// Measures each effect by rendering with it on and off: (1 + effectCount) x repeats pictures and one more. Effects
-/// that cannot act (no light of the kind) cost what the timer's noise says.
+/// Measures each effect by rendering with it on and off: (1 + effectCount) x repeats + 1 pictures. Effects without
+/// influence (such as a missing kind of light) only show the noise of the timer.
 /// @param materials of bindMaterials().
 /// @throws Cancelled.
 EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,

@@ -13,48 +13,48 @@
 
 namespace gonio {
 
-/// What light can do in a scene; in this order plans are listed.
+/// Effects of light transport, in the order of lists.
 enum class Effect {
-  emittedLight,       ///< light that reaches the eye from its source (PL1)
-  directLight,        ///< light of lamps after one reflection (PL2)
+  emittedLight,       ///< light that reaches the camera directly from its source
+  directLight,        ///< light of lamps after one reflection
   environmentLight,   ///< light of the environment after one reflection
-  castShadows,        ///< one object in the light of another
-  selfShadowing,      ///< an object in its own light
-  interreflection,    ///< light after two reflections and more
-  anisotropicFrames,  ///< the directions along a surface count
-  areaLightSampling,  ///< rays are sent to places on lamps that have a size
+  castShadows,        ///< shadows of one object on another
+  selfShadowing,      ///< shadows of an object on itself
+  interreflection,    ///< light after two or more reflections
+  anisotropicFrames,  ///< tangent directions on surfaces, for anisotropic materials
+  areaLightSampling,  ///< sampling of points on lamps of finite size
 };
 inline constexpr std::size_t effectCount = 8;
-/// "emitted-light", as files and the command line name it.
+/// The id in files and on the command line, e.g. "emitted-light".
 const char* effectId(Effect effect);
 /// @throws Error that lists the ids.
 Effect effectOfId(const std::string& id);
 
 struct EffectDecision {
-  bool calledFor = false;  ///< by the analysis
-  bool simulated = false;  ///< so, or as the user forces it
-  std::string reason;      ///< of the analysis, for people
+  bool calledFor = false;  ///< result of the analysis
+  bool simulated = false;  ///< result after the user's override
+  std::string reason;      ///< of the analysis, for display
 
   bool operator==(const EffectDecision&) const = default;
 };
 
-/// What the user forces: on, off, or nothing (the analysis decides).
+/// The user's overrides: on, off, or empty (the analysis decides).
 using EffectOverrides = std::array<std::optional<bool>, effectCount>;
 
-/// Which effects can change a pixel of a scene. A plain value.
+/// The effects that can change a pixel of a scene.
 struct EffectPlan {
   std::array<EffectDecision, effectCount> decisions;
-  std::vector<SceneLight> lights;  ///< lightsOf() the scene
-  /// [object][light]: whether the light is simulated and the object may face it.
+  std::vector<SceneLight> lights;  ///< lightsOf() of the scene
+  /// [object][light]: whether the light is simulated and may reach the object.
   std::vector<std::vector<bool>> lit;
-  /// [object][light]: the objects that may stand between, the object itself among them where it is not convex.
+  /// [object][light]: the objects that may occlude the light, including the object itself if it is not convex.
   std::vector<std::vector<std::vector<std::size_t>>> blockers;
-  /// [object]: the reflecting objects that its points may see.
+  /// [object]: the reflecting objects that may be visible from its points.
   std::vector<std::vector<std::size_t>> visible;
-  /// On the longest light path that is followed: 0 none, 1 direct light alone.
+  /// Number of reflections on the longest simulated light path: 0 none, 1 direct light only.
   int reflections = 0;
-  /// What all longer paths can add to a pixel, as a fraction of the brightest first reflection; infinite where nothing
-  /// bounds it.
+  /// Upper bound of the contribution of all longer paths to a pixel, as a fraction of the brightest first reflection;
+  /// infinite if there is no bound.
   double remainder = 0;
 
   const EffectDecision& operator[](Effect effect) const { return decisions[std::size_t(effect)]; }
@@ -63,28 +63,27 @@ struct EffectPlan {
 };
 
 struct EffectThresholds {
-  /// Paths are followed until all longer ones can add less than this fraction of the brightest first reflection: half a
-  /// step of an 8-bit display by default.
+  /// Paths end when all longer ones can add less than this fraction of the brightest first reflection. Default: half a
+  /// step of an 8-bit display.
   double remainder = 1.0 / 512;
   int maxReflections = 64;
 };
 
-/// Decides by the shapes, the lights and the materials what can change a pixel. The analysis never leaves out what
-/// matters but for the remainder; where it cannot decide, the effect is simulated. Some support points of each shape
-/// for each pair of objects and light: microseconds for the bundled scenes.
-/// @param materials of bindMaterials().
+/// Analyses shapes, lights and materials for effects that can change a pixel. The analysis is conservative: apart from
+/// the remainder, it only omits effects without influence. Computes some support points of each shape for each pair of
+/// objects and light, microseconds for the bundled scenes. @param materials of bindMaterials().
 EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
 
-/// Makes the plan of a scene that of the scene seen by another camera: which sources face it can change, nothing else.
-/// No shape is looked at but the lamps.
+/// Updates the plan of a scene for another camera: only the sources that face the camera can change. Tests only the
+/// shapes of lamps.
 void updateForCamera(EffectPlan& plan, const Scene& scene, const EffectOverrides& overrides = {});
 
-/// What a picture file says of how it was made: samples, scene, effects, reflections, material, seed.
+/// Attributes of a picture file: samples, scene, effects, reflections, material, seed.
 std::map<std::string, std::string> pictureAttributes(const Scene& scene, const EffectPlan& plan,
                                                      const std::string& material, int samples, std::uint64_t seed);
 
-/// Every effect forced on: no analysis is trusted.
+/// Overrides that force all effects on, regardless of the analysis.
 EffectOverrides everyEffect();
 
 }  // namespace gonio

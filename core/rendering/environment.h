@@ -11,15 +11,15 @@
 
 namespace gonio {
 
-/// Light from infinitely far, as a latitude-longitude picture of linear RGB radiance. World axes: x right, y up; the
-/// camera of the sphere preview looks along -z. A position (u, v) in [0, 1]^2, v = 0 the top, is seen in the direction
-///   (sin theta sin a, cos theta, -sin theta cos a),  theta = pi v,  a = 2 pi (u - 1/2):
-/// the centre column lies straight ahead of the camera (-z), the azimuth a turns from there toward +x, to the right,
-/// and the left and right edges meet behind the camera (+z). Pixel (x, y) has its centre at u = (x + 1/2) / width, v =
-/// (y + 1/2) / height. Immutable.
+/// Infinitely distant light, as a latitude-longitude map of linear RGB radiance. World axes: x right, y up; the default
+/// camera looks along -z. The position (u, v) in [0, 1]^2, v = 0 at the top, has the direction
+///   (sin theta sin a, cos theta, -sin theta cos a), theta = pi v, a = 2 pi (u - 1/2):
+/// The centre column is straight ahead of the camera (-z), the azimuth a increases from there toward +x, to the right,
+/// and the left and right edges meet behind the camera (+z). The centre of pixel (x, y) is at u = (x + 1/2) / width, v
+/// = (y + 1/2) / height. Immutable.
 class EnvironmentMap {
  public:
-  /// @throws Error when the picture is empty; when a value is not finite or negative: names the first such pixel.
+  /// @throws Error if the map is empty, or a value is negative or not finite (the message names the first such pixel).
   explicit EnvironmentMap(Image radiance, std::string name);
 
   const std::string& name() const { return name_; }
@@ -33,18 +33,18 @@ class EnvironmentMap {
     Rgb radiance;
     double pdf;  ///< 1/sr
   };
-  /// Samples a direction with a density constant over each pixel's solid angle and proportional to the mean luminance
-  /// of the bilinear radiance in it (1/(4 pi) everywhere for a black map). u1 chooses the row, u2 the column.
+  /// Samples a direction. The density is constant over each pixel's solid angle and proportional to the mean luminance
+  /// of the bilinear radiance in it (1 / (4 pi) for a black map). @param u1, u2 in [0, 1), for row and column.
   Sample sample(double u1, double u2) const;
-  /// The same; where the direction is below the horizon of a normal (world), density and radiance are 0.
+  /// The same, with density and radiance 0 if the direction is below the horizon of a normal (world).
   Sample sampleAbove(const Direction& normal, double u1, double u2) const;
   /// Density of sample(), 1/sr.
   double pdf(const Direction& world) const;
-  /// Radiance and density of one direction: cheaper than asking for both.
+  /// Radiance and density of one direction; faster than two calls.
   Sample at(const Direction& world) const;
 
-  /// World direction of a position on the picture (u, v in [0, 1], v = 0 is the top) and back: the one place of the
-  /// mapping; the shader is its twin.
+  /// The mapping from a position (u, v) in [0, 1]^2, v = 0 at the top, to a world direction, and its inverse. The
+  /// shader implements the same mapping.
   static Direction directionAt(double u, double v);
   static glm::dvec2 positionOf(const Direction& world);
 
@@ -64,15 +64,15 @@ class EnvironmentMap {
   Image image_;
   std::string name_;
   std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
-  /// Cumulative: height + 1 entries, and height rows of width + 1 entries, each from 0 to 1.
+  /// Cumulative distributions from 0 to 1: height + 1 entries, and height rows of width + 1 entries.
   std::vector<float> marginal_, conditional_;
-  std::vector<std::uint32_t> marginalGuide_, conditionalGuide_;  ///< where searches in the tables begin
+  std::vector<std::uint32_t> marginalGuide_, conditionalGuide_;  ///< start indices of searches in the tables
   std::vector<double> solidAngles_;                              ///< of a pixel in each row, sr
 };
 
-/// The turn of an environment about +y: from a world direction to the direction of the environment's picture that is
-/// seen there, and back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s). Positive angles
-/// turn the surroundings from -z toward +x.
+/// Rotation of an environment about +y: converts a world direction to a direction of the unrotated environment, and
+/// back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s). Positive angles rotate the
+/// environment from -z toward +x.
 class EnvironmentRotation {
  public:
   explicit EnvironmentRotation(double angle);
@@ -83,13 +83,12 @@ class EnvironmentRotation {
   double c_, s_;
 };
 
-/// The environments that the project makes itself, 512 x 256: "studio" (soft boxes), "sky" (clear, with a sun),
-/// "sunset" (a low warm sun in haze), "window" (a dim room with a window and a lamp), "furnace" (radiance 1
-/// everywhere).
+/// The bundled environments, computed by code, 512 x 256: "studio" (soft boxes), "sky" (clear, with a sun), "sunset" (a
+/// low warm sun in haze), "window" (a dim room with a window and a lamp), "furnace" (radiance 1 everywhere).
 const std::vector<std::string>& bundledEnvironmentNames();
-/// The names with commas between them.
+/// The names, separated by commas.
 std::string bundledEnvironmentList();
-/// Painted when it is first asked for, then shared. @throws Error that lists the names.
+/// The environment of a name, computed at the first call, then shared. @throws Error that lists the names.
 std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name);
 std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();

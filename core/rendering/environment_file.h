@@ -8,9 +8,9 @@
 
 namespace gonio {
 
-/// A bundled environment by its name, or a latitude-longitude picture (HDR or EXR) from disk, named by its path.
-/// @param folder that a relative path starts from; empty: the current one.
-/// @throws Error when it is neither, naming the file and what is wrong with it.
+/// A bundled environment by its name, or a latitude-longitude map from a file (HDR or EXR).
+/// @param folder base of relative paths; empty: the current folder.
+/// @throws Error that names the file and its fault, if it is neither.
 std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
                                                       const std::filesystem::path& folder = {});
 

@@ -13,10 +13,10 @@
 
 namespace gonio {
 
-/// Rays that were traced: what effects cost, counted.
+/// Numbers of traced rays, as a measure of the cost of effects.
 struct RayCounters {
-  std::uint64_t camera = 0;  ///< from the eye
-  std::uint64_t shadow = 0;  ///< toward a sampled place on a light
+  std::uint64_t camera = 0;  ///< from the camera
+  std::uint64_t shadow = 0;  ///< toward a sampled point on a light
   std::uint64_t bounce = 0;  ///< along a direction sampled from a material
 
   RayCounters& operator+=(const RayCounters& other) {
@@ -27,13 +27,13 @@ struct RayCounters {
   }
 };
 
-/// How bright single samples were, counted in classes of luminance: the same for any order of the samples.
+/// Histogram of the luminances of samples, independent of their order.
 class SampleLuminances {
  public:
   void add(double luminance) {
     if (!(luminance > 0)) return;
     largest_ = std::max(largest_, luminance);
-    // The exponent and the first three bits of the mantissa are the number of the class.
+    // The class is given by the exponent and the first three bits of the mantissa.
     constexpr int mantissaBits = 52, classBits = 3, bias = 1022;
     static_assert(classesOfOctave == 1 << classBits);
     const auto place = int(std::bit_cast<std::uint64_t>(luminance) >> (mantissaBits - classBits));
@@ -43,7 +43,8 @@ class SampleLuminances {
   SampleLuminances& operator+=(const SampleLuminances& other);
 
   double largest() const { return largest_; }
-  /// Sum of the samples from `threshold` on, each to within a 16th (it counts as the middle of its class).
+  /// Sum of the samples of at least `threshold`, with a relative error of at most 1/16 per sample (each counts as the
+  /// middle of its class).
   double sumFrom(double threshold) const;
 
  private:
@@ -52,22 +53,22 @@ class SampleLuminances {
   double largest_ = 0;
 };
 
-/// Rare samples that are far brighter than the rest: noise that more samples remove slowly. It is reported, not
-/// clamped.
+/// Statistics of fireflies: rare samples that are much brighter than the rest, which cause noise that decreases slowly.
+/// They are reported, not clamped.
 struct Fireflies {
   static constexpr double threshold = 100;
-  double brightest = 0;  ///< luminance of the brightest sample over the mean of the samples that met something
-  double fraction = 0;   ///< of the picture's luminance that comes from samples of more than `threshold` means
+  double brightest = 0;  ///< luminance of the brightest sample, relative to the mean of the samples that hit something
+  double fraction = 0;   ///< fraction of the picture's luminance from samples above `threshold` means
 };
 
-/// The sums of a picture that grows by samples.
+/// Sums of the samples of a picture, to which samples can be added.
 struct Film {
   int width = 0, height = 0;
-  int samples = 0;               ///< of every pixel
+  int samples = 0;               ///< per pixel
   std::vector<Rgb> radiance;     ///< sums, linear RGB
-  std::vector<double> coverage;  ///< samples that met an object or a drawn environment
-  /// What noise filters are guided by: sums of the normal that is first met (0 beside all objects) and, in w, of the
-  /// squared luminance. Empty unless keepFeatures() asks for it.
+  std::vector<double> coverage;  ///< number of samples that hit an object or a visible environment
+  /// Features for noise filters: sums of the normal at the first hit (0 without a hit) and, in w, of the squared
+  /// luminance. Empty unless keepFeatures() was called.
   std::vector<glm::vec4> features;
   RayCounters counters;
   SampleLuminances luminances;
@@ -79,10 +80,10 @@ struct Film {
         radiance(std::size_t(filmWidth) * std::size_t(filmHeight), Rgb(0)),
         coverage(radiance.size(), 0) {}
 
-  /// Before the first sample: 16 bytes more per pixel.
+  /// Enables `features`, 16 bytes per pixel. Call it before the first sample.
   void keepFeatures() { features.assign(radiance.size(), glm::vec4(0)); }
 
-  /// The mean of the samples: premultiplied by its alpha; black where there are none.
+  /// The mean of the samples, premultiplied by its alpha; black without samples.
   Image image() const {
     Image picture(width, height);
     picture.alpha.assign(radiance.size(), 0.f);
@@ -93,7 +94,7 @@ struct Film {
     return picture;
   }
 
-  /// All 0 for a black picture.
+  /// All values are 0 for a black picture.
   Fireflies fireflies() const;
 };
 

@@ -9,11 +9,11 @@
 
 namespace gonio {
 
-/// Many paths from the eye at once: each step is made for all of them, so that the BRDF values of a material are
-/// evaluated in one call. What a path finds does not depend on the others of its batch.
+/// Traces many camera paths together, step by step, so that the BRDF values of a material are evaluated in one call.
+/// Results of a path do not depend on the other paths of the batch.
 class PathTracer::PathBatch {
  public:
-  /// Enough for the batches of a BRDF, few enough for the cache.
+  /// Large enough for the batches of a BRDF, small enough for the cache.
   static constexpr std::size_t capacity = 128;
 
   struct Start {
@@ -22,21 +22,21 @@ class PathTracer::PathBatch {
     Ray ray;
   };
   struct Result {
-    Rgb radiance{0};       ///< along the camera's ray
-    bool covered = false;  ///< whether it meets anything that is drawn
-    Direction normal{0};   ///< of shading, where it first meets a surface that reflects
+    Rgb radiance{0};       ///< along the camera ray
+    bool covered = false;  ///< whether the ray hits anything visible
+    Direction normal{0};   ///< shading normal at the first hit of a reflecting surface
   };
 
   PathBatch(const PathTracer& tracer, RayCounters& counters)
       : tracer_(tracer), counters_(counters), lights_(tracer.scene_), queries_(tracer.brdfs_.size()) {}
 
-  /// One result for each start, valid until the next call.
+  /// One result per start, valid until the next call.
   std::span<const Result> trace(std::span<const Start> starts);
 
  private:
-  /// A path at the surface that it met last.
+  /// A path at its last hit.
   struct Path {
-    Path() {}  // without it each would be set to 0 first
+    Path() {}  // without it members would be set to 0 first
 
     std::size_t result, object;
     PathSeed seed;
@@ -44,15 +44,15 @@ class PathTracer::PathBatch {
     ShadingFrame frame;
     Direction position, geometricNormal;
     Direction wo;            ///< local; below the horizon on the back of a surface
-    Direction origin;        ///< of rays that leave, where the object sends any
-    DirectionSample sample;  ///< from the material, local; pdf 0 where there is none
-    Direction toward;        ///< the sample in the world
-    std::size_t query;       ///< of the sample, at the path's material
+    Direction origin;        ///< of rays that leave the surface, if the object sends any
+    DirectionSample sample;  ///< from the material, local; pdf 0 if there is none
+    Direction toward;        ///< the sample in world coordinates
+    std::size_t query;       ///< index of the sample's query of the path's material
   };
-  /// A light sample whose BRDF value is asked for.
+  /// A light sample that waits for its BRDF value.
   struct LightQuery {
     std::size_t path, light, query;
-    Rgb weight;  ///< of the BRDF value, throughput excluded
+    Rgb weight;  ///< factor of the BRDF value, without the throughput
     Direction toLight;
     double distance;
   };
@@ -81,8 +81,8 @@ class PathTracer::PathBatch {
   void evaluateQueries();
   void addSampledLights();
   bool isBlocked(const LightQuery& query, const Path& path);
-  /// Adds what the sampled directions find and moves the paths that go on to their next surface; the others are
-  /// dropped.
+  /// Adds the light that the sampled directions hit, moves continuing paths to their next surface, and removes the
+  /// others.
   void follow(int reflection);
   bool followOne(Path& path, int reflection, PathSamples& survival);
   Rgb foundLights(const Path& path) const;
@@ -94,7 +94,7 @@ class PathTracer::PathBatch {
   std::vector<Path> paths_;
   std::vector<LightQuery> lightQueries_;
   std::vector<BrdfQueries> queries_;  ///< of each of the tracer's BRDFs
-  /// Of the candidates of a path's object, along its sampled direction.
+  /// Distances of the candidates of a path's object along its sampled direction.
   std::vector<double> distances_;
 };
 

@@ -6,13 +6,13 @@
 
 namespace gonio {
 
-/// Which sample points a path uses: those of its pixel, at the place of its sample.
+/// Identifies the sample points of a path: its pixel and the index of its sample.
 struct PathSeed {
   std::uint32_t pixel, sample;
 };
 
-/// Sample points of one purpose at one reflection: each pixel has an independent set. Paths that come pixel by pixel
-/// share the set-up of it.
+/// Sample points of one dimension at one reflection, an independent set per pixel. The set-up is cached for consecutive
+/// paths of a pixel.
 class PathSamples {
  public:
   enum Dimension : std::uint32_t { filmPosition, reflectedDirection, reflectedLobe, survival, firstLight };

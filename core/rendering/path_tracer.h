@@ -8,26 +8,25 @@
 
 namespace gonio {
 
-/// The renderer: the integral over light paths (Veach 1997, section 8.2; Tongbuasirilai 2023, section 2.1) by random
-/// walks from the eye, with only the effects of a plan. At each surface one direction is sampled from each light and
-/// one from the material; where both find the same light, the power heuristic weights them. From the fourth reflection
-/// on, paths that carry little end by Russian roulette. No sample is clamped. Immutable: a picture's sums are in its
-/// Film.
+/// A path tracer (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 8.2) that simulates
+/// only the effects of a plan. At each surface it samples one direction per light and one from the material; for lights
+/// that both can find, the power heuristic weights the samples. From the fourth reflection on, paths of low throughput
+/// end by Russian roulette. Samples are not clamped. Immutable: the sums of a picture are in its Film.
 class PathTracer {
  public:
-  /// Light is sampled from both sides by default; from one alone to show what each costs.
+  /// Sampling of lights, materials or both (default). The others exist to compare costs.
   enum class Strategy { both, lights, materials };
 
-  /// @param materials of bindMaterials(), of which the plan was made.
+  /// @param materials of bindMaterials(), as for the plan.
   PathTracer(Scene scene, std::vector<std::shared_ptr<const RenderMaterial>> materials, EffectPlan plan,
              std::uint64_t seed = 1, Strategy strategy = Strategy::both);
 
   const Scene& scene() const { return scene_; }
   const EffectPlan& plan() const { return plan_; }
 
-  /// Adds `samples` more to each pixel. The same bits for any number of threads, and for the same count in one part or
-  /// several. Powers of two are best stratified.
-  /// @throws Cancelled; the film is then as it was.
+  /// Adds `samples` samples to each pixel. Results are bitwise equal for any number of threads and any division of the
+  /// same number of samples into calls. Powers of two are stratified best. @throws Cancelled; the film is then
+  /// unchanged.
   void accumulate(Film& film, int samples, const TaskControl& control = {}) const;
 
  private:
@@ -42,12 +41,12 @@ class PathTracer {
   std::uint64_t seed_;
   Strategy strategy_;
   CameraFrame camera_;
-  std::vector<const Brdf*> brdfs_;   ///< of the materials, each once
-  std::vector<std::size_t> brdfOf_;  ///< [object]: among brdfs_
-  /// [object]: what a direction sampled from its material may meet that counts.
+  std::vector<const Brdf*> brdfs_;   ///< of the materials, without duplicates
+  std::vector<std::size_t> brdfOf_;  ///< [object]: index into brdfs_
+  /// [object]: objects that a direction sampled from its material may hit, as far as the plan simulates them.
   std::vector<std::vector<std::size_t>> candidates_;
   std::vector<bool> sendsRays_;    ///< [object]: whether any ray leaves it
-  std::vector<bool> findsLights_;  ///< [object]: whether directions sampled from its material can find a light
+  std::vector<bool> findsLights_;  ///< [object]: whether directions sampled from its material can hit a light
 };
 
 }  // namespace gonio

@@ -9,20 +9,20 @@
 
 namespace gonio {
 
-/// How much of a light of radiance 1 a material can send on to one viewer, when that light fills a fraction F of the
-/// cosine-weighted hemisphere and lies where the material reflects most:
-///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of  integral over W of f cos dw.
-/// A(1) is the largest directional albedo; of a mirror A rises to it at once, of a Lambertian surface A(F) = albedo F.
-/// In the channel that reflects most. Estimated from directions sampled from the material's own density, for viewers
-/// from 0 to 89 degrees (of an anisotropic material at four azimuths): within some percent, no strict bound.
+/// Upper bound A(F) of the radiance that a material reflects to a viewer from a light of radiance 1 that covers a
+/// fraction F of the cosine-weighted hemisphere, at the position where the material reflects most:
+///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of integral over W of f cos dw.
+/// A(1) is the largest directional albedo; for a mirror A is A(1) for all F > 0, for a Lambertian surface A(F) = albedo
+/// F. Uses the channel that reflects most. Estimated from samples of the material's density for viewers from 0 to 89
+/// degrees (anisotropic materials: at four azimuths), so accurate to some percent, not a strict bound.
 class ReflectionBound {
  public:
   using Sampler = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
   ReflectionBound(const Brdf& brdf, const Sampler& sampler);
-  /// Of a Lambertian surface, exact: A(F) = albedo F.
+  /// The exact bound of a Lambertian surface, A(F) = albedo F.
   static ReflectionBound ofDiffuse(double albedo);
 
-  /// @param fraction F in [0, 1]. Never falls with it; 0 at 0.
+  /// A(F), non-decreasing, 0 for F = 0. @param fraction F in [0, 1].
   double at(double fraction) const;
   double largestAlbedo() const { return at(1); }
   bool isBlack() const { return !(largestAlbedo() > 0); }
@@ -31,9 +31,9 @@ class ReflectionBound {
   ReflectionBound() = default;
   void include(const Brdf& brdf, const Sampler& sampler, const Direction& wo);
 
-  static constexpr std::size_t steps = 64;  ///< of the square root of the fraction: fine where mirrors rise
+  static constexpr std::size_t steps = 64;  ///< uniform in the square root of the fraction, to resolve small F
   std::array<double, steps + 1> bound_{};
-  double peak_ = 0;  ///< the largest value that was drawn, 1/sr: A(F) is at most pi F times it
+  double peak_ = 0;  ///< largest sampled BRDF value, 1/sr: A(F) <= pi F peak
 };
 
 }  // namespace gonio

@@ -11,23 +11,22 @@
 
 namespace gonio {
 
-/// A material as rendering needs it: its BRDF, a density to sample directions from, and what the effect plan asks of
-/// it. Immutable.
+/// A material for rendering: its BRDF, a density for importance sampling, and the bound for the effect plan. Immutable.
 class RenderMaterial {
  public:
-  /// Whether a lobe that is given also takes the place of a density of the BRDF's own.
+  /// Whether a given lobe also replaces the BRDF's own importance sampling.
   enum class LobeUse { whereNeeded, always };
 
-  /// Models, factors and RGL files have densities of their own, used where they have less noise at equal time than a
-  /// TabulatedLobe, which serves all others (tables, codes, edits); in its place the lobe that is given. Some ms; up to
-  /// 50 ms for a sparse code, some 0.1 s for what is anisotropic.
+  /// The density is `lobe` if given and the BRDF has no importance sampling of its own (or LobeUse::always). Otherwise
+  /// it is the BRDF's own (models, factors, RGL files), a TabulatedLobe or its closed-form lobe, whichever gives the
+  /// least noise at equal time. Takes some ms; up to 50 ms for a sparse code, some 0.1 s for anisotropic materials.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
-  /// The same with its tabulated lobe, which is known.
+  /// The same with an existing tabulated lobe.
   RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe);
 
   const Brdf& brdf() const { return *brdf_; }
-  /// Contracts of Brdf::sample() and pdf().
+  /// As Brdf::sample() and pdf().
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     const auto& [lobe, tabulated] = density_;
     return lobe ? lobe->sample(wo, u) : tabulated ? tabulatedMixture(*tabulated).sample(wo, u) : brdf_->sample(wo, u);
@@ -43,7 +42,7 @@ class RenderMaterial {
   RenderMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
       : brdf_(std::move(brdf)), bound_(bound) {}
 
-  /// One of the two, or nothing: the BRDF's own.
+  /// At most one of the two; none: the BRDF's own density.
   struct Density {
     std::optional<SamplingLobe> lobe = {};
     std::shared_ptr<const TabulatedLobe> tabulated = {};
@@ -56,19 +55,18 @@ class RenderMaterial {
   ReflectionBound bound_;
 };
 
-/// A Lambertian material; `reflectance` in linear RGB. Nothing is estimated.
+/// A Lambertian material with an exact bound. @param reflectance albedo, linear RGB.
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance);
 
 using RenderMaterials = std::vector<std::shared_ptr<const RenderMaterial>>;
 
-/// The materials of a scene's slots: slot 0 has `first`, slot i has others[i - 1], or `first` again where there is
-/// none.
+/// The materials of a scene's slots: `first` in slot 0, others[i - 1] in slot i, or `first` if there is none.
 RenderMaterials materialsInSlots(const Scene& scene, const std::shared_ptr<const RenderMaterial>& first,
                                  const RenderMaterials& others = {});
 
-/// What each object of a scene is made of, in their order; null for what emits.
-/// @param slotMaterials of the scene's slots, by their number.
-/// @throws Error when the scene has more slots than are given.
+/// The material of each object of a scene, in their order; null for emitting objects.
+/// @param slotMaterials of the scene's slots, by number.
+/// @throws Error if the scene has more slots than materials.
 std::vector<std::shared_ptr<const RenderMaterial>> bindMaterials(
     const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> slotMaterials);
 

@@ -8,26 +8,27 @@ namespace gonio {
 
 struct RenderOptions {
   int width = 256, height = 256;
-  int samples = 64;  ///< of each pixel
+  int samples = 64;  ///< per pixel
   std::uint64_t seed = 1;
-  /// Density for samples of the BRDF; its own, or estimated from it, when absent. Give the same lobe to pictures that
-  /// are compared: with equal seeds they then share their noise.
+  /// Density for importance sampling; empty: RenderMaterial chooses one. For comparisons use the same lobe and seed for
+  /// all pictures, so that they share their noise.
   std::optional<SamplingLobe> lobe;
 };
 
-/// The material of a picture with these options.
+/// The render material for a BRDF with these options.
 std::shared_ptr<const RenderMaterial> pictureMaterial(const Brdf& brdf, const RenderOptions& options);
 
-/// A picture of a scene whose objects all have the one material, by the effects that the scene calls for and frames
-/// along the surfaces: linear RGB radiance, the same bits for any number of threads. `brdf` is not kept.
+/// Renders a scene in which all slots have the same material, with the effects of planEffects() and tangent frames:
+/// linear RGB radiance, bitwise equal for any number of threads. `brdf` is only used during the call.
 /// @throws Cancelled.
 Image renderPicture(const Brdf& brdf, const Scene& scene, const RenderOptions& options,
                     const TaskControl& control = {});
-/// The same of pictureMaterial(), for several pictures of one material.
+/// The same with pictureMaterial(), for several pictures of one material.
 Image renderPicture(const std::shared_ptr<const RenderMaterial>& material, const Scene& scene,
                     const RenderOptions& options, const TaskControl& control = {});
 
-/// The scene of every rendered SNR in Gonio, named "sphere-studio": the sphere with the default camera in the studio.
+/// The scene of all rendered SNRs in Gonio, "sphere-studio": a sphere in the studio environment with the default
+/// camera.
 Scene comparisonScene();
 inline constexpr const char* comparisonSceneName = "sphere-studio";
 

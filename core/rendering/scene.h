@@ -11,8 +11,8 @@
 
 namespace gonio {
 
-/// What an object is made of: the material in one of the scene's slots, which the user fills, or a Lambertian surface
-/// of some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
+/// The material of an object: one of the scene's slots, to which the user assigns materials, or a Lambertian surface
+/// (linear RGB reflectance, 0 to 1), for grounds and backdrops.
 struct MaterialSlot {
   int number = 0;
 };
@@ -21,8 +21,8 @@ struct Diffuse {
 };
 using SceneMaterial = std::variant<MaterialSlot, Diffuse>;
 
-/// One thing in a scene. A rectangle may emit: then it sends `radiance` (linear RGB) from its front, equal in all
-/// directions, and reflects nothing.
+/// An object of a scene. A rectangle may emit: then it has `radiance` (linear RGB) on its front, equal in all
+/// directions, and does not reflect.
 struct SceneObject {
   std::string name;
   Shape shape;
@@ -32,10 +32,10 @@ struct SceneObject {
   bool emits() const { return maxChannel(radiance) > 0; }
 };
 
-/// Radiance that arrives from one direction.
+/// Light from one direction.
 struct DirectionalLight {
   Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};  ///< world, unit
-  Rgb irradiance{pi};                                                             ///< perpendicular to the direction
+  Rgb irradiance{pi};  ///< linear RGB, perpendicular to the direction
 };
 
 /// Light from one point: radiant intensity, linear RGB per sr.
@@ -44,25 +44,25 @@ struct PointLight {
   Rgb intensity{10};
 };
 
-/// What a picture shows, in world coordinates (y up). Plain values: two scenes may share meshes and environments.
+/// A scene in world coordinates (y up). Copies share meshes and environments.
 struct Scene {
   std::string name, description;
-  std::string source;  ///< what openScene() took: the name of a bundled one, or a path; empty for others
+  std::string source;  ///< the argument of openScene(): the name of a bundled scene, or a path; empty for others
   OrbitCamera camera;
   std::vector<SceneObject> objects;
   std::vector<DirectionalLight> directionalLights;
   std::vector<PointLight> pointLights;
   std::shared_ptr<const EnvironmentMap> environment;
   double environmentRotation = 0;  ///< rad, see EnvironmentRotation
-  bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
-  bool blurBackground = false;     ///< out of focus, see blurredEnvironment()
+  bool showEnvironment = false;    ///< whether the environment is visible behind the objects; false: black, alpha 0
+  bool blurBackground = false;     ///< whether the visible environment is out of focus, see blurredEnvironment()
 };
 
-/// One more than the highest number of a slot: how many materials the scene asks for.
+/// The number of materials that the scene needs: the highest slot number plus 1.
 int materialSlotCount(const Scene& scene);
 
-/// The unit sphere at the origin in an environment, or, where that is null, in the default directional light: what
-/// previews and thumbnails show.
+/// The scene of previews and thumbnails: the unit sphere at the origin in an environment, or in the default directional
+/// light if it is null.
 Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment = nullptr, const OrbitCamera& camera = {});
 
 }  // namespace gonio

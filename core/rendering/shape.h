@@ -11,13 +11,13 @@
 
 namespace gonio {
 
-/// A ball; its outside is the surface.
+/// A sphere; only its outside reflects.
 struct Sphere {
   Direction centre{0};
   double radius = 1;
 };
 
-/// A flat rectangle, seen from its front alone: the side that halfU x halfV points to. The half sides are
+/// A rectangle that reflects or emits only on its front, the side of halfU x halfV. The half sides must be
 /// perpendicular.
 struct Rectangle {
   Direction centre{0};
@@ -29,40 +29,41 @@ struct Rectangle {
   Direction at(double u, double v) const { return centre + u * halfU + v * halfV; }
 };
 
-/// A mesh with what its rays need.
+/// A mesh with its ray intersector.
 using MeshShape = std::shared_ptr<const MeshIntersector>;
 
-/// The form of one object, in world coordinates (y up). All block light from both sides.
+/// The shape of an object, in world coordinates (y up). All shapes block light from both sides.
 using Shape = std::variant<Sphere, Rectangle, MeshShape>;
 
-/// Where a ray meets a shape. Normals are unit vectors in the world, away from the surface.
+/// An intersection of a ray and a shape. Normals are unit vectors in world coordinates, outward.
 struct ShapeHit {
   double distance;
   Direction position, geometricNormal, shadingNormal;
 };
 
-/// The nearest meeting with t in (tMin, tMax): distance alone, for most shapes that a ray passes are not the nearest.
-/// Infinity where there is none.
+/// The distance of the nearest hit with t in (tMin, tMax); infinity if there is none. Faster than nearestHit(), to find
+/// the nearest of several shapes.
 double nearestDistance(const Shape& shape, const Ray& ray, double tMin, double tMax);
 /// The hit at a distance that nearestDistance() found from tMin = 0.
 ShapeHit shapeHit(const Shape& shape, const Ray& ray, double distance);
-/// The nearest hit at t > 0, where there is one.
+/// The nearest hit at t > 0, if any.
 std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray);
-/// Where rays start that leave the surface on the side of the geometric normal: off it by more than rounding, so that
-/// they do not meet it again where it is convex.
+/// The origin of rays that leave the surface on the side of the geometric normal, offset by more than rounding errors
+/// so that they do not hit a convex surface again.
 Direction leavingPoint(const Shape& shape, const ShapeHit& hit);
-/// Whether the shape is met at a t in (tMin, tMax).
+/// Whether the ray hits the shape at a t in (tMin, tMax).
 bool blocks(const Shape& shape, const Ray& ray, double tMin, double tMax);
 
-/// Support function: the largest `direction` . x over the shape's points x. O(1); of a mesh O(vertices).
+/// Support function: the largest `direction` . x over the points x of the shape. O(1); O(vertices) for a mesh.
 double support(const Shape& shape, const Direction& direction);
-/// The point that attains it.
+/// The point at which the support function attains its maximum.
 Direction supportPoint(const Shape& shape, const Direction& direction);
-/// A sphere about the whole shape.
+/// A sphere that contains the whole shape.
 Sphere boundingSphere(const Shape& shape);
-/// Whether no ray that leaves the surface, on the side of the normal, meets the shape again.
+/// Whether no ray that leaves the surface on the side of the normal can hit the shape again.
 bool isConvex(const Shape& shape);
-/// Whether the point certainly lies inside the shape, so that its outside turns away from it everywhere.
+/// Whether the point is certainly inside the shape, so that the outside of the shape faces away from it everywhere.
+/// Conservative.
 bool encloses(const Shape& shape, const Direction& point);
 
 }  // namespace gonio

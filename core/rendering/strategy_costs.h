@@ -6,13 +6,13 @@
 
 namespace gonio {
 
-/// What a sampling strategy reaches in which time, against a converged reference.
+/// Time and error of a sampling strategy against a converged reference.
 struct StrategyCost {
   PathTracer::Strategy strategy;
-  double seconds = 0;         ///< of the picture
-  double error = 0;           ///< RMS of its difference from the reference, over the RMS of the reference
-  double equalTimeError = 0;  ///< the error in the time that `both` takes: error sqrt(seconds / its seconds)
-  double equalErrorTime = 0;  ///< seconds to the error that `both` has: seconds (error / its error)^2
+  double seconds = 0;         ///< rendering time of the picture
+  double error = 0;           ///< RMS difference from the reference, relative to the RMS of the reference
+  double equalTimeError = 0;  ///< estimated error in the time of `both`: error sqrt(seconds / seconds of `both`)
+  double equalErrorTime = 0;  ///< estimated time to the error of `both`: seconds (error / error of `both`)^2
 };
 
 struct StrategyCostOptions {
@@ -20,13 +20,12 @@ struct StrategyCostOptions {
   int referenceSamples = 1024;
 };
 
-/// "both", "lights", "materials".
+/// The id: "both", "lights" or "materials".
 const char* strategyId(PathTracer::Strategy strategy);
 
-/// Renders the scene by each strategy and the reference by `both`, with another seed. The error of independent samples
-/// falls with the root of their number, which the figures at equal time and equal error rest on. One reference and
-/// three pictures.
-/// @param materials of bindMaterials(), of which the plan was made.
+/// Renders the scene with each strategy, and the reference with `both` and another seed: four pictures. The values at
+/// equal time and equal error assume that the error decreases with the square root of the number of samples.
+/// @param materials of bindMaterials(), as for the plan.
 /// @throws Cancelled.
 std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
                                                const std::vector<std::shared_ptr<const RenderMaterial>>& materials,

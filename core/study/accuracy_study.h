@@ -12,7 +12,7 @@
 
 namespace gonio::study {
 
-/// A representation as it was measured, with what was measured.
+/// A measured representation.
 struct StudiedRepresentation {
   StudyRecord record;
   std::shared_ptr<const Brdf> brdf;
@@ -23,25 +23,25 @@ struct StudiedRepresentation {
 
 struct StudyOptions {
   BuildOptions build;
-  /// Of the pictures and of the frames that are timed; the lobe is the reference's.
+  /// Options of the pictures and of the timed frames. `lobe` is replaced by the reference's.
   RenderOptions picture = smallComparisonPicture();
-  /// Of the pictures instead of comparisonScene(): the rendered SNRs are then those of this scene.
+  /// Scene of the pictures instead of comparisonScene(); then the rendered SNRs are those of this scene.
   std::optional<Scene> scene = {};
-  /// Whether the times of an evaluation and of a frame are measured; without them one frame is rendered.
+  /// Whether to measure the times of an evaluation and a frame; false: one frame is rendered without timing.
   bool timed = true;
-  /// Called after each representation, in their order, on the calling thread.
+  /// Called after each representation, in order, on the calling thread.
   std::function<void(const StudiedRepresentation&)> measured = {};
-  /// Called before them with the picture of the reference.
+  /// Called first, with the picture of the reference.
   std::function<void(const Image&)> referenceRendered = {};
 };
 
-/// Makes representations of one material and measures each: errors by every metric, rendered SNR, bytes, and times of
-/// this machine now (of encoding, of an evaluation, of a frame: the median of three, of fewer where they take more than
-/// a second). Errors leave out the angles that `build.fit` leaves out. Deterministic but for the times. About two
-/// seconds a representation on two cores.
-/// @return a record a representation, in their order. A stop request returns the records that are done; it never
+/// Builds representations of one material and measures each: errors by every metric, rendered SNR, bytes, and the
+/// current times on this machine of encoding, an evaluation and a frame (median of three, or fewer if they take more
+/// than a second). Errors exclude angles beyond build.fit.maxPolarAngle. Deterministic except for times. About two
+/// seconds per representation on two cores.
+/// @return one record per representation, in order. A stop request returns the completed records; runStudy() never
 /// throws Cancelled.
-/// @throws Error as RepresentationBuilder::build.
+/// @throws Error as RepresentationBuilder::build().
 std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const Representation> representations,
                                   const StudyOptions& options = {}, const TaskControl& control = {});
 

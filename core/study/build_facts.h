@@ -4,7 +4,7 @@
 
 namespace gonio::study {
 
-// Of this build, from CMake (build_facts.cpp.in).
+// Version, compiler and flags of this build, from CMake (build_facts.cpp.in).
 extern const char* const buildVersion;
 extern const char* const buildCompiler;
 extern const char* const buildFlags;

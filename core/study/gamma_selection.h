@@ -13,17 +13,17 @@ namespace gonio::study {
 struct GammaTrial {
   double gamma;
   fitting::FitResult fit;
-  double renderedSnr;  ///< dB in comparisonScene()
+  double renderedSnr;  ///< in comparisonScene(), dB
 };
 
-/// The two stages of Bieron and Peers 2020: a fit by the gamma metric for each of several gammas (1 to 3 in steps of a
-/// quarter), of which the one whose picture matches best is taken; here the one of the highest rendered SNR, the first
-/// among equals. Nine fits of the model, and pictures.
-/// @param options all but the metric and its gamma.
-/// @param base what is fitted, as fitting::fit() takes it.
-/// @param reference what the pictures are compared with: the base, or the material that it samples.
-/// @return the best first, the others in the order of their gammas. A stop request leaves the trials that are done;
-/// none are left when it came before the first. It never throws Cancelled.
+/// The two-stage fit of Bieron and Peers 2020: fits the model by the gamma metric for several gammas (1 to 3 in steps
+/// of 1/4) and selects the one with the best picture; here the highest rendered SNR, the first among equals. Nine fits
+/// and pictures.
+/// @param options metric and gamma are ignored.
+/// @param base BRDF to fit, as for fitting::fit().
+/// @param reference BRDF of the reference picture: the base, or the material that it samples.
+/// @return the best trial first, the others in the order of gamma. A stop request returns the completed trials,
+/// possibly none; selectGamma() never throws Cancelled.
 std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, const models::Model& model,
                                     const fitting::FitOptions& options = {},
                                     const RenderOptions& picture = smallComparisonPicture(),

@@ -11,27 +11,27 @@
 
 namespace gonio::study {
 
-/// What something costs and what it is worth: a smaller cost and a smaller error are better.
+/// Cost and error of an alternative; smaller is better for both.
 struct Trade {
   double cost = 0;
-  double error = 0;  ///< of a quality in decibels its negative; -infinity is no error
+  double error = 0;  ///< for a quality in dB its negative; -infinity: no error
 };
 
-/// Those that no other beats: none costs at most as much with at most the error and is better in one of both. Equals
-/// stand together. What has no number (NaN) in either is left out.
-/// @return indices, cheapest first; in their order among equals. O(n log n).
+/// The Pareto front: alternatives for which no other has at most the same cost and error and is better in one of them.
+/// Equal ones are all included; NaN in either is excluded. @return indices by increasing cost, in their order among
+/// equals. O(n log n).
 std::vector<std::size_t> paretoFront(std::span<const Trade> trades);
 
-/// Limits that a representation has to keep; those that are absent are none.
+/// Limits for a representation; empty: no limit.
 struct Budget {
-  std::optional<double> frameMilliseconds;  ///< at most
-  std::optional<double> renderedSnr;        ///< at least, dB
-  std::optional<double> bytes;              ///< at most
+  std::optional<double> frameMilliseconds;  ///< maximum
+  std::optional<double> renderedSnr;        ///< minimum, dB
+  std::optional<double> bytes;              ///< maximum
 };
 
-/// The record that keeps all limits and has the highest rendered SNR; among equals the one with the shorter frame, then
-/// with fewer bytes, then the first. A record whose SNR is not a number (a black material) keeps no limit of it and
-/// is taken only where nothing else is left. Nothing where no record keeps all limits.
+/// The record within all limits that has the highest rendered SNR; among equals the one with the shortest frame time,
+/// then with the fewest bytes, then the first. A NaN SNR (black material) fails every limit of the SNR and ranks last.
+/// Empty if no record meets all limits.
 std::optional<std::size_t> bestWithin(std::span<const StudyRecord> records, const Budget& budget);
 
 }  // namespace gonio::study

@@ -8,17 +8,17 @@
 namespace gonio::study {
 
 struct PictureEncoding {
-  dictionary::Encoded encoded;  ///< a candidate for each transform: its best code
-  double renderedSnr = 0;       ///< dB in comparisonScene()
+  dictionary::Encoded encoded;  ///< with one candidate per transform: its best code
+  double renderedSnr = 0;       ///< in comparisonScene(), dB
 };
 
-/// As few coefficients as give pictures an SNR: 8, doubled until they are enough in one of the transforms, then between
-/// the last two counts until they are 3 % apart; of the transforms that reach it the one that needs fewer. Some 20
-/// encodings and pictures, about a minute on two cores. Where `options.coefficients` are not enough, the code with the
-/// highest SNR that was found.
-/// @param renderedSnr dB of the decoded table against the table in comparisonScene().
-/// @param picture that by which every other comparison measures: an SNR is higher in smaller pictures.
-/// @throws Error as Encoder::encode; Cancelled.
+/// Encodes with the smallest number of coefficients that reaches a rendered SNR: starts with 8, doubles until one of
+/// the transforms reaches it, then bisects the last interval to within 3 %; selects the transform that needs fewer. If
+/// `options.coefficients` are not sufficient, returns the code with the highest SNR found. Some 20 encodings and
+/// pictures, about a minute on two cores.
+/// @param renderedSnr to reach: decoded table against the table in comparisonScene(), dB.
+/// @param picture options of the pictures; use those of other comparisons, because smaller pictures give a higher SNR.
+/// @throws Error as Encoder::encode(); Cancelled.
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control = {},
                                   const RenderOptions& picture = {});

@@ -17,42 +17,43 @@
 
 namespace gonio::study {
 
-/// What representations are of: a table, and the reflectance that pictures are compared with: the table itself, or the
-/// material that it samples.
+/// The material of a study: a table, and the BRDF of the reference picture (the table itself, or the material that it
+/// samples).
 struct StudySubject {
   std::shared_ptr<const TabulatedBrdf> table;
   std::shared_ptr<const Brdf> reference;
 };
 
-/// What representations are made by.
+/// Options for building representations.
 struct BuildOptions {
   fitting::FitOptions fit;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
-  std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< of some training set; null: none
+  std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
 };
 
 struct BuiltRepresentation {
-  std::shared_ptr<const Brdf> brdf;  ///< evaluated as it is kept: factors and codes without a table
-  /// The same values at the nodes of the subject's table, where a table of them is at hand; else null.
+  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its own form, e.g. factors and codes without a table
+  /// Its values at the nodes of the subject's table, if available as a table; else null.
   std::shared_ptr<const TabulatedBrdf> nodes;
   std::size_t bytes = 0;     ///< see StudyRecord
   double encodeSeconds = 0;  ///< see StudyRecord
-  /// Its values at the nodes of the subject's table, computed when they are asked for (a code is decoded in under 50
-  /// ms, other things are sampled). From any thread, also when the builder is gone. @throws Cancelled.
+  /// Computes its values at the nodes of the subject's table (decodes a code in under 50 ms, samples others). Callable
+  /// from any thread, also after the builder was destroyed. @throws Cancelled.
   std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated = {};
-  std::optional<fitting::FitResult> fit = {};  ///< of a fit
+  std::optional<fitting::FitResult> fit = {};  ///< for a fit
 };
 
-/// Makes representations of one material. What several budgets share is computed once: factors are nested; fits share
-/// their data. Codes are not nested (the dictionary that is best depends on the count): each is encoded by itself.
+/// Builds representations of one material. Common work is done once: factors with fewer terms are prefixes of one
+/// factorisation; fits share their data. Each code is encoded separately, because the best dictionary depends on the
+/// number of coefficients.
 class RepresentationBuilder {
  public:
-  /// @param planned all that will be asked for.
+  /// @param planned all representations that will be built.
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
-  /// Deterministic but for the times. Fits and factors about a second, codes two, non-parametric factors some seconds.
-  /// @throws Error for a representation that was not planned, more components than there are, or a grid that is not
-  /// theirs; Cancelled.
+  /// Deterministic except for times. Fits and factors take about a second, codes two, non-parametric factors some
+  /// seconds. @throws Error for a representation that was not planned, more components than the basis has, or a table
+  /// with another grid than the basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
@@ -66,8 +67,8 @@ class RepresentationBuilder {
 
   StudySubject subject_;
   BuildOptions options_;
-  std::map<std::string, int> maxTerms_;  ///< of each form, by the id
-  std::shared_ptr<const Brdf> fitBase_;  ///< of the data below
+  std::map<std::string, int> maxTerms_;  ///< per form, by the id
+  std::shared_ptr<const Brdf> fitBase_;  ///< base of fitData_
   std::optional<fitting::FitData> fitData_;
   std::map<std::string, factorization::PdvFactorization> factorizations_;
   std::shared_ptr<const TabulatedBrdf> codedTable_;  ///< the table on the dictionary's grid

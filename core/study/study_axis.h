@@ -12,39 +12,39 @@
 
 namespace gonio::study {
 
-/// What the vertical axis of a study is: the error by a metric, or with none the rendered SNR.
+/// The vertical axis of a study: the error of a metric, or the rendered SNR if empty.
 using Quality = std::optional<metrics::BrdfMetric>;
 
-/// The error, or the rendered SNR, dB.
+/// The error, or the rendered SNR in dB.
 double qualityOf(const StudyRecord& record, Quality quality);
-/// "rendered SNR [dB]", "error log"; of a cost "evaluation [ns]".
+/// Titles of axes, e.g. "rendered SNR [dB]", "error log"; for a cost e.g. "evaluation [ns]".
 std::string axisTitle(Quality quality);
 std::string axisTitle(Cost cost);
 
-/// For paretoFront().
+/// Costs and errors for paretoFront().
 std::vector<Trade> tradesOf(std::span<const StudyRecord> records, Cost cost, Quality quality);
 
-/// An axis with an end for what no scale holds: no cost and no error at all (0 on a logarithmic axis) at its low end,
-/// an SNR without end at its high one. Costs and errors are logarithmic, decibels are not.
+/// An axis with additional positions at the ends for values that the scale cannot represent: 0 on a logarithmic axis at
+/// the low end, an infinite SNR at the high end. Costs and errors are logarithmic, decibels linear.
 struct StudyAxis {
   plots::ValueScale scale;
   bool zeroEnd = false, infiniteEnd = false;
 
-  /// Fraction of the axis's length, in [0, 1]; nothing for what is not a number.
+  /// Position as a fraction of the axis, [0, 1]; empty for NaN.
   std::optional<double> position(double value) const;
 
   struct Tick {
     double position;
-    std::string text;  ///< "10k" for 10,000; "0" and "∞" at the ends
+    std::string text;  ///< e.g. "10k" for 10,000; "0" and "∞" at the ends
   };
   std::vector<Tick> ticks() const;
 };
 
-/// That shows all values.
+/// Axes that show all values.
 StudyAxis costAxis(std::span<const StudyRecord> records, Cost cost);
 StudyAxis qualityAxis(std::span<const StudyRecord> records, Quality quality);
 
-/// Three significant digits with the prefix of a thousand: "1.2k", "35M"; "∞".
+/// Three significant digits with an SI prefix: "1.2k", "35M"; "∞".
 std::string shortNumber(double value);
 
 }  // namespace gonio::study

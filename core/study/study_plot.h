@@ -9,28 +9,28 @@
 
 namespace gonio::study {
 
-/// How representations are drawn wherever they are points: by the family's colour and shape, hollow for the simpler of
-/// two variants (the nearest cell, two curves).
+/// Style of the points of representations in all plots: colour and shape of the family, hollow for the simpler of two
+/// variants (nearest cell, two curves).
 struct SeriesLook {
   plots::Marker marker;
   std::string_view colour;
   bool hollow;
-  std::string name;  ///< of the series in a legend
+  std::string name;  ///< in a legend
 };
 SeriesLook lookOf(const Representation& representation);
 
-/// What a plot shows over what.
+/// The axes of a plot.
 struct StudyAxes {
   Cost cost = Cost::evaluation;
   Quality quality = {};
 };
-/// The rendered SNR over each cost.
+/// Axes for the rendered SNR over each cost.
 std::vector<StudyAxes> allCostAxes();
 
-/// Panels side by side, two in a row, as an SVG file: a point a record, budgets of one representation joined by a thin
-/// line, the Pareto front as a thick one with the names of its points, one legend for all. Records without a number
-/// on an axis are left out.
-/// @param notes lines under the plot: machine, build, date.
+/// An SVG file with panels, two per row, and one legend: a point per record, a thin line that joins the budgets of a
+/// representation, and the Pareto front as a thick line with the names of its points. Records with NaN on an axis are
+/// omitted.
+/// @param notes lines below the plot, e.g. machine, build, date.
 std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyAxes> panels,
                      const std::vector<std::string>& notes);
 

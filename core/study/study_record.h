@@ -10,26 +10,26 @@
 
 namespace gonio::study {
 
-/// What a representation of a material costs and how far it is off: measured, here and then. A value.
+/// Measured cost and accuracy of a representation of a material.
 struct StudyRecord {
   Representation representation;
-  std::size_t bytes = 0;         ///< of its file; of a table its values and mask in memory; of a fit its numbers as
-                                 ///< float32. What all materials share (a dictionary, components) is not counted
-  double encodeSeconds = 0;      ///< from the table to the representation; 0 for the table itself
-  EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
-  double frameMilliseconds = 0;  ///< of a frame of comparisonScene() by the path tracer, all threads: the median
-  std::vector<double> errors;    ///< against the table at its nodes, in the order of metrics::allBrdfMetrics()
-  double renderedSnr = 0;        ///< dB in comparisonScene(); +infinity for equal pictures, NaN for a black reference
+  std::size_t bytes = 0;      ///< size of its file; for a table of its values and mask in memory; for a fit of its
+                              ///< parameters as float32. Excludes data shared by all materials (dictionary, components)
+  double encodeSeconds = 0;   ///< time to build the representation from the table; 0 for the table itself
+  EvaluationTime evaluation;  ///< ns per pair on one thread, in batches
+  double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads
+  std::vector<double> errors;    ///< against the table, at its nodes, in the order of metrics::allBrdfMetrics()
+  double renderedSnr = 0;        ///< in comparisonScene(), dB; +infinity for equal pictures, NaN for a black reference
 };
 
-/// What the horizontal axis of a study is.
+/// The horizontal axis of a study.
 enum class Cost { evaluation, frame, bytes, encoding };
 inline constexpr Cost allCosts[] = {Cost::evaluation, Cost::frame, Cost::bytes, Cost::encoding};
 
 double costOf(const StudyRecord& record, Cost cost);
-/// For people: "evaluation", "frame", "size", "encoding".
+/// The name for display: "evaluation", "frame", "size", "encoding".
 std::string_view costName(Cost cost);
-/// "ns", "ms", "B", "s".
+/// The unit of costOf(): "ns", "ms", "B" or "s".
 std::string_view costUnit(Cost cost);
 
 }  // namespace gonio::study

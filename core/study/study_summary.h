@@ -10,13 +10,14 @@ namespace gonio::study {
 
 /// One representation at one budget over several materials.
 struct StudySummary {
-  StudyRecord median;  ///< every number is the median over the materials; those that are not numbers are left out
-  std::size_t materials = 0;        ///< that were measured with it
-  double leastSnr = 0, maxSnr = 0;  ///< dB, over the materials; NaN where none has a number
-  std::size_t worst = 0;            ///< the first material of the least SNR
+  StudyRecord median;               ///< medians over the materials, without NaN
+  std::size_t materials = 0;        ///< number of materials with this representation
+  double leastSnr = 0, maxSnr = 0;  ///< over the materials, dB; NaN if all are NaN
+  std::size_t worst = 0;            ///< the first material with the minimum SNR
 };
 
-/// In the order in which the representations first appear. `worst` is an index into `materials`.
+/// Summarises records of several materials, in the order in which representations first appear. `worst` is an index
+/// into `materials`.
 std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> materials);
 
 }  // namespace gonio::study

@@ -7,15 +7,15 @@
 
 namespace gonio {
 
-/// The one exception base for bad user data. The text names the file (where there is one), what was found, what was
-/// expected, and a hint. Caught once, at the edge: a dialog of the editor, the exit code of the command line.
-/// Programmer errors are `assert`s instead.
+/// The base class of exceptions for invalid user data. The message states the file (if any), what was found, what was
+/// expected, and a hint. It is caught in one place: the editor shows a dialog, the command line returns an exit code.
+/// Programming errors are `assert`s.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown by work that was stopped through its TaskControl and has no partial result to return.
+/// Thrown by work that was stopped through its TaskControl and returns no partial result.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}

@@ -9,27 +9,27 @@
 
 namespace gonio {
 
-/// What a JSON value is, short enough for an error text: 'the text "ggx"', 'the number 3', 'an object'.
+/// A short description of a JSON value for error messages: 'the text "ggx"', 'the number 3', 'an object'.
 std::string describeJson(const nlohmann::json& value);
 
-/// Takes members out of a JSON object. Every error names the member, what was found and what was expected:
-/// "edits[0].strength: found the text "x", expected a number from 0 to 1". Members that nobody asks for are left alone
-/// unless expectOnly() is called.
+/// Reads members of a JSON object. Every error states the member, what was found and what was expected:
+/// "edits[0].strength: found the text "x", expected a number from 0 to 1". Other members are ignored unless
+/// expectOnly() is called.
 class JsonObject {
  public:
-  /// @param where the object's own place, for the errors; "" at the root. `value` must live on.
-  /// @throws Error when it is no object.
+  /// @param value must outlive this object. @param where the object's path in its document, for errors; "" at the root.
+  /// @throws Error if `value` is not an object.
   JsonObject(const nlohmann::json& value, std::string where);
 
-  /// The place of a member: "edits[0].strength".
+  /// The path of a member, e.g. "edits[0].strength".
   std::string place(std::string_view key) const;
   bool contains(std::string_view key) const { return value_.contains(key); }
 
-  /// @throws Error naming a member that is not among `known`, for files that people write by hand: a misspelt member
-  /// would go unnoticed.
+  /// Checks for unknown members, to find misspelt ones in files that are written by hand. @throws Error that names a
+  /// member which is not in `known`.
   void expectOnly(std::initializer_list<std::string_view> known) const;
 
-  // All throw Error when the member is absent or something else.
+  // All throw Error if the member is missing or has another type.
   const nlohmann::json& member(std::string_view key, std::string_view expected) const;
   std::string text(std::string_view key) const;
   bool flag(std::string_view key) const;
@@ -38,7 +38,7 @@ class JsonObject {
   JsonObject object(std::string_view key) const;
   const nlohmann::json& array(std::string_view key) const;
 
-  /// @throws Error with the member's place, what was found and `expected`.
+  /// @throws Error with the member's path, what was found and `expected`.
   [[noreturn]] void fail(std::string_view key, std::string_view expected) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace gonio {
 
-/// A text with A to Z in lower case, whatever the locale.
+/// A text with A to Z converted to lower case, independent of the locale.
 inline std::string lowerCase(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = char(c + 32);

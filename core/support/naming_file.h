@@ -8,7 +8,8 @@
 
 namespace gonio {
 
-/// Runs work(); an Error of it is thrown again with the file's path before its text, Cancelled as it is.
+/// Runs work() and adds the file's path to the message of an Error. The new exception is a plain Error; Cancelled is
+/// passed on.
 template <typename Work>
 auto namingFile(const std::filesystem::path& path, Work work) {
   try {

@@ -8,7 +8,7 @@
 
 namespace gonio {
 
-/// The shortest text that distinguishes a number from all others of its type, for errors: "0.1", "-1e-09", "nan".
+/// The shortest text that identifies a number of its type, for messages: "0.1", "-1e-09", "nan".
 template <std::floating_point Number>
 std::string numberText(Number value) {
   char digits[40];

@@ -8,7 +8,7 @@
 
 namespace gonio {
 
-/// A switch that long work looks at between its parts: while it is on, the work waits. For any threads.
+/// A switch that pauses long work between its parts while it is on. Thread-safe.
 class Pause {
  public:
   void set(bool on) {
@@ -22,7 +22,7 @@ class Pause {
     const std::lock_guard lock(mutex_);
     return on_;
   }
-  /// Returns when it is off or a stop is requested.
+  /// Waits until the switch is off or a stop is requested.
   void wait(const std::stop_token& stop) const {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, stop, [this] { return !on_; });

@@ -9,8 +9,8 @@
 
 namespace gonio {
 
-/// What long work takes from its caller: a stop token and a progress callback.
-/// `progress` gets a fraction in [0, 1] that never falls; it may be called from any thread, one call at a time.
+/// The control of long work by its caller: a stop token and a progress callback. `progress` receives a non-decreasing
+/// fraction in [0, 1]; it may be called from any thread, one call at a time.
 struct TaskControl {
   std::stop_token stop;
   std::function<void(double fraction)> progress;
@@ -18,12 +18,12 @@ struct TaskControl {
   void report(double fraction) const {
     if (progress) progress(fraction);
   }
-  /// For a part of the work: its shares in [0, 1] become those in [begin, end] of the whole.
+  /// Control for a part of the work: its progress in [0, 1] is mapped to [begin, end] of the whole.
   TaskControl between(double begin, double end) const {
     if (!progress) return {stop, {}};
     return {stop, [whole = progress, begin, end](double fraction) { whole(begin + fraction * (end - begin)); }};
   }
-  /// @throws Cancelled when a stop was requested.
+  /// @throws Cancelled if a stop was requested.
   void throwIfStopped() const {
     if (stop.stop_requested()) throw Cancelled();
   }

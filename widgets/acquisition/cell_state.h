@@ -10,22 +10,22 @@
 
 namespace gonio::widgets {
 
-/// What can be said of a cell of the grid.
+/// State of a cell of the grid.
 enum class CellState : std::uint8_t {
   measurable,
-  belowHorizon,  ///< of light or viewer
-  grazing,       ///< beyond the largest polar angle
-  forbidden,     ///< the rig cannot reach it
+  belowHorizon,  ///< light or viewer is below the horizon
+  grazing,       ///< beyond the maximum polar angle
+  forbidden,     ///< in a forbidden region of the rig
   unlearned      ///< not valid in every material of the training set
 };
 
-/// Those that are shaded, in the order of their legend.
+/// The shaded states, in the order of the legend.
 inline constexpr CellState shadedStates[] = {CellState::belowHorizon, CellState::grazing, CellState::forbidden,
                                              CellState::unlearned};
 
 /// "grazing"
 QString stateName(CellState state);
-/// How cells are shaded: distinguished by their hatching.
+/// Shading of cells, distinguishable by the hatching.
 QBrush stateBrush(CellState state, const PlotStyle& style);
 
 }  // namespace gonio::widgets

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 struct PlotStyle;
 
-/// A measure of error over the number of samples, one dot a measured count: none stands for what was not measured.
+/// An error over the number of samples, with one dot per measured number.
 class ErrorCurve : public QWidget {
   Q_OBJECT
 
@@ -25,16 +25,17 @@ class ErrorCurve : public QWidget {
 
   explicit ErrorCurve(QWidget* parent = nullptr);
 
-  /// @param title of the values' axis with the unit. Values that are no finite number have no place. At any order.
+  /// @param title of the values' axis, with the unit. Values that are not finite are not drawn. Points may have any
+  /// order.
   void setPoints(std::vector<Point> points, const QString& title, bool logarithmic = false);
   const std::vector<Point>& points() const { return m_points; }
-  /// The count that is in use has a ring; 0: none.
+  /// Marks the current number of samples with a ring; 0: none.
   void setMarked(int samples);
   /// Shown in the middle while there are no points.
   void setHint(const QString& hint);
-  /// The dot of a point in the widget's pixels; nothing where it has no place.
+  /// Position of a point's dot, in widget pixels; empty if it is not drawn.
   std::optional<QPointF> place(int point) const;
-  /// The point with the dot nearest to a place, -1 where none is within reach.
+  /// The point with the dot nearest to a position; -1 if none is close.
   int pointAt(const QPointF& place) const;
 
   QSize sizeHint() const override;

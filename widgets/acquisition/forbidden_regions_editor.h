@@ -11,9 +11,9 @@ class QTableWidget;
 
 namespace gonio::widgets {
 
-/// The boxes of angles that a rig cannot reach, as rows of degrees: from and to of the light's polar angle, of the
-/// viewer's, and of the difference of their azimuths. A cell that is no number, or out of its range, goes back to what
-/// it was; of a row whose ends are the wrong way round both are exchanged.
+/// Editor of the angle ranges that a rig cannot reach, as rows of degrees: minimum and maximum of the light's polar
+/// angle, the viewer's polar angle, and the difference of their azimuths. A cell that is not a number or out of range
+/// is reverted; if minimum and maximum are swapped, they are exchanged.
 class ForbiddenRegionsEditor : public QWidget {
   Q_OBJECT
 

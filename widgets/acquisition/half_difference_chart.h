@@ -15,17 +15,17 @@ struct HalfDifferenceSlice {
   double phiD = halfPi;  ///< rad, [0, pi)
   int thetaHCount = 0, thetaDCount = 0;
   std::vector<CellState> states;  ///< theta_d runs fastest
-  std::vector<float> deviations;  ///< of the logarithm, NaN where there is none; or empty
+  std::vector<float> deviations;  ///< standard deviation of the mapped value, NaN if there is none; or empty
 };
 
-/// Samples over the two angles of half-difference space, theta_h upward with the spacing of measured tables (wide at
-/// the highlight), at one phi_d: what cannot be measured there is shaded, what is uncertain is shown in false colour.
-/// Samples near that phi_d are full, others hollow.
+/// Samples over the two angles of half-difference space, theta_h upward with the spacing of MERL tables, for one phi_d.
+/// Cells that cannot be measured are shaded; the uncertainty is shown in false colour. Samples near that phi_d are
+/// filled, others hollow.
 class HalfDifferenceChart : public SampleChart {
   Q_OBJECT
 
  public:
-  /// How near the slice a sample counts as in it, rad.
+  /// Maximum distance in phi_d of samples that are drawn as part of the slice, rad.
   static constexpr double sliceWidth = radians(15);
 
   explicit HalfDifferenceChart(QWidget* parent = nullptr);
@@ -36,12 +36,12 @@ class HalfDifferenceChart : public SampleChart {
   void setRange(double range);
   double range() const { return m_range; }
 
-  /// Where angles are drawn (rad), in the widget's pixels.
+  /// Position of angles (rad), in widget pixels.
   QPointF placeOf(double thetaH, double thetaD) const;
   QList<QPointF> places(int sample) const override;
-  /// Whether a sample is drawn as one of the slice.
+  /// Whether a sample is drawn as part of the slice.
   bool isInSlice(int sample) const;
-  /// The middle of a cell, and the cell at a place (-1 outside).
+  /// The centre of a cell, and the cell at a position (-1 outside).
   QPointF cellCentre(int thetaH, int thetaD) const;
   int cellAt(const QPointF& place) const;
 
@@ -65,7 +65,7 @@ class HalfDifferenceChart : public SampleChart {
 
   HalfDifferenceSlice m_slice;
   double m_range = 1;
-  QImage m_image;  ///< one pixel a cell, theta_d to the right, theta_h upward
+  QImage m_image;  ///< one pixel per cell, theta_d to the right, theta_h upward
 };
 
 }  // namespace gonio::widgets

@@ -6,19 +6,19 @@
 
 namespace gonio::widgets {
 
-/// The hemisphere seen from above, its polar angle even along the radius: light and viewer of each sample as two dots
-/// that a thin line joins, with rings of the polar angle and rays of the azimuth.
+/// The hemisphere seen from above, with the polar angle linear along the radius. Light and viewer of each sample are
+/// two dots joined by a thin line; rings show the polar angle, rays the azimuth.
 class HemisphereChart : public SampleChart {
   Q_OBJECT
 
  public:
   explicit HemisphereChart(QWidget* parent = nullptr);
 
-  /// What lies beyond is shaded: no arm gets there. rad
+  /// Shades larger polar angles, which the rig cannot reach. Rad.
   void setLargestPolarAngle(double angle);
   double largestPolarAngle() const { return m_largestPolarAngle; }
 
-  /// Where a direction is drawn, in the widget's pixels.
+  /// Position of a direction, in widget pixels.
   QPointF placeOf(const Direction& direction) const;
   /// The light, then the viewer.
   QList<QPointF> places(int sample) const override;
@@ -32,7 +32,7 @@ class HemisphereChart : public SampleChart {
   QRectF disc() const;
   void drawGrid(QPainter& painter) const;
   void drawLabels(QPainter& painter) const;
-  /// What the rings are, and where it stands.
+  /// Labels of the rings, and their positions.
   std::vector<std::pair<QString, QRectF>> ringLabels() const;
   void drawSample(QPainter& painter, int sample, bool marked) const;
   QString beyondText() const;

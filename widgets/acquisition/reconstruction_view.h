@@ -7,14 +7,14 @@
 
 namespace gonio::widgets {
 
-/// Pictures of a material and of its reconstruction side by side, with their difference in false colour and what its
-/// colours mean. As large as the room allows, in one row or more.
+/// Pictures of a material and its reconstruction side by side, with their difference in false colour and its legend. As
+/// large as space permits, in one or more rows.
 class ReconstructionView : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
-    QImage reference, reconstruction, errorMap;  ///< null ones are left out but the reconstruction
+    QImage reference, reconstruction, errorMap;  ///< null pictures are omitted, except the reconstruction
     QString referenceName;
     double errorRange = 0;  ///< the difference that has the last colour
   };
@@ -24,8 +24,7 @@ class ReconstructionView : public QWidget {
   void setContent(const Content& content);
   /// Shown in the middle while there is no reconstruction.
   void setHint(const QString& hint);
-  /// The squares of the pictures, in the widget's pixels: reference, reconstruction, error map, as far as they are
-  /// there.
+  /// Squares of the available pictures, in widget pixels: reference, reconstruction, error map.
   QList<QRectF> squares() const;
 
   QSize sizeHint() const override;

@@ -9,18 +9,18 @@
 
 namespace gonio::widgets {
 
-/// The angles of a sample for people, one line: "7: θi 31.2°, φi 0.0° · θo ... · θh ..., θd ..., φd ...".
+/// The angles of a sample as one line of text: "7: θi 31.2°, φi 0.0° · θo ... · θh ..., θd ..., φd ...".
 QString sampleText(int number, const DirectionPair& directions);
 
-/// A drawing of the pairs of directions at which a material is measured, numbered from 1 in their order. The pointer
-/// and the arrow keys go from sample to sample; whoever owns several charts keeps their marks together.
+/// A drawing of the pairs of directions at which a material is measured, numbered from 1 in their order. Pointer and
+/// arrow keys move the mark from sample to sample; the owner of several charts synchronises their marks.
 class SampleChart : public QWidget {
   Q_OBJECT
 
  public:
   explicit SampleChart(QWidget* parent = nullptr);
 
-  /// The mark stays where there is still such a sample.
+  /// The mark is kept if the sample still exists.
   void setSamples(std::vector<DirectionPair> samples);
   const std::vector<DirectionPair>& samples() const { return m_samples; }
   /// The sample that is marked, from 0; -1: none.
@@ -29,9 +29,9 @@ class SampleChart : public QWidget {
   /// Shown in the middle while there are no samples.
   void setHint(const QString& hint);
 
-  /// The dots of a sample, in the widget's pixels.
+  /// Positions of a sample's dots, in widget pixels.
   virtual QList<QPointF> places(int sample) const = 0;
-  /// The sample with the dot nearest to a place, -1 where none is within reach.
+  /// The sample with the dot nearest to a position; -1 if none is close.
   int sampleAt(const QPointF& place) const;
 
   QSize minimumSizeHint() const override;
@@ -39,17 +39,17 @@ class SampleChart : public QWidget {
  Q_SIGNALS:
   /// The pointer or the keys moved the mark.
   void currentChanged(int sample);
-  /// A click, or Enter on the marked one.
+  /// The user clicked a sample, or pressed Enter on the marked one.
   void chosen(int sample);
 
  protected:
-  /// What a tooltip says of a sample.
+  /// Tooltip of a sample.
   virtual QString toolTipOf(int sample) const;
-  /// Numbers beside the first dot of each sample, where they cover no other number, no dot and nothing else that is
-  /// `taken`; that of the marked sample always.
+  /// Draws numbers beside the first dot of each sample where they do not overlap dots, other numbers or `taken`
+  /// rectangles; the number of the marked sample is always drawn.
   void drawNumbers(QPainter& painter, std::vector<QRectF> taken = {}) const;
   static void drawCentred(QPainter& painter, const QPointF& at, const QString& text);
-  /// The hint, or nothing where there are samples.
+  /// Draws the hint if there are no samples.
   void drawHint(QPainter& painter, const QRectF& within) const;
   /// Frame around the focused chart.
   void drawFocus(QPainter& painter) const;

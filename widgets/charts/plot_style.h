@@ -7,8 +7,8 @@
 
 namespace gonio::widgets {
 
-/// Where a curve comes from: it decides its colour and line style in every chart. Numbers from `otherFit` on are the
-/// fits beside the one in use.
+/// The source of a curve, which determines its colour and line style in all charts. Values from `otherFit` on are fits
+/// other than the current one.
 enum class SeriesRole { measured, fit, edited, otherFit };
 constexpr SeriesRole otherFit(int number) { return SeriesRole(int(SeriesRole::otherFit) + number); }
 
@@ -21,11 +21,11 @@ struct PlotStyle {
   static PlotStyle paper();
 
   QColor colour(SeriesRole role) const;
-  /// Measured solid, fit dashed, edited dash-dotted, others by more patterns: curves are distinguishable without their
-  /// colours, which come again after six other fits.
+  /// Measured is solid, fit dashed, edited dash-dotted, others have further patterns, so that curves are
+  /// distinguishable without colour. Colours repeat after six other fits.
   QPen pen(SeriesRole role) const;
   QPen gridPen() const { return QPen(grid, 1); }
-  /// Of the line that marks the angle of incidence.
+  /// Pen of the line that marks the angle of incidence.
   QPen accentPen() const { return QPen(accent, 1.5); }
 };
 

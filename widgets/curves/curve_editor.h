@@ -10,12 +10,12 @@
 
 namespace gonio::widgets {
 
-/// A smooth curve a colour channel that the hand pulls by control points lying on it. With all channels linked one set
-/// of points moves the three curves in proportion; else the points are those of one channel. Mouse: a drag moves the
-/// selected points, a drag beside them selects with a box, a double-click adds a point. Keyboard: Tab goes from point
-/// to point, the arrows move the selected ones (Shift: a tenth), Delete takes them away, Ctrl+A selects all, Escape
-/// takes a drag back, else selects none. The value of the current point is shown and announced, that of the place under
-/// the pointer shown.
+/// An editor for one smooth curve per colour channel with control points on the curves. If the channels are linked, one
+/// set of points scales all three curves; otherwise the points belong to one channel. Mouse: a drag on a point moves
+/// the selected points, elsewhere it selects with a box; a double-click adds a point. Keyboard: Tab moves to the next
+/// point, the arrows move the selected points (Shift: a tenth), Delete removes them, Ctrl+A selects all, Escape reverts
+/// a drag or clears the selection. The value of the current point is shown and announced to screen readers, that under
+/// the pointer is shown.
 class CurveEditor : public QWidget {
   Q_OBJECT
 
@@ -26,40 +26,40 @@ class CurveEditor : public QWidget {
 
   void setAxis(const CurveAxis& axis);
   const CurveAxis& axis() const { return m_view.axis; }
-  /// @param ghost what the curves were before any edit; drawn faintly. The control points stay where the same nodes
-  /// are shown with curves of this widget's own making, else they are chosen anew.
+  /// @param ghost the curves before any edit, drawn faintly. Control points are kept if the nodes are equal and the
+  /// curves come from this widget's own edits; otherwise they are chosen anew.
   void setCurves(const std::vector<double>& nodes, const ChannelCurves& curves, const ChannelCurves& ghost);
   void clear();
   const std::vector<double>& nodes() const { return m_nodes; }
   const ChannelCurves& curves() const { return m_curves; }
-  /// What is shown and edited: a channel, or allChannels.
+  /// Sets the channel to show and edit, or allChannels.
   void setChannel(int channel);
   int channel() const { return m_channel; }
   void setLogarithmic(bool logarithmic);
-  /// Vertical lines with names; what lies beyond `reach` is greyed out.
+  /// Vertical lines with names. The axis beyond `reach` is greyed out.
   void setLimits(const std::vector<CurveLimit>& limits, double reach = 1e300);
   const std::vector<CurveLimit>& limits() const { return m_view.limits; }
   /// Shown instead of the curves while there are none.
   void setHint(const QString& hint);
 
-  /// Places of the control points, increasing, and which of them are selected.
+  /// Ascending positions of the control points, and which of them are selected.
   const std::vector<double>& points() const { return m_points; }
   const std::vector<bool>& selected() const { return m_selected; }
-  /// Where a place of the axis is on the widget, in pixels.
+  /// The x coordinate of a position on the axis, in widget pixels.
   double toX(double place) const { return m_view.toX(place); }
-  /// Where a point is on the widget.
+  /// Position of a control point on the widget.
   QPointF pointPosition(std::size_t point) const;
 
   QSize sizeHint() const override;
 
  Q_SIGNALS:
-  /// Everything between these two is one step of the user's hand.
+  /// Changes between these two signals are one interaction (one undo step).
   void interactionStarted();
   void interactionEnded();
   void curvesEdited(const gonio::widgets::ChannelCurves& curves);
-  /// The current point in words.
+  /// Text about the current point, for screen readers.
   void announced(const QString& text);
-  /// The place of the current point, or that under the pointer, in units of the nodes.
+  /// Position of the current point or of the pointer, in units of the nodes.
   void pointedAt(double place);
 
  protected:
@@ -82,7 +82,7 @@ class CurveEditor : public QWidget {
   double valueAt(double place) const;
   int pointAt(const QPointF& position) const;
   void select(int point, bool extend);
-  /// Moves the selected points by pixels from where they were when the drag began.
+  /// Moves the selected points by pixels, relative to the start of the drag.
   void dragBy(const QPointF& pixels);
   void beginDrag();
   void cancelDrag();
@@ -101,7 +101,7 @@ class CurveEditor : public QWidget {
   std::vector<bool> m_selected;
   int m_channel = allChannels, m_current = -1;
   bool m_dragging = false, m_boxing = false;
-  std::vector<bool> m_selectedBefore;  ///< the box, which adds to it
+  std::vector<bool> m_selectedBefore;  ///< the selection before the box selection, which adds to it
   std::optional<double> m_hovered;
   QPointF m_pressed, m_boxEnd;
   ChannelCurves m_curvesBefore;

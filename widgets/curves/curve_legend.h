@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// What the lines of curve editors mean, in one row: the channels, their mean, the curves as they were measured.
+/// Legend of curve editors in one row: the channels, their mean, the measured curves.
 class CurveLegend : public QWidget {
   Q_OBJECT
 

@@ -13,22 +13,22 @@ class QPainter;
 
 namespace gonio::widgets {
 
-/// One curve a colour channel, over shared nodes.
+/// One curve per colour channel, over common nodes.
 using ChannelCurves = std::array<std::vector<double>, 3>;
 
-/// What a curve is drawn over, for people.
+/// Texts and units of a curve's axis.
 struct CurveAxis {
-  QString title;            ///< above the chart: "F1: strength of the mirror"
-  QString label;            ///< with its unit: "θR in degrees"
-  QString symbol;           ///< of a place, before its number: "θR"
-  QString suffix;           ///< behind the number: "°"
+  QString title;            ///< above the chart, e.g. "F1: strength of the mirror"
+  QString label;            ///< with unit, e.g. "θR in degrees"
+  QString symbol;           ///< before the number of a position, e.g. "θR"
+  QString suffix;           ///< after the number, e.g. "°"
   QString valueLabel;       ///< with its unit
-  QString help;             ///< more for the tool tip
-  double unit = 1;          ///< one unit of the labels in units of the nodes (pi / 180 for degrees)
-  double tick = 1;          ///< distance of the labels, in those units
-  bool squareRoot = false;  ///< more room near 0
+  QString help;             ///< additional text of the tooltip
+  double unit = 1;          ///< unit of the labels, in units of the nodes (pi / 180 for degrees)
+  double tick = 1;          ///< distance of the labels, in that unit
+  bool squareRoot = false;  ///< whether the axis is magnified near 0
 
-  /// A place in words: "θR 45°".
+  /// A position as text, e.g. "θR 45°".
   QString place(double at) const;
 };
 
@@ -38,7 +38,7 @@ struct CurveLimit {
   QString name;
 };
 
-/// Where values lie in a chart and how they look.
+/// Geometry and style of the values in a chart.
 class CurveView {
  public:
   CurveAxis axis;
@@ -49,7 +49,7 @@ class CurveView {
   std::vector<CurveLimit> limits;
   double reach = 1e300;  ///< greyed out beyond
 
-  /// The range for curves: from 0, or four decades below the largest where it is logarithmic.
+  /// Sets the range for curves: from 0, or four decades below the largest value on a logarithmic scale.
   void fitTo(const ChannelCurves& curves, const ChannelCurves& ghost);
   double toX(double place) const;
   double toPlace(double x) const;
@@ -57,17 +57,17 @@ class CurveView {
   double toValue(double y) const;
 
   void drawFrame(QPainter& painter, const PlotStyle& style) const;
-  /// Over the curves: what distinguishes places.
+  /// Draws the limits, over the curves.
   void drawLimits(QPainter& painter, const PlotStyle& style) const;
   void drawCurve(QPainter& painter, const std::vector<double>& nodes, const std::vector<double>& curve,
                  const QPen& pen) const;
 };
 
-/// Of a channel (0 red, 1 green, 2 blue): distinguished by its dashes too.
+/// Pen of a channel (0 red, 1 green, 2 blue), also distinguishable by its dashes.
 QPen channelPen(int channel, const PlotStyle& style);
-/// Of a channel as it was before any edit: faint.
+/// Faint pen of a channel before any edit.
 QPen ghostPen(int channel, const PlotStyle& style, double opacity);
-/// Of the mean of the channels.
+/// Pen of the mean of the channels.
 QPen meanPen(const PlotStyle& style);
 
 }  // namespace gonio::widgets

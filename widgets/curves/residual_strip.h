@@ -9,20 +9,20 @@ namespace gonio::widgets {
 
 class CurveEditor;
 
-/// A low chart under a curve editor, on its axis: at each of the curve's nodes the fraction of the material that its
-/// curves leave unexplained.
+/// A low chart below a curve editor, with the same axis: the relative residual of the factors at each node of the
+/// curve.
 class ResidualStrip : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param editor lies above this widget, at the same width; must live on.
+  /// @param editor above this widget, with the same width; must outlive it.
   explicit ResidualStrip(const CurveEditor& editor, QWidget* parent = nullptr);
 
-  /// @param shares [0, infinity), one a node of the editor: above 1 where the curves are farther from the material than
-  /// black is. None: nothing is known.
+  /// @param shares residuals >= 0, one per node of the editor; above 1 if the curves are farther from the material than
+  /// black. Empty: unknown.
   void setShares(const std::vector<double>& fractions, const QString& title);
   const std::vector<double>& fractions() const { return m_shares; }
-  /// The upper end of the scale: a round share above the largest, at most 1; what is larger is drawn as 1.
+  /// The upper end of the scale: a round number above the largest residual, at most 1; larger residuals are drawn as 1.
   double scale() const;
 
   QSize sizeHint() const override;

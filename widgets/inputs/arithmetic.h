@@ -8,8 +8,7 @@
 namespace gonio::widgets {
 
 /// The value of a typed number or of simple arithmetic: + - * / ^, parentheses, the constant pi, and decimal points or
-/// commas ("0,3*2" is 0.6). A trailing `unit` is ignored. Nothing for anything else and for a result that is not
-/// finite.
+/// commas ("0,3*2" is 0.6). A trailing `unit` is ignored. Empty for other texts and for results that are not finite.
 std::optional<double> evaluateArithmetic(const QString& text, const QString& unit = {});
 
 }  // namespace gonio::widgets

@@ -7,8 +7,8 @@
 
 namespace gonio::widgets {
 
-/// Asks a question and waits for the answer. QMessageBox::question() has its box on the stack, where a parent that is
-/// deleted meanwhile would free it; this one answers No then.
+/// Asks a question and waits for the answer. Unlike QMessageBox::question(), whose box is on the stack, this is safe if
+/// the parent is deleted meanwhile; the answer is then No.
 inline bool ask(QWidget* parent, const QString& title, const QString& question) {
   const QPointer<QMessageBox> box =
       new QMessageBox(QMessageBox::Question, title, question, QMessageBox::Yes | QMessageBox::No, parent);

@@ -7,7 +7,7 @@
 
 namespace gonio::widgets {
 
-/// A titled section whose content folds away under its header. The header is a button: Tab reaches it, Space folds.
+/// A titled section with collapsible content. The header is a button: Tab focuses it, Space toggles.
 class CollapsibleSection : public QWidget {
   Q_OBJECT
 

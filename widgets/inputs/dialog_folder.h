@@ -6,12 +6,12 @@
 
 namespace gonio::widgets {
 
-/// Where the file dialogs of a purpose ("open", "export", "environment") start: in the folder that was chosen last,
-/// kept in the settings. Before the first choice, and where that folder is gone, in the home folder.
+/// The start folder of file dialogs for a purpose ("open", "export", "environment"): the last chosen folder, from the
+/// settings; the home folder if there is none or it does not exist.
 QString dialogFolder(const QString& purpose);
-/// A file name in that folder, for dialogs that propose one.
+/// The path of a proposed file name in that folder.
 QString inDialogFolder(const QString& purpose, const QString& fileName);
-/// Remembers the folder of a chosen file; nothing for an empty path.
+/// Stores the folder of a chosen file; no effect for an empty path.
 void rememberDialogFolder(const QString& purpose, const QString& chosenFile);
 
 }  // namespace gonio::widgets

@@ -8,7 +8,7 @@
 
 namespace gonio::widgets {
 
-/// Widgets of their own widths in rows, as words in a paragraph. As high as the width calls for.
+/// A layout in rows that wrap like words of a paragraph. The height depends on the width.
 class FlowLayout : public QLayout {
  public:
   explicit FlowLayout(QWidget* parent = nullptr);
@@ -26,7 +26,7 @@ class FlowLayout : public QLayout {
   void setGeometry(const QRect& area) override;
 
  private:
-  /// The height that the rows take. @param place moves the items there.
+  /// The height of the rows. @param place whether to move the items.
   int layOut(const QRect& area, bool place) const;
 
   std::vector<std::unique_ptr<QLayoutItem>> m_items;

@@ -8,9 +8,10 @@ namespace gonio::widgets {
 
 enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, pending, shown, hidden };
 
-/// A small icon drawn in the text colour of the palette at paint time, sharp at any scale and in either theme.
+/// A small icon, drawn in the palette's text colour when it is painted, so that it is sharp at any scale and follows
+/// the theme.
 QIcon glyphIcon(Glyph glyph);
-/// The same in a pen of the caller's, over a rectangle.
+/// The same with the painter's pen, in a rectangle.
 void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect);
 
 }  // namespace gonio::widgets

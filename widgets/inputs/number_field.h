@@ -7,8 +7,8 @@
 namespace gonio::widgets {
 
 /// A field for one number: hard range, unit suffix, simple arithmetic, four significant digits. Enter or leaving the
-/// field commits, Esc restores, arrow keys step (Shift a tenth). A text that was not changed never changes the value,
-/// however many digits it hides. The wheel acts only while the field has the focus.
+/// field commits, Esc restores, arrow keys step (Shift a tenth). Text that the user did not change keeps the exact
+/// value, including digits that are not shown. The wheel only works if the field has the focus.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
@@ -16,7 +16,8 @@ class NumberField : public QLineEdit {
   explicit NumberField(QWidget* parent = nullptr);
 
   void setRange(double hardMin, double hardMax);
-  /// What is shown and typed is displayFactor * value^displayPower: 180/pi for angles, a power of 1/2 for square roots.
+  /// The displayed number is displayFactor * value^displayPower, e.g. the factor 180/pi for angles or the power 1/2 for
+  /// square roots.
   void setUnit(const QString& unit, double displayFactor = 1, double displayPower = 1);
   void setStep(double step) { m_step = step; }
   double value() const { return m_value; }
@@ -27,9 +28,9 @@ class NumberField : public QLineEdit {
   QSize minimumSizeHint() const override { return sizeHint(); }
 
  Q_SIGNALS:
-  /// The user gave a new value, inside the hard range.
+  /// The user entered a new value, inside the hard range.
   void valueEdited(double value);
-  /// What was typed lay outside the hard range: `used` is the limit that was taken instead.
+  /// The entered number was outside the hard range; `used` is the limit that replaced it.
   void clamped(double typed, double used);
 
  protected:
@@ -47,7 +48,7 @@ class NumberField : public QLineEdit {
 
   double m_value = 0, m_min = 0, m_max = 1, m_step = 0.01, m_displayFactor = 1, m_displayPower = 1;
   QString m_unit;
-  QString m_shown;  ///< the text as it was set; equal text means nothing was typed
+  QString m_shown;  ///< the text as set by the program; equal text means that the user changed nothing
 };
 
 /// Four significant digits with the point of the C locale, no trailing zeros: "0.3", "1.25e-05".

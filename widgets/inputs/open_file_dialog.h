@@ -8,16 +8,16 @@
 
 namespace gonio::widgets {
 
-/// Shows a file dialog that has a parent, and returns. The static functions of QFileDialog run an event loop with the
-/// dialog on the stack: a parent that closes meanwhile and deletes itself would free it there. The dialog deletes
-/// itself; `chosen` gets the selected file, or folder, unless the parent is gone.
+/// Shows a file dialog with a parent, and returns immediately. (The static functions of QFileDialog run an event loop
+/// with the dialog on the stack, which fails if the parent is deleted meanwhile.) The dialog deletes itself; `chosen`
+/// receives the selected file or folder unless the parent was deleted.
 inline void openFileDialog(QFileDialog* dialog, std::function<void(const QString& path)> chosen) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   QObject::connect(dialog, &QFileDialog::fileSelected, dialog->parentWidget(), std::move(chosen));
   dialog->open();
 }
 
-/// One that asks for the name of a file to write, with this path proposed. It does not ask before it replaces files.
+/// A dialog for the name of a file to write, with a proposed path. It does not ask before replacing files.
 inline QFileDialog* newSaveDialog(QWidget* parent, const QString& title, const QString& path) {
   const QFileInfo proposed(path);
   auto* dialog = new QFileDialog(parent, title, proposed.path());
@@ -27,7 +27,7 @@ inline QFileDialog* newSaveDialog(QWidget* parent, const QString& title, const Q
   return dialog;
 }
 
-/// Asks for the name of a file to write, with this path proposed; `chosen` gets a path with the suffix of `path`.
+/// Asks for the name of a file to write, with a proposed path; `chosen` receives a path with the suffix of `path`.
 inline void askForPath(QWidget* parent, const QString& title, const QString& path, const QString& filter,
                        std::function<void(const QString& path)> chosen) {
   const QFileInfo proposed(path);

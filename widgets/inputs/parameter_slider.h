@@ -10,8 +10,8 @@
 namespace gonio::widgets {
 
 /// A slider over the soft range of a parameter, linear or logarithmic as its spec says. A small tick marks the
-/// reference (fitted) value. Shift moves a tenth as far, Ctrl snaps; the wheel acts only while it has the focus;
-/// double-click or Backspace asks for a reset. One drag, one run of a held key, one turn of the wheel lies between
+/// reference (fitted) value. Shift moves by a tenth, Ctrl snaps; the wheel only works if the slider has the focus;
+/// double-click or Backspace requests a reset. A drag, a held key or a turn of the wheel is one interaction between
 /// editingStarted() and editingFinished().
 class ParameterSlider : public QAbstractSlider {
   Q_OBJECT
@@ -62,7 +62,7 @@ class ParameterSlider : public QAbstractSlider {
   models::ParameterScale m_scale = models::ParameterScale::linear;
   std::optional<double> m_reference;
   bool m_modified = false, m_dragging = false, m_editing = false, m_hovered = false;
-  double m_dragShare = 0;  ///< where the drag stands: unlike the value it is neither snapped nor clamped
+  double m_dragShare = 0;  ///< position of the drag, unlike the value neither snapped nor clamped
   double m_lastX = 0;
   class QTimer* m_wheelPause;
 };

@@ -6,8 +6,8 @@
 
 namespace gonio::widgets {
 
-/// A picture at a size in its own aspect: averaged over areas, which drawing a large pixmap small is not, and kept, so
-/// that it can be drawn at every paint.
+/// A pixmap scaled to a size with its aspect ratio kept, averaged over areas (unlike painting a large pixmap small).
+/// Cached, so that it can be called in every paint event.
 QPixmap scaledPixmap(const QPixmap& pixmap, const QSize& size);
 
 }  // namespace gonio::widgets

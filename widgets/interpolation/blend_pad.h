@@ -16,24 +16,24 @@ struct BlendCorner {
   QImage picture;  ///< null: a quiet disc
 };
 
-/// A triangle or a square with a material at each corner, and a point between them that the hand moves. Mouse: press or
-/// drag anywhere (Shift: a tenth as far; the point sticks to a corner), double-click for the middle. Keyboard: arrows
-/// (Shift: a tenth), 1 to 4 for a corner, Home or Backspace for the middle. Escape takes a drag back. The weights are
-/// written at the corners and announced.
+/// A triangle or square with a material at each corner and a movable point that sets the weights. Mouse: press or drag
+/// anywhere (Shift: a tenth; the point snaps to corners), double-click for the middle. Keyboard: arrows (Shift: a
+/// tenth), 1 to 4 for a corner, Home or Backspace for the middle. Escape reverts a drag. The weights are shown at the
+/// corners and announced to screen readers.
 class BlendPad : public QWidget {
   Q_OBJECT
 
  public:
   explicit BlendPad(QWidget* parent = nullptr);
 
-  /// Two (a line) to four corners. The place stays where it exists, else goes to the nearest one.
+  /// Sets two (a line) to four corners. The point is kept if possible, else moved to the nearest valid place.
   void setCorners(std::vector<BlendCorner> corners);
   int materials() const { return int(m_corners.size()); }
   /// Shows a place (of blend_place.h); emits nothing.
   void setPlace(const QPointF& place);
   QPointF place() const { return m_place; }
   std::vector<double> weights() const { return weightsAt(materials(), m_place); }
-  /// Where a place lies on the widget.
+  /// Position of a place on the widget.
   QPointF position(const QPointF& place) const;
 
   QSize sizeHint() const override;
@@ -59,7 +59,7 @@ class BlendPad : public QWidget {
   QRectF pictureAt(int corner) const;
   QPointF placeUnder(const QPointF& position) const;
   void moveTo(const QPointF& place);
-  /// A whole interaction.
+  /// Moves the point as one complete interaction.
   void jumpTo(const QPointF& place);
   void announce();
   void drawCorners(QPainter& painter) const;
@@ -70,7 +70,7 @@ class BlendPad : public QWidget {
   bool m_dragging = false;
 };
 
-/// "40 %": a weight for people; what is not nothing never reads as 0.
+/// A weight as text, e.g. "40 %"; weights above 0 are never shown as 0.
 QString weightText(double weight);
 
 }  // namespace gonio::widgets

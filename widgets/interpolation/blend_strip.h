@@ -8,8 +8,8 @@
 
 namespace gonio::widgets {
 
-/// Small spheres between materials, a row for each way to blend them and a column for each step, so that the ways are
-/// seen side by side. A click, or Enter on the cell that the arrow keys chose, asks for that way at that step.
+/// Small spheres of blends, one row per space and one column per step, to compare spaces. A click, or Enter on the cell
+/// selected by the arrow keys, requests that space at that step.
 class BlendStrip : public QWidget {
   Q_OBJECT
 
@@ -17,22 +17,22 @@ class BlendStrip : public QWidget {
   struct Row {
     QString name;
     QString toolTip;
-    std::vector<QImage> pictures;  ///< one per step; null ones are still to come
-    QString note = {};             ///< why there are no pictures: "waiting", "cancelled", what went wrong
+    std::vector<QImage> pictures;  ///< one per step; null: pending
+    QString note = {};             ///< why there are no pictures: "waiting", "cancelled", or an error
     bool failed = false;
   };
 
   explicit BlendStrip(QWidget* parent = nullptr);
 
-  /// @param steps labels of the columns: "0", "1/6"
+  /// @param steps labels of the columns, e.g. "0", "1/6"
   void setSteps(const QStringList& steps);
   void setRows(std::vector<Row> rows);
   void setRow(int row, Row content);
   const std::vector<Row>& rows() const { return m_rows; }
-  /// The way that is in use.
+  /// Marks the row of the current space.
   void setCurrentRow(int row);
   int currentRow() const { return m_currentRow; }
-  /// Marks a place among the columns, in [0, 1]; a negative one is not on the strip.
+  /// Marks a position along the columns, in [0, 1]; negative: none.
   void setMark(double fraction);
   /// Shown while there are no rows.
   void setEmptyText(const QString& text);

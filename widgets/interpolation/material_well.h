@@ -10,27 +10,27 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// What a well shows.
+/// The content of a well.
 struct WellContent {
-  QString name;     ///< empty: nothing is in it
+  QString name;     ///< empty: the well is empty
   QString toolTip;  ///< what the material is
-  QImage picture;   ///< null: a quiet disc
-  QString note;     ///< below the name: a weight, "Opening...", what went wrong
+  QImage picture;   ///< null: a placeholder disc
+  QString note;     ///< below the name: a weight, "Opening...", or an error
   bool failed = false;
-  bool removable = false;  ///< the place itself can be taken away, also when it is empty
+  bool removable = false;  ///< whether the well itself can be removed, even if it is empty
 };
 
-/// A place for one material: dropped from the library or the desktop, taken from what is open, or from a file. Buttons
-/// do the same for the keyboard; Delete empties it.
+/// A drop target for one material: from the library or the desktop, the open document, or a file. Buttons provide the
+/// same with the keyboard; Delete empties it.
 class MaterialWell : public QFrame {
   Q_OBJECT
 
  public:
-  /// @param letter what the material is called in the panel: A, B.
+  /// @param letter name of the material in the panel: A, B, ...
   explicit MaterialWell(QChar letter, QWidget* parent = nullptr);
 
   void setContent(const WellContent& content);
-  /// The note alone: what changes with every step of a drag.
+  /// Sets only the note, which changes with every step of a drag.
   void setNote(const QString& note);
   const WellContent& content() const { return m_content; }
   void setCurrentAvailable(bool available);
@@ -40,7 +40,7 @@ class MaterialWell : public QFrame {
   QToolButton* clearButton() const { return m_clear; }
 
  Q_SIGNALS:
-  /// A file, or the id of a library's material.
+  /// @param id a file, or the id of a library material.
   void materialDropped(const QString& id);
   void currentWanted();
   void fileWanted();

@@ -14,27 +14,27 @@ struct PreparedBlend {
   editing::InterpolationSpace space;
   std::vector<editing::InterpolationEnd> ends;
   std::vector<std::shared_ptr<const TabulatedLobe>> lobes;  ///< of the materials
-  const models::Model* model = nullptr;                     ///< of `parameters` and `differential`
+  const models::Model* model = nullptr;                     ///< for `parameters` and `differential`
   std::shared_ptr<const editing::Interpolation> interpolation;
-  /// What the shader mixes, in spaces where it mixes tables.
+  /// The tables that the shader mixes, in spaces where it does.
   std::shared_ptr<const editing::TransformedMixture> mixture;
 };
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
-/// Fits, factorises and encodes what the space needs: up to some seconds. @throws Error, Cancelled.
+/// Computes the fits, factors or codes for a space: up to some seconds. @throws Error, Cancelled.
 PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 
-/// Whether materials are mixed of which the shader mixes tables (at least in part), while files and rendered pictures
-/// mix them in their own form.
+/// Whether the shader mixes tables of materials that files and rendered pictures mix in their own form.
 bool mixesTables(const PreparedBlend& blend);
 
-/// What the preview shows at the weights, by what costs least in a frame: `linear`, `dictionary` and `differential` are
-/// mixed in the shader, `parameters` are those of a model, `factors` are curves, and a material alone is itself.
+/// The preview's subject for given weights, in the form with the lowest cost per frame: the shader mixes `linear`,
+/// `dictionary` and `differential`; `parameters` gives a model, `factors` curves, and a weight of 1 the material
+/// itself.
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights);
 
-/// "Linear"; and what it means, for tool tips.
+/// The name of a space, e.g. "Linear"; and its description for tooltips.
 QString spaceName(editing::InterpolationSpace space);
 QString spaceExplanation(editing::InterpolationSpace space);
 

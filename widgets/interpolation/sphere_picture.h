@@ -11,11 +11,11 @@ class QPalette;
 
 namespace gonio::widgets {
 
-/// A picture made smaller, averaged over areas (which drawing a large picture small is not). Remembered while Qt's
-/// cache of pixmaps has room, so that a repaint costs no scaling. @param pixels of the device
+/// A picture scaled down, averaged over areas (unlike painting a large picture small). Stored in Qt's pixmap cache, so
+/// that repaints need no scaling. @param pixels size in device pixels.
 QPixmap sphereAtSize(const QImage& picture, const QSize& pixels);
 
-/// Draws a small picture of a material, smoothly made smaller; a quiet disc where there is none yet.
+/// Draws a small picture of a material, scaled smoothly, or a placeholder disc if there is none.
 void paintSphere(QPainter& painter, const QImage& picture, const QRectF& square, const QPalette& palette);
 
 }  // namespace gonio::widgets

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// A button for each kind, origin and tag that the library has, for the favourites and what was opened lately. Those
-/// that are pressed say what is shown: of several of one sort any, of two sorts both.
+/// Filter buttons for each kind, origin and tag in the library, for favourites and recently opened materials. Buttons
+/// of the same sort are combined with or, different sorts with and.
 class LibraryChips : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class LibraryChips : public QWidget {
   void rebuild();
   void followTags();
   void addChip(const QString& text, const QString& toolTip, bool& wanted);
-  /// One whose text is in a list of the filter while it is pressed.
+  /// Adds a button that puts its text in a list of the filter while it is pressed.
   QToolButton* addMember(const QString& text, const QString& toolTip, QStringList& list);
   QToolButton* addButton(const QString& text, const QString& toolTip);
 

@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// A tile of the library: the picture (or a quiet disc until there is one), its badge, the name below it. Or a heading.
+/// Draws a tile of the library: the picture (or a placeholder disc), its badge and the name below; or a heading.
 class LibraryDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -7,8 +7,7 @@
 
 namespace gonio::widgets {
 
-/// What can be done with the materials that are selected in a library: of one, of two, of several. An entry without
-/// a function is left out.
+/// Actions for the selected materials of a library: for one, two, or several. Entries without a function are omitted.
 struct LibraryActions {
   using One = std::function<void(const QString& id)>;
   using Several = std::function<void(const QStringList& ids)>;
@@ -21,7 +20,7 @@ struct LibraryActions {
   Several tag;
 };
 
-/// What all of the selected materials have: false, and 0, where they differ.
+/// Common properties of the selected materials; false or 0 if they differ.
 struct LibraryCommon {
   bool favourites = false;
   int rating = 0;

@@ -16,25 +16,25 @@ namespace gonio::widgets {
 
 /// A material that can be opened from the library.
 struct LibraryItem {
-  QString id;  ///< what opening it needs: a path, or "library:sgd/chrome"
+  QString id;  ///< argument for opening it: a path, or "library:sgd/chrome"
   QString name;
   QString toolTip;      ///< the format, and what the material is
-  QString badge = {};   ///< in a word or two, on the picture: "measured"
+  QString badge = {};   ///< one or two words on the picture, e.g. "measured"
   QString source = {};  ///< heading of its group by source; empty: none
-  QString kind = {};    ///< heading of its group by kind, which is also searched: "Metal"
-  qint64 version = 0;   ///< another number: another content, so that the look is another
+  QString kind = {};    ///< heading of its group by kind, also used in searches, e.g. "Metal"
+  qint64 version = 0;   ///< changes with the content, which invalidates the look
 };
 
 enum class LibraryGrouping { none, source, kind };
 
-/// What is known of a material once its thumbnail is rendered.
+/// Properties of a material from its rendered thumbnail.
 struct LibraryLook {
   QImage thumbnail;
-  double hue = 0;        ///< of the thumbnail, degrees; greys lie before all hues (-1)
+  double hue = 0;        ///< of the thumbnail, degrees; -1 for greys
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
-/// The materials of a library and their looks, which others render and hand in; behind them a row for each heading.
+/// The materials of a library and their looks, which other objects render and set; followed by one row per heading.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -52,37 +52,37 @@ class LibraryModel : public QAbstractListModel {
     RatingRole,  ///< 0 to 5
     RatingOrderRole,
     TagsRole,
-    OpenedRole,  ///< null: never
+    OpenedRole,  ///< null: never opened
     OpenedOrderRole
   };
 
   using QAbstractListModel::QAbstractListModel;
 
-  /// Looks of materials that were here before, in the same version, stay.
+  /// Looks of existing materials with the same version are kept.
   void setItems(std::vector<LibraryItem> items);
-  /// Without materials until setItems().
+  /// Removes all materials until setItems() is called.
   void beginListing();
   bool isListing() const { return m_listing; }
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
-  /// What DissimilarityRole compares with; nothing: no order.
+  /// The look with which DissimilarityRole compares; empty: no order.
   void setReference(const std::optional<LibraryLook>& look);
-  /// Null while it is not known.
+  /// Null if it is not known yet.
   const LibraryLook* look(const QString& id) const;
   void setNotes(LibraryNotes notes);
   LibraryNote note(const QString& id) const { return m_notes.value(id); }
   void setNote(const QString& id, const LibraryNote& note);
-  /// Changes the notes of several materials in one step.
+  /// Changes the notes of several materials at once.
   void changeNotes(const QStringList& ids, const std::function<void(LibraryNote&)>& change);
-  /// Of the materials that are here, each once, in alphabetical order.
+  /// The tags of all materials, each once, in alphabetical order.
   QStringList tags() const;
   /// Ids without a look and without a failure, in order.
   QStringList pending() const;
 
-  /// The grouping that a row is a heading of; `none` of a material.
+  /// The grouping of a heading row; `none` for a material.
   LibraryGrouping headingOf(int row) const;
-  /// The heading that a row stands below, or is: an order of the groups. "" where it has none.
+  /// The heading of a row's group, by which groups are sorted; "" if there is none.
   QString group(int row, LibraryGrouping grouping) const;
   int groupRank(int row, LibraryGrouping grouping) const;
 
@@ -93,7 +93,7 @@ class LibraryModel : public QAbstractListModel {
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  Q_SIGNALS:
-  /// Those that have changed; an empty one is gone.
+  /// The changed notes; an empty note was removed.
   void notesChanged(const gonio::widgets::LibraryNotes& notes);
 
  private:

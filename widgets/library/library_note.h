@@ -9,23 +9,23 @@
 
 namespace gonio::widgets {
 
-/// What the user has noted about a material of a library.
+/// The user's notes about a library material.
 struct LibraryNote {
   static constexpr int highestRating = 5;
 
   bool favourite = false;
   int rating = 0;  ///< 1 to 5; 0: none
   QStringList tags = {};
-  QDateTime opened = {};  ///< at last; null: never
+  QDateTime opened = {};  ///< last time; null: never
 
   bool isEmpty() const { return *this == LibraryNote{}; }
   bool operator==(const LibraryNote&) const = default;
 };
 
-/// By the id of the material, of any library.
+/// Notes by the id of the material, over all libraries.
 using LibraryNotes = QHash<QString, LibraryNote>;
 
-/// The tags of a text with commas between them, each once, in their order.
+/// The tags of a comma-separated text, each once, in order.
 QStringList tagsOf(const QString& text);
 
 }  // namespace gonio::widgets

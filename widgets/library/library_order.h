@@ -8,7 +8,7 @@
 
 namespace gonio::widgets {
 
-/// What is shown of a library: of a list that is empty anything.
+/// A filter of the library; empty lists match everything.
 struct LibraryFilter {
   QStringList badges, kinds, tags;
   bool favourites = false;
@@ -29,7 +29,7 @@ class LibraryOrder : public QSortFilterProxyModel {
   void setFilter(const LibraryFilter& filter);
 
  protected:
-  /// A heading where one of its materials matches.
+  /// Headings are accepted if one of their materials matches.
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 

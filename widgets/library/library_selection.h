@@ -13,8 +13,8 @@ class LibraryModel;
 class QuickLook;
 struct LibraryCommon;
 
-/// The materials that are selected in a library's grid, which stay so when they are listed again, and what the user
-/// does with them: by a double-click, by keys, by the menu.
+/// The selection in a library's grid, which is kept when the library is listed again, and the user's actions on it
+/// (double-click, keys, menu).
 class LibrarySelection : public QObject {
   Q_OBJECT
 
@@ -22,30 +22,30 @@ class LibrarySelection : public QObject {
   /// @param list shows the model. @param library beside which the quick look stands.
   LibrarySelection(QListView& list, LibraryModel& model, QWidget& library);
 
-  /// One material is chosen, and nothing is offered for several.
+  /// Restricts the selection to one material and hides actions for several.
   void setSingle();
-  /// In the order in which they are shown.
+  /// The selected ids, in the order of display.
   QStringList ids() const;
-  /// Selects a material alone and scrolls to it; one that is not listed yet is selected when it comes.
+  /// Selects only this material and scrolls to it; if it is not listed yet, it is selected later.
   void select(const QString& id);
-  /// The first material or the last; headings are none.
+  /// Selects the first or the last material, without headings.
   void selectOutermost(bool first);
-  /// As Enter does; nothing where no material is current.
+  /// Opens the current material, if any, like Enter.
   void openCurrent();
   QuickLook& quickLook() const { return *m_look; }
 
  Q_SIGNALS:
   void openRequested(const QString& id);
-  /// As the reference of comparisons.
+  /// The user chose a material as the reference of comparisons.
   void referenceRequested(const QString& id);
-  /// As materials to interpolate between.
+  /// The user chose materials to interpolate.
   void interpolationRequested(const QStringList& ids);
-  /// The first is to be opened, the second compared with it.
+  /// Open the first material and compare it with the second.
   void pairRequested(const QString& first, const QString& second);
   void exportRequested(const QStringList& ids);
-  /// Accuracy against cost of several materials.
+  /// The user requested a study of several materials.
   void studyRequested(const QStringList& ids);
-  /// A large picture for the quick look, by its setPicture().
+  /// The quick look needs a large picture; pass it to setPicture().
   void largePictureRequested(const QString& id);
 
  protected:
@@ -53,15 +53,15 @@ class LibrarySelection : public QObject {
 
  private:
   void showMenu(const QPoint& position);
-  /// Selects what of m_kept is listed, and keeps the rest.
+  /// Selects the listed materials of m_kept and keeps the others for later.
   void restore();
-  /// Whether a key of the grid meant something.
+  /// Handles a key of the grid; returns whether it had an effect.
   bool key(int key, Qt::KeyboardModifiers modifiers);
   bool keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers);
   QString current() const;
   void setFavourites(const QStringList& ids, bool favourite);
   void setRating(const QStringList& ids, int rating);
-  /// Asks for tags, starting from those that all have.
+  /// Asks the user for tags, initially those common to all.
   void editTags(const QStringList& ids);
   LibraryCommon common(const QStringList& ids) const;
   void toggleLook();

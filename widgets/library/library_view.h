@@ -22,14 +22,14 @@ class LibrarySelection;
 
 /// A grid of materials with search, grouping, sorting and a size slider; several can be selected. Enter or a
 /// double-click opens, Space shows a large picture, arrow keys move. It reports which materials are visible, so that
-/// their pictures are made first.
+/// their pictures are rendered first.
 class LibraryView : public QWidget {
   Q_OBJECT
 
  public:
   explicit LibraryView(LibraryModel* model, QWidget* parent = nullptr);
 
-  /// Where the materials come from, above the grid.
+  /// The source of the materials, shown above the grid.
   void setTitle(const QString& title);
   /// Shown instead of an empty grid.
   void setEmptyText(const QString& text);
@@ -41,9 +41,9 @@ class LibraryView : public QWidget {
   void setGrouping(int grouping);
   int grouping() const;
   QStringList visibleIds() const;
-  /// What the user asks for.
+  /// The user's selection and actions.
   LibrarySelection& selection() const { return *m_selection; }
-  /// Whether the buttons that choose what is shown are in sight.
+  /// Whether the filter buttons are visible.
   void setChipsShown(bool shown);
   bool chipsShown() const;
   LibraryChips& chips() const { return *m_chips; }
@@ -56,7 +56,7 @@ class LibraryView : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  /// Takes its own materials without doing anything: a drag that ends where it began opens nothing.
+  /// Accepts drops of its own materials without effect, so that a drag which ends in the library opens nothing.
   void dragEnterEvent(QDragEnterEvent* event) override;
 
  private:

@@ -8,11 +8,11 @@
 
 namespace gonio::widgets {
 
-/// The mean of a picture's opaque pixels, taken in linear light, as CIE L*, a*, b*. Black of a picture without any.
+/// The mean of a picture's opaque pixels, in linear light, as CIE L*, a*, b*; black if there are none.
 Rgb meanLab(const QImage& picture);
 
-/// How unlike two materials look, by their thumbnails: the root of the squares of the difference of the mean colours
-/// (CIE 1976 delta E) and of 10 for each octave of roughness. 0: the same.
+/// Dissimilarity of two materials by their thumbnails: the Euclidean norm of the colour difference (CIE 1976 delta E)
+/// and 10 per octave of roughness. 0: equal.
 double dissimilarity(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness);
 
 }  // namespace gonio::widgets

@@ -8,12 +8,12 @@ class QMimeData;
 
 namespace gonio::widgets {
 
-/// What a drag of a library's material carries: its id, and its file where it is one, for other programs.
+/// The data of a dragged library material: its id, and for other programs its file, if it has one.
 QMimeData* toDrag(const QString& id);
 
-/// What a drag names: the id of a library's material, else the first local file; empty when it is neither.
+/// The content of a drag: the id of a library material, else the first local file; empty if there is neither.
 QString draggedFile(const QMimeData* data);
-/// The same where it is a material or a document, by its suffix or its content; else empty.
+/// The same if it is a material or a document, by suffix or content; else empty.
 QString draggedMaterial(const QMimeData* data);
 
 }  // namespace gonio::widgets

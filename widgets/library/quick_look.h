@@ -8,7 +8,7 @@ class QLabel;
 
 namespace gonio::widgets {
 
-/// A large picture of a material with what is known of it, beside the library; it never takes the focus.
+/// A large picture of a material with information about it, beside the library; it never takes the focus.
 class QuickLook : public QFrame {
   Q_OBJECT
 
@@ -17,11 +17,11 @@ class QuickLook : public QFrame {
 
   explicit QuickLook(QWidget* library);
 
-  /// @param text rich. @param picture may be small or null: a larger one follows by setPicture().
+  /// @param text rich text. @param picture may be small or null; setPicture() replaces it.
   void showMaterial(const QString& id, const QString& text, const QImage& picture);
-  /// Ignored where it is of another material than the one that is shown.
+  /// Ignored if another material is shown.
   void setPicture(const QString& id, const QImage& picture);
-  /// Of the material that is shown.
+  /// The id of the shown material.
   const QString& id() const { return m_id; }
 
  protected:

@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// An outline over a widget while something is dragged above it, with a text that says what dropping will do.
+/// An outline over a widget during a drag, with a text that states the effect of a drop.
 class DropOverlay : public QWidget {
   Q_OBJECT
 

@@ -6,14 +6,14 @@
 
 namespace gonio::widgets {
 
-/// One edit of a stack, for people.
+/// One edit of a stack, for display.
 struct EditEntry {
   QString name;  ///< shown
   QString toolTip = {};
   double strength = 1;  ///< [0, 1]
   bool enabled = true;
-  QString ownName = {};  ///< that the user gave it: what renaming starts from
-  QString effect = {};   ///< measured: a line below the strength; empty: none
+  QString ownName = {};  ///< name given by the user, the initial text of renaming
+  QString effect = {};   ///< measured effect, a line below the strength; empty: none
 
   bool operator==(const EditEntry&) const = default;
 };

@@ -22,7 +22,7 @@ class EditRow : public QWidget {
   explicit EditRow(QWidget* parent = nullptr);
 
   void show(const EditEntry& entry);
-  /// The name becomes a field; Return or leaving it takes what was typed, Escape leaves the name as it was.
+  /// Shows a field for the name; Return or leaving the field commits, Escape reverts.
   void beginRename();
 
  Q_SIGNALS:

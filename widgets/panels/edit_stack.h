@@ -19,9 +19,9 @@ namespace gonio::widgets {
 class EditRow;
 
 /// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and number,
-/// a button that deletes. One is selected. Rows are dragged to another place (or moved by Alt+Up, Alt+Down), renamed
-/// (F2 or a double click on the name), duplicated, added. It shows what others own: it signals what the user wants, and
-/// setEntries() shows the result.
+/// a button that deletes. One is selected. Rows can be dragged (or moved by Alt+Up, Alt+Down), renamed (F2 or a
+/// double-click on the name), duplicated and added. The widget does not own the edits: it emits the user's requests,
+/// and setEntries() shows the result.
 class EditStack : public QWidget {
   Q_OBJECT
 
@@ -29,12 +29,12 @@ class EditStack : public QWidget {
   explicit EditStack(QWidget* parent = nullptr);
   ~EditStack() override;
 
-  /// @param selected -1: none. @param emptyText stands alone when there are no entries. Rows stay while their count and
-  /// names do.
+  /// @param selected -1: none. @param emptyText shown if there are no entries. Rows are reused if their number and
+  /// names are unchanged.
   void setEntries(const std::vector<EditEntry>& entries, int selected, const QString& emptyText);
   const std::vector<EditEntry>& entries() const { return m_entries; }
   int selected() const;
-  /// Of the button that adds an edit: the owner fills it.
+  /// The menu of the button that adds an edit; the owner fills it.
   QMenu& addMenu() { return *m_addMenu; }
   /// Shows the name of an entry as a field to type in.
   void beginRename(int entry);
@@ -42,13 +42,13 @@ class EditStack : public QWidget {
  Q_SIGNALS:
   void selectionChosen(int entry);
   void enabledChosen(int entry, bool enabled);
-  /// Everything between these two is one step of the user's hand.
+  /// Changes between these two signals are one interaction (one undo step).
   void editingStarted();
   void strengthEdited(int entry, double strength);
   void editingFinished();
-  /// @param name empty: the name that the user gave before is taken away.
+  /// @param name empty: remove the user's name.
   void renamed(int entry, const QString& name);
-  /// The entry `from` is to become number `to`.
+  /// Move the entry `from` to index `to`.
   void moveRequested(int from, int to);
   void duplicateRequested(int entry);
   void deleteRequested(int entry);

@@ -12,7 +12,7 @@ class QLabel;
 
 namespace gonio::widgets {
 
-/// The plan of a scene's effects: a row each with what is simulated, why, what it was measured to cost, and a switch
+/// The effect plan of a scene, one row per effect: whether it is simulated, the reason, the measured cost, and a switch
 /// that forces it on or off.
 class EffectList : public QWidget {
   Q_OBJECT
@@ -21,7 +21,7 @@ class EffectList : public QWidget {
   explicit EffectList(QWidget* parent = nullptr);
 
   void setPlan(const EffectPlan& plan);
-  /// Nothing: not measured.
+  /// Empty: not measured.
   void setCosts(const std::optional<EffectCosts>& costs);
   void setOverrides(const EffectOverrides& overrides);
   EffectOverrides overrides() const;

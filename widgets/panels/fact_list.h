@@ -13,7 +13,7 @@ class QLabel;
 
 namespace gonio::widgets {
 
-/// A name and what is to know.
+/// A name and a value.
 struct Fact {
   QString name, value;
   QString toolTip = {};
@@ -25,7 +25,7 @@ class FactList : public QWidget {
 
  public:
   explicit FactList(QWidget* parent = nullptr);
-  /// Replaces all rows. `emptyText` stands alone when there are none.
+  /// Replaces all rows. `emptyText` is shown if there are none.
   void setFacts(const std::vector<Fact>& facts, const QString& emptyText = {});
 
  private:
@@ -33,7 +33,7 @@ class FactList : public QWidget {
   void addRow();
 
   QGridLayout* m_layout;
-  std::vector<std::pair<QLabel*, QLabel*>> m_rows;  ///< name and value; those beyond the facts are hidden
+  std::vector<std::pair<QLabel*, QLabel*>> m_rows;  ///< name and value; superfluous rows are hidden
   QLabel* m_hint;
 };
 

@@ -10,14 +10,14 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// A message across the top of the window that waits for nobody: a warning, or a proposal with Apply and Discard.
+/// A non-modal message at the top of the window: a warning, or a proposal with Apply and Discard.
 class MessageBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  /// Below the messages that are still shown.
+  /// Adds a message below those still shown.
   void showMessage(const QString& text);
   void showProposal(const QString& text);
   bool isProposal() const;

@@ -14,7 +14,7 @@ namespace gonio::widgets {
 
 class ModelBox;
 
-/// Which model explains the material: a list by family, a fit button, and how well it fits.
+/// The choice of the fitted model: a list by family, a fit button, and the quality of the fit.
 class ModelPanel : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ModelPanel : public QWidget {
 
   /// Shows a model (null: none chosen) and text about its fit. Emits nothing.
   void setModel(const models::Model* model, const QString& residual);
-  /// While a fit runs the list stays usable: choosing another model replaces the running fit.
+  /// During a fit the list remains enabled: choosing another model replaces the running fit.
   void setBusy(bool busy);
 
  Q_SIGNALS:

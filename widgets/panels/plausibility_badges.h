@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace gonio::widgets {
 
-/// A word with a sign: passed, failed, or not known yet. The sign and the word state it, the colour helps.
+/// A word with a symbol: passed, failed, or not known yet. Does not rely on colour.
 class PlausibilityBadge : public QAbstractButton {
   Q_OBJECT
 
@@ -33,8 +33,8 @@ class PlausibilityBadge : public QAbstractButton {
   State m_state = State::unknown;
 };
 
-/// A badge for each check of plausibility. Pressing one opens below what it means, the worst value and where it is,
-/// what to do, and a way to see it.
+/// A badge per plausibility check. Pressing one shows its meaning, the worst value and its directions, advice, and a
+/// button to display it.
 class PlausibilityBadges : public QWidget {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class PlausibilityBadges : public QWidget {
   explicit PlausibilityBadges(QWidget* parent = nullptr);
 
   void setChecks(const std::vector<metrics::PlausibilityCheck>& checks);
-  /// The checks are those of an earlier step: shown as not known yet, their text stays.
+  /// The checks are out of date: shows them as not known yet, with their last text.
   void setPending();
   /// Nothing to check.
   void clear();
@@ -53,7 +53,7 @@ class PlausibilityBadges : public QWidget {
   QPushButton* showButton() const { return m_show; }
 
  Q_SIGNALS:
-  /// The user wants to see a check ("energy", "reciprocity", ...) where light falls in at this polar angle, rad.
+  /// The user wants to display a check ("energy", "reciprocity", ...) for light at this polar angle, rad.
   void showRequested(const QString& check, double theta);
 
  private:
@@ -67,7 +67,7 @@ class PlausibilityBadges : public QWidget {
   QPushButton* m_show;
 };
 
-/// The word of a check, and rich text about it for people.
+/// The word of a check, and rich text about it.
 QString plausibilityWord(const metrics::PlausibilityCheck& check);
 QString plausibilityText(const metrics::PlausibilityCheck& check);
 

@@ -12,35 +12,35 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// Text, bar and Cancel button of the work in progress, for a status bar; a list of all of it where there is more than
-/// one piece. While there is none, the last notice is shown for some seconds.
+/// Text, progress bar and Cancel button of running tasks, for a status bar; a list if there are several. Without tasks,
+/// the last notice is shown for some seconds.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProgressStrip(QWidget* parent = nullptr);
 
-  /// One piece of work in the list.
+  /// One task in the list.
   struct Entry {
     int id;
-    QString text;  ///< "Exporting chrome.bsdf, 40 %"
+    QString text;  ///< e.g. "Exporting chrome.bsdf, 40 %"
   };
 
   enum class Pausing { no, running, paused };
   void showProgress(const QString& text, double fraction, bool canCancel, Pausing pausing = Pausing::no);
   void clear();
-  /// Shown as a list where there are two or more.
+  /// Shown as a list if there are two or more.
   void setEntries(const std::vector<Entry>& entries);
-  /// What has been done ("Wrote chrome.bsdf"), beside the work that goes on.
+  /// Shows a result ("Wrote chrome.bsdf"), beside running tasks.
   void showNotice(const QString& text, int milliseconds);
   QString notice() const;
   QToolButton* entriesButton() const { return m_entries; }
 
  Q_SIGNALS:
   void cancelRequested();
-  /// Or to go on.
+  /// @param pause false: continue.
   void pauseRequested(bool pause);
-  /// Of one entry of the list.
+  /// The user cancelled one entry of the list.
   void entryCancelRequested(int id);
 
  private:

@@ -9,9 +9,9 @@ class QTreeView;
 
 namespace gonio::widgets {
 
-/// Makes of a view a table that its headers sort, by the model's values in Qt::UserRole. Rows move to their places when
-/// values change, but not while the pointer is over them. `empty` lies over it: the caller shows it with what to do
-/// while there are no rows.
+/// Sets up a table view that is sorted by its headers, by the model's values in Qt::UserRole. When values change, rows
+/// are sorted again unless the pointer is over them. `empty` is laid over the table; the caller shows it with
+/// instructions while there are no rows.
 void setUpSortedTable(QTreeView& view, QSortFilterProxyModel& sorted, QAbstractItemModel& source, QLabel& empty);
 
 }  // namespace gonio::widgets

@@ -8,8 +8,9 @@
 
 namespace gonio::widgets {
 
-/// A button filled with a linear RGB colour. Values above 1 are scaled to their tint and marked by a corner. Pressing
-/// it opens a colour dialog; every choice in the dialog is emitted at once, cancelling it emits the old colour again.
+/// A button filled with a linear RGB colour. Colours with values above 1 are scaled down and marked with a corner.
+/// Pressing it opens a colour dialog; every change in the dialog is emitted immediately, and cancelling emits the old
+/// colour.
 class ColourSwatch : public QAbstractButton {
   Q_OBJECT
 

@@ -15,26 +15,26 @@ namespace gonio::widgets {
 
 class ParameterRow;
 
-/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's body. Under a control
-/// that was moved stands what it does to which parameters; what the model has no parameter for is grey and says so.
-/// Shows values that others own, as ParameterPanel does.
+/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's body. Below a control
+/// that was moved, its effect on the parameters is listed; controls without parameters in the model are disabled, with
+/// an explanation. Does not own the values, like ParameterPanel.
 class ControlPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ControlPanel(QWidget* parent = nullptr);
 
-  /// Null: nothing can be edited, `emptyText` says why.
+  /// Null: nothing can be edited; `emptyText` states the reason.
   void setEdit(const editing::DifferentialEdit* edit, const QString& emptyText = {});
 
-  /// Null for no row (nothing can be edited).
+  /// Null if nothing can be edited.
   ParameterRow* row(editing::ArtistControl control) const;
   ParameterRow* bodyRow() const { return m_body; }
-  /// What is said under a control; empty while it changes nothing.
+  /// The text below a control; empty if it has no effect.
   QString changesText(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
   std::optional<editing::ArtistControl> currentControl() const;
-  /// The model's parameter of the diffuse colour where its row is under the pointer, else where it has the focus.
+  /// The model's parameter of the diffuse colour if its row is under the pointer or has the focus.
   std::optional<int> currentBodyParameter() const;
 
  Q_SIGNALS:
@@ -67,9 +67,9 @@ class ControlPanel : public QWidget {
   QWidget* m_content = nullptr;
   std::vector<Control> m_controls;  ///< in the order of ArtistControl; empty while nothing can be edited
   ParameterRow* m_body = nullptr;
-  std::optional<models::ParameterSpec> m_bodySpec;  ///< of the model, under the name that it has here
+  std::optional<models::ParameterSpec> m_bodySpec;  ///< of the model, with the name used in this panel
   int m_bodyParameter = -1;
-  bool m_editing = false;  ///< a row is under the hand
+  bool m_editing = false;  ///< whether an interaction is running
 };
 
 }  // namespace gonio::widgets

@@ -7,15 +7,14 @@
 
 namespace gonio::widgets {
 
-/// The one number that stands for the three channels of a parameter: their luminance where none can be negative, else
-/// their mean.
+/// The single value of three linked channels: their luminance if none can be negative, else their mean.
 double linkedValue(const models::ParameterSpec& spec, const Rgb& channels);
 
-/// The channels with the linked value moved to `target`: scaled together, so that the tint stays (or shifted together,
-/// where a channel can be negative or all are 0); each inside its hard range.
+/// The channels after moving the linked value to `target`: scaled by one factor, which keeps the tint (or shifted, if a
+/// channel can be negative or all are 0), within the hard range.
 Rgb withLinkedValue(const models::ParameterSpec& spec, const Rgb& channels, double target);
 
-/// Whether the three channels of a parameter are a colour that a swatch can show.
+/// Whether a parameter is a colour that a swatch can show.
 bool isColour(const models::ParameterSpec& spec);
 
 }  // namespace gonio::widgets

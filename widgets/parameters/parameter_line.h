@@ -14,26 +14,25 @@ class QHBoxLayout;
 
 namespace gonio::widgets {
 
-/// One number of a parameter in a row of aligned columns: label, slider, number field, room for a swatch, reset arrow.
-/// Double-click on the label or the slider, or Backspace on the slider, asks for a
-/// reset.
+/// One number of a parameter in a row of aligned columns: label, slider, number field, space for a swatch, reset arrow.
+/// Double-click on the label or slider, or Backspace on the slider, requests a reset.
 class ParameterLine : public QWidget {
   Q_OBJECT
 
  public:
   ParameterLine(const models::ParameterSpec& spec, const QString& label, QWidget* parent = nullptr);
 
-  /// @param reference the fitted value, which the slider's range is made to hold.
+  /// @param reference the fitted value; the slider's range includes it.
   void setValue(double value, double reference);
-  /// Bold label and reset arrow; by default set from the comparison with the reference.
+  /// Shows a bold label and the reset arrow; by default if value and reference differ.
   void setModified(bool modified);
   bool isModified() const { return m_modified; }
   /// Puts a widget before the label (a disclosure arrow) or after the number (a swatch).
   void setLeading(QWidget* widget);
   void setTrailing(QWidget* widget);
-  /// Puts a widget (a list of choices) in the place of the slider and the number.
+  /// Replaces slider and number by a widget (a list of choices).
   void replaceNumber(QWidget* widget);
-  /// Again, after the units of the program have changed.
+  /// Updates the display after a change of the program's units.
   void showUnit();
   void setDescription(const QString& toolTip, const QString& accessibleName);
 

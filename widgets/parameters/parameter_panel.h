@@ -14,20 +14,20 @@ namespace gonio::widgets {
 
 class ParameterRow;
 
-/// The parameters of a model, grouped, each as its ParameterSpec describes it and nothing else; the many coefficients
-/// of a series are folded away at first, and what does not matter with the present choices is grey. The panel shows
-/// values that others own: it emits what the user wants and shows the result by setValues().
+/// The grouped parameters of a model, as their ParameterSpecs describe them; coefficients of a series are collapsed
+/// initially, and parameters without effect under the current choices are disabled. The panel does not own the values:
+/// it emits the user's changes, and setValues() shows the result.
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ParameterPanel(QWidget* parent = nullptr);
 
-  /// Rebuilds the rows; null shows an explaining text. `emptyText` replaces the default one.
+  /// Rebuilds the rows. Null shows `emptyText`, or a default text if it is empty.
   void setModel(const models::ModelSpec* spec, const QString& emptyText = {});
-  /// @param reference what a reset goes back to: the fitted values.
+  /// @param reference the fitted values, to which a reset returns.
   void setValues(const models::ParameterValues& values, const models::ParameterValues& reference);
-  /// Again, after the units of the program have changed.
+  /// Updates the display after a change of the program's units.
   void showUnits();
 
   std::size_t rowCount() const { return m_rows.size(); }

@@ -16,8 +16,8 @@ namespace gonio::widgets {
 class ColourSwatch;
 class ParameterLine;
 
-/// One parameter as its spec describes it: a number, a choice, or three channels linked by one slider with a swatch
-/// where they are a colour and a disclosure that shows a line for each channel.
+/// One parameter as its spec describes it: a number, a choice, or three channels linked by one slider, with a swatch
+/// for colours and a disclosure that shows one line per channel.
 class ParameterRow : public QWidget {
   Q_OBJECT
 
@@ -27,9 +27,9 @@ class ParameterRow : public QWidget {
   void setValue(const Rgb& value, const Rgb& reference);
   const models::ParameterSpec& spec() const { return *m_spec; }
   bool isModified() const { return m_value != m_reference; }
-  /// Greyed while it does not matter; `reason` stands first in the tooltips then.
+  /// Disables the row while the parameter has no effect; tooltips then start with `reason`.
   void setActive(bool active, const QString& reason);
-  /// Again, after the units of the program have changed.
+  /// Updates the display after a change of the program's units.
   void showUnits();
   void setChannelsShown(bool shown);
   bool channelsShown() const;

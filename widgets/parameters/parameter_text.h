@@ -9,16 +9,16 @@
 
 namespace gonio::widgets {
 
-/// Text about parameters for people, made from their specs only.
+/// Display texts of parameters, generated from their specs.
 QString fromView(std::string_view text);
-/// How parameters of roughness are shown and typed: as the models define them (the slope scale α), or as their square
-/// root, the roughness of other programs (Burley 2012). The values themselves stay.
+/// Display of roughness parameters: as the models define them (alpha), or as the square root, the roughness of other
+/// programs (Burley 2012). Does not change the values.
 enum class RoughnessDisplay { alpha, squareRoot };
-/// Of the whole program; ParameterPanel::showUnits() follows.
+/// A setting of the whole program; call ParameterPanel::showUnits() afterwards.
 void setRoughnessDisplay(RoughnessDisplay display);
 RoughnessDisplay roughnessDisplay();
 
-/// What is shown is displayFactor() * value^displayPower() in displayUnit(); angles are shown in degrees.
+/// The displayed number is displayFactor() * value^displayPower() in displayUnit(); angles are in degrees.
 double displayFactor(const models::ParameterSpec& spec);
 double displayPower(const models::ParameterSpec& spec);
 QString displayUnit(const models::ParameterSpec& spec);

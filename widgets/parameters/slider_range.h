@@ -8,8 +8,8 @@
 
 namespace gonio::widgets {
 
-/// What a parameter's slider spans, first the least value: the soft range, widened where the fitted value lies outside,
-/// so that it comes to lie four fifths of the way; never beyond the hard range.
+/// Minimum and maximum of a parameter's slider: the soft range, extended if the fitted value is outside, so that it is
+/// at four fifths of the slider; never beyond the hard range.
 std::pair<double, double> sliderRange(const models::ParameterSpec& spec, double fitted);
 
 }  // namespace gonio::widgets

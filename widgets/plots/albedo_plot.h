@@ -6,8 +6,9 @@
 
 namespace gonio::widgets {
 
-/// Directional albedo (the fraction of light from one direction that is reflected, or by reciprocity of even light that
-/// reaches a viewer) against the polar angle. Above the line at 1 a material would give off more than it gets.
+/// Directional albedo against the polar angle: the fraction of light from one direction that is reflected or, by
+/// reciprocity, the fraction of uniform light that reaches a viewer. Above the line at 1 a material would reflect more
+/// energy than it receives.
 class AlbedoPlot final : public CurveChart {
   Q_OBJECT
 

@@ -6,14 +6,14 @@
 
 namespace gonio::widgets {
 
-/// Values over theta_h, theta_d or theta_o, the other angles fixed and stated in the title of the axis.
+/// Values over theta_h, theta_d or theta_o. The other angles are fixed, and stated in the title of the axis.
 class CartesianPlot final : public CurveChart {
   Q_OBJECT
 
  public:
   explicit CartesianPlot(QWidget* parent = nullptr);
 
-  /// The section that the curves are of.
+  /// @param section the section of half-difference space to which the curves belong.
   void setSection(const plots::Section& section, PlotSeriesList<plots::Curve> series);
 
  protected:

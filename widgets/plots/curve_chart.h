@@ -13,25 +13,25 @@ class QCPItemText;
 
 namespace gonio::widgets {
 
-/// What the axes of a chart are. Angles in degrees.
+/// Description of a chart's axes. Angles in degrees.
 struct ChartAxes {
   QString angleTitle, valueTitle;
   double first = 0, last = 90;
-  std::string angleColumn;  ///< name in CSV files: "theta_o"
-  std::string unit;         ///< of the values in CSV files: "1/sr"
-  QString unitText;         ///< behind values, " 1/sr"
-  std::string values;       ///< comment in CSV files: what the values are
+  std::string angleColumn;  ///< name in CSV files, e.g. "theta_o"
+  std::string unit;         ///< unit of the values in CSV files, e.g. "1/sr"
+  QString unitText;         ///< after values, e.g. " 1/sr"
+  std::string values;       ///< comment in CSV files that describes the values
 };
 
-/// Curves over an angle on Cartesian axes: the part that the Cartesian and the albedo plot share. The wheel zooms (over
-/// an axis: that axis alone), a drag pans; a line that can be dragged marks the angle of incidence.
+/// Curves over an angle on Cartesian axes: the common base of CartesianPlot and AlbedoPlot. The wheel zooms (over an
+/// axis: that axis alone), a drag pans. A draggable line marks the angle of incidence.
 class CurveChart : public Plot {
   Q_OBJECT
 
  public:
   CurveChart(const QString& title, QWidget* parent);
 
-  /// All with the same angles.
+  /// @param series all over the same angles.
   void setSeries(PlotSeriesList<plots::Curve> series);
   const PlotSeriesList<plots::Curve>& series() const { return m_series; }
 
@@ -39,16 +39,16 @@ class CurveChart : public Plot {
   plots::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
-  /// Where the line of the angle of incidence is, in the widget.
+  /// Position of the line that marks the angle of incidence, in the widget's coordinates.
   QPointF handle() const;
 
  protected:
   virtual ChartAxes axes() const = 0;
-  /// Where the angle of incidence lies on the angle axis, degrees; nothing where it does not.
+  /// Position of the angle of incidence on the angle axis, degrees; nullopt if it is not on this axis.
   virtual std::optional<double> incidence() const = 0;
-  /// A further line of the table's header.
+  /// Additional header lines of the table, for fixed angles.
   virtual std::vector<std::string> fixedForCsv() const { return {}; }
-  /// A value at which a horizontal line is drawn.
+  /// Value of a horizontal line; nullopt: no line.
   virtual std::optional<double> limit() const { return std::nullopt; }
 
   void refresh() override;
@@ -67,7 +67,7 @@ class CurveChart : public Plot {
   QCustomPlot* m_chart;
   QCPItemStraightLine *m_line, *m_crosshair, *m_limit;
   QCPItemText* m_lineLabel;
-  bool m_viewChanged = false;  ///< by the user: new curves do not rescale it
+  bool m_viewChanged = false;  ///< the user zoomed or panned, so new curves do not rescale the axes
   bool m_draggingLine = false;
 };
 

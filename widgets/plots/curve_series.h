@@ -6,15 +6,15 @@
 #include "core/plots/section.h"
 #include "widgets/plots/plot_series.h"
 
-/// What all plots of curves need.
+/// Functions for all plots of curves.
 namespace gonio::widgets {
 
-/// Angles in degrees in the first column, then one column a curve of the chosen channel.
+/// Angles in degrees in the first column, then one column per curve, of the selected channel.
 std::vector<plots::CsvColumn> curveColumns(const PlotSeriesList<plots::Curve>& series, const std::string& angle,
                                            plots::Channel channel, const std::string& unit);
-/// All values of some curves that a scale is to show.
+/// The values of all curves, for the choice of a scale.
 std::vector<double> shownValues(const PlotSeriesList<plots::Curve>& series, plots::Channel channel);
-/// "measured 0.2 1/sr", a line a curve.
+/// E.g. "measured 0.2 1/sr", one line per curve.
 QString curveReadout(const PlotSeriesList<plots::Curve>& series, double angle, plots::Channel channel,
                      const QString& unit);
 

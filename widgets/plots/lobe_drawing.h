@@ -11,7 +11,7 @@
 
 namespace gonio::widgets {
 
-/// From where a lobe is looked at: orthographic, the normal upwards.
+/// The view of a lobe: an orthographic projection with the normal upwards.
 struct LobeView {
   double yaw = radians(-65);   ///< rad; -90 degrees looks at the plane of incidence, the mirror side to the right
   double pitch = radians(22);  ///< rad above the surface, (-pi/2, pi/2)
@@ -22,7 +22,7 @@ struct LobeView {
   Direction up() const;
 };
 
-/// A lobe in a part of a picture: its place on the page.
+/// Position and size of a lobe in a picture.
 struct LobePlace {
   LobeView view;
   QPointF centre;
@@ -38,12 +38,12 @@ struct LobePicture {
   plots::ValueScale scale;
 };
 
-/// Surface, normal, directions of light and mirror, name and the value of the ground's circle. The surface is made of
-/// shaded quadrilaterals, far ones first: it can be exported as SVG.
+/// Draws the surface, the normal, the light and mirror directions, the name and the value of the circle on the ground.
+/// The surface consists of shaded quadrilaterals, drawn from back to front, so that it can be exported as SVG.
 void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
               const PlotStyle& style);
 
-/// A point of the surface: its direction, as far out as its value.
+/// A point of the surface: its direction times its value.
 Direction lobePoint(const LobePicture& picture, std::size_t index);
 
 }  // namespace gonio::widgets

@@ -7,8 +7,8 @@
 
 namespace gonio::widgets {
 
-/// The whole lobes of one direction of the light, beside each other and to the same scale. A drag turns all of them,
-/// the wheel zooms; Ctrl + arrow keys turn, plus and minus zoom.
+/// The whole lobes for one light direction, side by side at the same scale. A drag or Ctrl + arrow keys rotate all of
+/// them, the wheel or plus and minus zoom.
 class LobePlot final : public Plot {
   Q_OBJECT
 

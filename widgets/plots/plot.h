@@ -12,9 +12,9 @@ class QLabel;
 
 namespace gonio::widgets {
 
-/// What every plot can: settings, a readout of the value under the pointer, an empty state, a menu that resets the view
-/// and exports. Left and right arrow keys turn the angle of incidence (Shift a tenth), Home and double-click reset the
-/// view.
+/// Base of the plots: settings, a readout of the value under the pointer, an empty state, and a menu to reset the view
+/// and to export. Left and right arrow keys change the angle of incidence (Shift: by a tenth), Home and double-click
+/// reset the view.
 class Plot : public QWidget {
   Q_OBJECT
 
@@ -27,12 +27,12 @@ class Plot : public QWidget {
   /// Name of the material, for exported files.
   void setSource(const QString& source) { m_source = source; }
   const QString& source() const { return m_source; }
-  /// Shown in place of the plot while there are no series.
+  /// Text shown in place of the plot if there are no series.
   void setHint(const QString& hint);
 
-  /// Draws all of the plot on any device: a picture, an SVG file.
+  /// Draws the complete plot on any device, e.g. a picture or an SVG file.
   virtual void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) = 0;
-  /// The shown numbers, with a header that says what they are.
+  /// The plotted numbers, with a header that describes them.
   virtual plots::CsvTable table() const = 0;
   virtual bool isEmpty() const = 0;
 
@@ -46,20 +46,21 @@ class Plot : public QWidget {
   void exportAs(const QString& suffix, const QSize& size = {});
 
  Q_SIGNALS:
-  /// The user turned the angle of incidence (rad, [0, maxThetaI]). The plot itself does not change yet.
+  /// The user changed the angle of incidence (rad, [0, maxThetaI]). The plot itself does not change until
+  /// setSettings().
   void thetaIEdited(double thetaI);
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 
  protected:
-  /// Settings or series changed: draw anew.
+  /// Redraws the plot after a change of settings or series.
   virtual void refresh() = 0;
-  /// The start of every table: what, of which material, values, convention.
+  /// The first header lines of every table: quantity, material, values, convention.
   std::vector<std::string> commentsOfTable() const;
   PlotStyle style() const { return PlotStyle::of(palette()); }
-  /// Beside the pointer; an empty text hides it.
+  /// Shows a text beside the pointer; an empty text hides it.
   void showReadout(const QString& text, const QPointF& pointer = {});
-  /// Hides or shows the hint as isEmpty() says.
+  /// Shows the hint if isEmpty(), else hides it.
   void showEmptiness();
   void editThetaI(double thetaI);
 

@@ -10,14 +10,14 @@ namespace gonio::widgets {
 
 class Plot;
 
-/// A plot as a file's content, dark on white whatever the theme: SVG 1.2 Tiny, PNG of twice as many pixels.
+/// A plot as content of a file, dark on white in every theme: SVG 1.2 Tiny, or PNG with twice the size in pixels.
 /// @param size in the units of the widget; empty: that of the widget, 480 x 320 at least.
 QByteArray plotAsSvg(Plot& plot, const QSize& size = {});
 QByteArray plotAsPng(Plot& plot, const QSize& size = {});
 QByteArray plotAsCsv(const Plot& plot);
 
-/// Writes what the suffix of the path says (.svg, .png, .csv), atomically.
-/// @throws Error naming the file: the system's reason, or a suffix that is none of these.
+/// Writes the plot atomically, in the format of the path's suffix (.svg, .png, .csv).
+/// @throws Error with the file name, if the file cannot be written or the suffix is none of these.
 void exportPlot(Plot& plot, const QString& path, const QSize& size = {});
 
 }  // namespace gonio::widgets

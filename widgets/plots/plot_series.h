@@ -10,7 +10,7 @@
 
 namespace gonio::widgets {
 
-/// Numbers (a Curve, a Slice or a LobeSurface) with the name that legends show.
+/// Data (a Curve, a Slice or a LobeSurface) with its name in legends.
 template <class Data>
 struct PlotSeries {
   SeriesRole role = SeriesRole::measured;
@@ -20,7 +20,7 @@ struct PlotSeries {
 template <class Data>
 using PlotSeriesList = std::vector<PlotSeries<Data>>;
 
-/// What all plots of a view have in common.
+/// Settings shared by all plots of a view.
 struct PlotSettings {
   plots::Channel channel = plots::Channel::luminance;
   bool logarithmic = false;
@@ -30,7 +30,7 @@ struct PlotSettings {
   bool operator==(const PlotSettings&) const = default;
 };
 
-/// Angles of incidence that plots offer, rad: at 90 degrees nothing is defined.
+/// Maximum angle of incidence of the plots, rad; at 90 degrees the BRDF is undefined.
 inline constexpr double maxThetaI = radians(89);
 
 }  // namespace gonio::widgets

@@ -9,7 +9,7 @@
 #include "core/plots/slice.h"
 #include "widgets/plots/plot_series.h"
 
-/// The words of plots, each in one place.
+/// The texts of plots.
 namespace gonio::widgets {
 
 QString channelName(plots::Channel channel);
@@ -24,11 +24,11 @@ QString valueText(double value, plots::PointState state = plots::PointState::kno
 /// "not measured", "below the horizon".
 QString stateText(plots::PointState state);
 
-/// Plain ASCII for CSV files: "luminance".
+/// Plain ASCII for CSV files, e.g. "luminance".
 std::string channelForCsv(plots::Channel channel);
 /// "luminance of f cos theta_i".
 std::string valueForCsv(const PlotSettings& settings);
-/// The project's convention of directions and values, one line.
+/// The project's convention for directions and values, on one line.
 std::string conventionForCsv();
 /// "theta_i = 45 degrees".
 std::string angleForCsv(const std::string& name, double radians);

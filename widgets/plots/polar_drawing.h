@@ -11,10 +11,10 @@
 
 namespace gonio::widgets {
 
-/// Where things of a polar plot lie: a half disc, the normal upwards, theta_o > 0 to the right.
+/// Layout of a polar plot: a half disc, the normal upwards, theta_o > 0 to the right.
 struct PolarGeometry {
   QPointF centre;
-  double radius = 1;  ///< of the end of the axis, pixels
+  double radius = 1;  ///< distance of the axis' end from the centre, pixels
 
   /// The half disc that fills a picture, with room for labels of a font of this height.
   static PolarGeometry filling(const QSizeF& size, double fontHeight);
@@ -30,11 +30,11 @@ struct PolarPicture {
   plots::ValueScale scale;
 };
 
-/// Disc, axes, curves, the direction of the light with its handle, the mirror direction, legend and title.
+/// Draws disc, axes, curves, the light direction with its handle, the mirror direction, legend and title.
 void drawPolar(QPainter& painter, const QSizeF& size, const PolarGeometry& geometry, const PolarPicture& picture,
                const PlotStyle& style);
 
-/// Line samples and names in the upper left corner.
+/// Draws line samples and names in the upper left corner.
 void drawLegend(QPainter& painter, const std::vector<std::pair<SeriesRole, QString>>& entries, const PlotStyle& style);
 
 }  // namespace gonio::widgets

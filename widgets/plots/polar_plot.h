@@ -9,8 +9,8 @@
 
 namespace gonio::widgets {
 
-/// The lobe in the plane of incidence: radius = value over the signed polar angle of the viewer. The arrow of the light
-/// can be dragged; elsewhere a drag pans; the wheel zooms.
+/// The lobe in the plane of incidence: the radius is the value at the signed polar angle of the viewer. Dragging the
+/// arrow of the light changes the angle of incidence; dragging elsewhere pans; the wheel zooms.
 class PolarPlot : public Plot {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class PolarPlot : public Plot {
   plots::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
-  /// Where the handle of the light is, in the widget.
+  /// Position of the light's handle, in the widget's coordinates.
   QPointF handle() const;
 
  protected:
@@ -49,7 +49,7 @@ class PolarPlot : public Plot {
   PlotSeriesList<plots::Curve> m_series;
   plots::ValueScale m_scale;
   double m_zoom = 1;
-  QPointF m_pan;  ///< of the centre, in radii of the unzoomed disc
+  QPointF m_pan;  ///< displacement of the centre, in radii of the unzoomed disc
   Drag m_drag = Drag::none;
   QPointF m_lastPosition;
   std::optional<double> m_pointed;  ///< theta_o under the pointer, rad

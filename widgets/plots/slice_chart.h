@@ -5,14 +5,14 @@
 #include "core/plots/slice.h"
 #include "widgets/charts/custom_plot.h"
 
-/// The parts of a slice's chart that need no widget.
+/// Parts of a slice chart that need no widget.
 namespace gonio::widgets {
 
-/// core/rendering/false_colour.h's map for QCustomPlot; cells without a number are left out.
+/// The colour map of core/rendering/false_colour.h for QCustomPlot; cells with NaN stay transparent.
 QCPColorGradient viridisGradient();
-/// One colour for every number.
+/// One colour for all numbers.
 QCPColorGradient plainGradient(const QColor& colour);
-/// Degrees of theta_h on an axis of shares.
+/// Labels in degrees of theta_h on an axis of fractions (plots::thetaHShare()).
 QSharedPointer<QCPAxisTicker> thetaHTicker(plots::ThetaHSpacing spacing);
 QSharedPointer<QCPAxisTicker> thetaDTicker();
 

@@ -18,9 +18,9 @@ class QCPTextElement;
 
 namespace gonio::widgets {
 
-/// Slices of half-difference space beside each other in false colour with one colour bar: theta_h to the right, theta_d
-/// upwards. Hatched: below the horizon; plain grey: not measured. The line marks theta_d = theta_i (where theta_h = 0
-/// is the mirror) and can be dragged; wheel and drag zoom and pan all slices together.
+/// Slices of half-difference space side by side, in false colour with one colour bar: theta_h to the right, theta_d
+/// upwards. Hatched: below the horizon; plain grey: not measured. A draggable line marks theta_d = theta_i, on which
+/// theta_h = 0 is the mirror direction. Wheel and drag zoom and pan all slices together.
 class SlicePlot final : public Plot {
   Q_OBJECT
 
@@ -28,16 +28,16 @@ class SlicePlot final : public Plot {
   explicit SlicePlot(QWidget* parent = nullptr);
   ~SlicePlot() override;
 
-  /// All of one size, spacing and phi_d.
+  /// @param series all of the same size, spacing and phi_d.
   void setSeries(PlotSeriesList<plots::Slice> series);
   const PlotSeriesList<plots::Slice>& series() const { return m_series; }
 
-  /// The whole slices, whatever the view shows.
+  /// Draws the whole slices, independently of zoom and pan.
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
   plots::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
-  /// A point of a slice in the widget.
+  /// Position of a point of a slice in the widget. Angles in rad.
   QPointF position(std::size_t slice, double thetaH, double thetaD) const;
 
  protected:
@@ -63,7 +63,7 @@ class SlicePlot final : public Plot {
 
   PlotSeriesList<plots::Slice> m_series;
   plots::ValueScale m_scale;
-  double m_largest = 0;  ///< of all panels: may lie beyond the scale
+  double m_largest = 0;  ///< maximum of all panels, may exceed the scale
   QCustomPlot* m_chart;
   QCPMarginGroup* m_margins;
   QCPColorScale* m_bar;

@@ -17,19 +17,19 @@ namespace gonio::widgets {
 
 class NumberField;
 
-/// The controls of a comparison: the mode, the two sides, and what the mode needs. It shows what others own: it emits
-/// what the user wants and shows the result.
+/// The controls of a comparison: the mode, the two sides, and the settings of the mode. It owns no state: it emits the
+/// user's choices and shows the state that it is given.
 class ComparisonBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit ComparisonBar(QWidget* parent = nullptr);
 
-  /// @param names of the subjects in the order of ComparedSubject; an empty one is not there and cannot be chosen.
+  /// @param names of the subjects in the order of ComparedSubject; a subject with an empty name cannot be selected.
   void setSubjects(const std::array<QString, 4>& names);
   void setSides(ComparedSubject first, ComparedSubject second);
   void setComparison(const PreviewComparison& comparison);
-  /// The range that is in use while it is found automatically.
+  /// The automatically determined range that is in use.
   void setFoundRange(double range);
 
  Q_SIGNALS:
@@ -37,9 +37,9 @@ class ComparisonBar : public QWidget {
   void sidesEdited(gonio::widgets::ComparedSubject first, gonio::widgets::ComparedSubject second);
   /// The user wants to choose another material as the reference.
   void referenceWanted();
-  /// A file or a material of the library was dropped here: it is to be the reference.
+  /// A file or a material of the library was dropped here, to become the reference.
   void referenceDropped(const QString& path);
-  /// The button that shows the other side is held.
+  /// The button that shows the other side was pressed or released.
   void flickerHeld(bool held);
 
  protected:

@@ -8,17 +8,17 @@
 
 namespace gonio::widgets {
 
-/// A bar of the colours of a kind of difference, from the first to the last.
+/// Draws the colour map of a kind of difference as a bar.
 void drawColourBar(QPainter& painter, const QRect& bar, DifferenceKind kind);
 
-/// What the colours of a difference mean: a bar of the map with its numbers, the quantity and its unit.
+/// Legend of a difference picture: the colour map with numbers, the quantity and its unit.
 class FalseColourLegend : public QWidget {
   Q_OBJECT
 
  public:
   explicit FalseColourLegend(QWidget* parent = nullptr);
 
-  /// @param range the difference that has the last colour.
+  /// @param range the difference shown in the last colour of the map.
   void setDifference(DifferenceKind kind, double range);
   double range() const { return m_range; }
 

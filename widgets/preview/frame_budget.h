@@ -4,15 +4,15 @@
 
 namespace gonio::widgets {
 
-/// Decides how many samples a frame takes and at which scale, from the measured cost of the frames before: interaction
-/// stays fluid, rest converges. Plain arithmetic, no OpenGL.
+/// Chooses the number of samples and the scale of a frame from the measured cost of previous frames, so that
+/// interaction stays fluid and a picture at rest converges quickly. Plain arithmetic, no OpenGL.
 class FrameBudget {
  public:
   static constexpr double interactiveMs = 30;
   static constexpr double restingMs = 80;
   static constexpr int maxSamplesPerFrame = 64;
-  /// Below this many samples the first frame is drawn at half the resolution instead; at a quarter of it where a sample
-  /// at half takes longer than this.
+  /// If the time allows fewer samples than this, the first frame has half the resolution; if one sample at half
+  /// resolution takes longer than longestFirstMs, a quarter.
   static constexpr int minFirstSamples = 6;
   static constexpr double longestFirstMs = 100;
 
@@ -24,7 +24,7 @@ class FrameBudget {
   /// @param wanted samples of the converged picture; @param resting nothing has changed for a while.
   Frame next(double pixels, int accumulated, int wanted, bool resting) const;
 
-  /// Takes in what a frame cost.
+  /// Records the cost of a frame.
   void record(double pixels, int samples, double milliseconds);
 
  private:

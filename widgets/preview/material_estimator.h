@@ -12,14 +12,14 @@
 
 namespace gonio::widgets {
 
-/// What rendering wants to know of a subject.
+/// The properties of a subject that rendering needs.
 struct MaterialEstimate {
   std::shared_ptr<const TabulatedLobe> lobe;
   std::shared_ptr<const RenderMaterial> material;
 };
 
-/// Estimates how a subject is sampled and what it reflects in another thread: some 10 ms; some 100 for a blend of codes
-/// over different dictionaries. While one estimate runs, of all further requests the newest alone is kept.
+/// Estimates a subject's sampling density and albedo in another thread: about 10 ms, or about 100 ms for a blend of
+/// codes with different dictionaries. While an estimate runs, only the newest further request is kept.
 class MaterialEstimator : public QObject {
   Q_OBJECT
 
@@ -28,13 +28,13 @@ class MaterialEstimator : public QObject {
   ~MaterialEstimator() override;
 
   void request(const PreviewSubject& subject);
-  /// Forgets what was requested: nothing is reported any more.
+  /// Drops all requests; their results are not reported.
   void cancel();
   bool isBusy() const { return m_busy; }
 
  Q_SIGNALS:
   void estimated(const gonio::widgets::MaterialEstimate& estimate);
-  /// The newest request came to nothing.
+  /// The newest request failed.
   void failed(const QString& message);
 
  private:
@@ -43,9 +43,9 @@ class MaterialEstimator : public QObject {
 
   struct Outcome {
     MaterialEstimate estimate;
-    QString failure;  ///< empty: there is an estimate
+    QString failure;  ///< empty on success
   };
-  QThreadPool m_pool;  ///< not the global one, which Qt paints with: painting would wait for this work
+  QThreadPool m_pool;  ///< separate from the global pool, which Qt uses for painting, so that painting does not wait
   QFutureWatcher<Outcome> m_watcher;
   std::optional<PreviewSubject> m_next;
   bool m_busy = false, m_wanted = false;

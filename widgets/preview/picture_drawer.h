@@ -10,27 +10,27 @@
 
 namespace gonio::widgets {
 
-/// Draws what is requested, a frame at a time: decides how many samples the frame gets, finds the range of a
-/// difference, puts it all together. Knows neither threads nor widgets; every call needs the context of initialize().
+/// Draws the requested picture frame by frame: chooses the number of samples per frame, determines the range of a
+/// difference and composes the result. Independent of threads and widgets; all calls need the context of initialize().
 class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
  public:
   PictureDrawer();
 
-  /// @throws Error when the context has no OpenGL 4.1 core functions.
+  /// @throws Error if the context has no OpenGL 4.1 core functions.
   void initialize();
-  /// Frees what belongs to the context.
+  /// Frees the OpenGL objects.
   void release();
-  /// Called before a shader is compiled, which can take a second.
+  /// The listener is called before a shader is compiled, which can take a second.
   void setCompileListener(std::function<void()> listener);
 
-  /// Adds a frame's samples where some are missing.
-  /// @throws Error with the compiler's log when a shader does not compile.
+  /// Adds the samples of one frame, unless the picture is complete.
+  /// @throws Error with the compiler's log if a shader does not compile.
   PictureState addFrame(const PictureRequest& request);
-  /// Draws the request's viewport into the framebuffer that is bound.
+  /// Draws the request's viewport to the bound framebuffer.
   void present(const PictureRequest& request);
-  /// When the next frame of the request is due, in ms; nothing once it has all its samples.
+  /// Time until the next frame of the request, in ms; nullopt if it has all samples.
   std::optional<int> nextFrame(const PictureRequest& request) const;
-  /// The linear radiance of the first side so far.
+  /// The linear radiance of the first side, at the quality reached so far.
   Image readFirst() { return sides_[0].picture.readPicture(); }
 
  private:
@@ -40,9 +40,9 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
 
     PreviewRenderer picture;
     NoiseFilter filter;
-    int filteredSamples = 0;  ///< that were there when the noise was filtered; 0: it is not
+    int filteredSamples = 0;  ///< samples at the time of noise filtering; 0: not filtered
     int subjectNumber = -1;
-    std::shared_ptr<const Film> film;  ///< that the picture shows; null: what is drawn
+    std::shared_ptr<const Film> film;  ///< the film that the picture shows; null: it is rendered by the shader
   };
 
   void take(const PictureRequest& request);
@@ -58,8 +58,8 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
   FrameBudget budget_;
   PreviewComparison comparison_;
   bool coarse_ = false;   ///< the last frame has half the resolution
-  double range_ = 0;      ///< 0: not found yet
-  int rangeSamples_ = 0;  ///< at which the range was found
+  double range_ = 0;      ///< 0: not determined yet
+  int rangeSamples_ = 0;  ///< number of samples when the range was determined
 };
 
 }  // namespace gonio::widgets

@@ -15,49 +15,49 @@
 
 namespace gonio::widgets {
 
-/// A picture is at rest after so long without a change.
+/// Time without a change after which a picture is at rest.
 inline constexpr std::chrono::milliseconds timeToRest{120};
 
-/// What is to be seen: a value that the GUI thread hands to the thread that draws.
+/// Description of a picture, passed by value from the GUI thread to the rendering thread.
 struct PictureRequest {
   struct Side {
     PreviewSubject subject;
-    int subjectNumber = 0;  ///< another number: another subject, or another lobe of it
+    int subjectNumber = 0;  ///< changes with the subject or its lobe
     EffectPlan plan;
-    std::shared_ptr<const Film> film;  ///< traced on the CPU, to be shown in place of what is drawn; or null
+    std::shared_ptr<const Film> film;  ///< path-traced picture that replaces the shader's, or null
   };
 
-  int number = 0;  ///< of the request, rising
+  int number = 0;  ///< number of the request, increasing
   std::array<Side, 2> sides;
   Scene scene;
-  std::vector<PreviewSubject> others = {};  ///< in the scene's slots, see PreviewRenderer::setScene()
-  bool isDrawn = true;                      ///< by the shader; else films alone are shown
-  bool filtersNoise = false;                ///< for the eye, while there are fewer samples than wanted
-  bool drawsAtRest = true;                  ///< else a film comes then
-  bool comparing = false;                   ///< the second side is wanted
+  std::vector<PreviewSubject> others = {};  ///< subjects of the other slots, see PreviewRenderer::setScene()
+  bool isDrawn = true;                      ///< whether the shader renders; else only films are shown
+  bool filtersNoise = false;                ///< for display, as long as there are fewer samples than wanted
+  bool drawsAtRest = true;  ///< whether the shader also renders at rest; if not, a film replaces its picture
+  bool comparing = false;   ///< whether the second side is shown
   bool flickering = false;
   PreviewComparison comparison;
   DisplaySettings display;
-  QSize viewport{1, 1}, picture{1, 1};            ///< pixels; of all and of one side
-  int wantedSamples = 64;                         ///< of every pixel
-  std::chrono::steady_clock::time_point changed;  ///< by the user, at last
+  QSize viewport{1, 1}, picture{1, 1};            ///< pixels; the whole viewport and one side
+  int wantedSamples = 64;                         ///< per pixel
+  std::chrono::steady_clock::time_point changed;  ///< time of the user's last change
 };
 
-/// What has been drawn.
+/// The result of rendering.
 struct PictureState {
   struct Side {
     QSize size;
     int samples = 0;
-    bool isTraced = false;    ///< a film is shown
-    bool isFiltered = false;  ///< without its noise
+    bool isTraced = false;    ///< whether a film is shown
+    bool isFiltered = false;  ///< whether noise was filtered
   };
 
   int number = 0;  ///< of the request
   std::array<Side, 2> sides;
-  double range = 0;         ///< the difference that has the last colour; 0: not found yet
-  double milliseconds = 0;  ///< of the new samples
-  bool isNew = false;       ///< the first side has got samples
-  QImage picture;           ///< as it is to be shown, of the viewport's size
+  double range = 0;         ///< the difference shown in the last colour; 0: not determined yet
+  double milliseconds = 0;  ///< time for the new samples
+  bool isNew = false;       ///< whether the first side has new samples
+  QImage picture;           ///< the final picture, with the viewport's size
 };
 
 }  // namespace gonio::widgets

@@ -13,9 +13,9 @@ class QSurfaceFormat;
 
 namespace gonio::widgets {
 
-/// Draws the preview's pictures in a thread and an OpenGL context of its own, and hands them over in memory: compiling
-/// shaders, uploading tables, and waiting for the card do not hold up the GUI thread, nor what the window itself shows.
-/// Where the platform has no OpenGL in several threads, it draws in this one, between its events.
+/// Renders the preview's pictures in a separate thread and OpenGL context and delivers them in memory, so that
+/// compiling shaders, uploading tables and waiting for the card do not block the GUI thread. If the platform does not
+/// support OpenGL in several threads, it renders in the GUI thread between events.
 class PictureThread : public QObject {
   Q_OBJECT
 
@@ -23,23 +23,23 @@ class PictureThread : public QObject {
   explicit PictureThread(QObject* parent = nullptr);
   ~PictureThread() override;
 
-  /// Starts, unless it has. What was requested before is drawn then.
+  /// Starts the thread if it is not running. Earlier requests are then rendered.
   void start(const QSurfaceFormat& format);
-  /// Ends the frame that is being drawn, frees what belongs to the context.
+  /// Finishes the current frame and frees the OpenGL objects.
   void stop();
 
-  /// Draws this from now on, until it has all its samples.
+  /// Renders this request from now on, until it has all its samples.
   void request(const PictureRequest& request);
-  /// Waits for one more frame of what is requested; no drawn() comes for it.
+  /// Renders one more frame of the current request and waits for it; drawn() is not emitted.
   PictureState drawNow();
-  /// Waits for the linear radiance of the first side so far.
+  /// The linear radiance of the first side, at the quality reached so far. Waits for the thread.
   Image readFirst();
 
  Q_SIGNALS:
-  /// @param graphics what OpenGL says of itself: renderer, maker, version; @param software it runs on the CPU.
+  /// @param graphics renderer, vendor and version reported by OpenGL; @param software whether it runs on the CPU.
   void started(const QString& graphics, bool software);
   void drawn(const gonio::widgets::PictureState& state);
-  /// The picture that is wanted is late: a shader comes first.
+  /// The requested picture is delayed because a shader is being compiled.
   void compiling();
   void failed(const QString& message);
 
@@ -49,7 +49,7 @@ class PictureThread : public QObject {
 
   std::shared_ptr<const PictureRequest> m_request;
   QThread m_thread;
-  std::unique_ptr<QOffscreenSurface> m_surface;  ///< is made and goes in the GUI thread
+  std::unique_ptr<QOffscreenSurface> m_surface;  ///< created and destroyed in the GUI thread
   std::unique_ptr<Worker> m_worker;              ///< null: not started
 };
 

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace gonio::widgets {
 
-/// A line over the preview that says that something else than the material is shown, with a button that ends it.
+/// A line over the preview that states that something other than the material is shown, with a button to end this.
 class PreviewBanner : public QFrame {
   Q_OBJECT
 

@@ -8,31 +8,32 @@
 
 namespace gonio::widgets {
 
-/// A material beside the subject in scenes of several: as the shader and as the path tracer take it.
+/// A further material of a scene with several materials, in the forms for the shader and the path tracer.
 struct SceneMaterial {
   PreviewSubject subject = {};  ///< with its lobe; empty: none
   std::shared_ptr<const RenderMaterial> material = nullptr;
 };
 
-/// What the path tracer is for.
+/// When the path tracer is used.
 enum class Tracing {
-  never,   ///< the shader draws it all
-  atRest,  ///< to take the place of what the shader draws: it is more exact, or faster
-  always,  ///< the shader cannot draw the scene
+  never,   ///< the shader renders everything
+  atRest,  ///< replaces the shader's picture at rest, because it is more exact or faster
+  always,  ///< the shader cannot render the scene
 };
 
-/// What the preview shows: a subject, or two against each other, in one scene. Plans the effects that the scene calls
-/// for, and has traced what the shader does not draw, or not as well. Knows neither OpenGL nor the widget.
+/// The content of the preview: one subject, or two in comparison, in one scene. Plans the effects that the scene needs
+/// and starts path tracing for scenes that the shader cannot render, or not as well. Independent of OpenGL and the
+/// widget.
 class PreviewContent : public QObject {
   Q_OBJECT
 
  public:
   explicit PreviewContent(QObject* parent = nullptr);
 
-  /// The first subject. Its lobe is that of the table; what an edit or a model alone needs is estimated in the
-  /// background. A subject that is as before does not restart its picture.
+  /// Sets the first subject. Its lobe is that of the table; for an edit or a model alone a new one is estimated in the
+  /// background. An unchanged subject does not restart the picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});
-  /// The second subject of comparisons. It costs nothing while it is empty or the mode is off.
+  /// Sets the second subject of comparisons. It costs nothing if it is empty or the mode is off.
   void setOther(const PreviewSubject& subject, const QString& name);
   void setComparison(const PreviewComparison& comparison);
   const PreviewComparison& comparison() const { return m_comparison; }
@@ -42,57 +43,58 @@ class PreviewContent : public QObject {
   const PreviewSide& second() const { return m_second; }
   bool hasMaterial() const { return !m_first.subject().isEmpty(); }
 
-  /// Another scene, which becomes the home(). The environment and the background that the user chose stay.
+  /// Shows another scene, which becomes home(). Environment and background chosen by the user stay.
   void showScene(const Scene& scene);
-  /// The scene seen or lit otherwise.
+  /// Changes the view or the lighting of the scene.
   void setScene(const Scene& scene);
-  /// The scene from elsewhere: cheaper than setScene(), since the plan stays but for the lamps that the camera sees.
+  /// Changes the view only: cheaper than setScene(), because in the plan only the lamps visible to the camera change.
   void setView(const OrbitCamera& camera, double environmentRotation);
   const Scene& scene() const { return m_scene; }
-  /// What the view is reset to.
+  /// The scene to which the view is reset.
   const Scene& home() const { return m_home; }
-  /// Puts an environment into this scene and all that follow; null: a distant light in its place.
+  /// Sets the environment of this and all later scenes; null: a distant light instead.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
-  /// Every scene has its own light again.
+  /// Every scene uses its own light again.
   void resetEnvironment();
-  /// Whether the scene's light is one that was put there by setEnvironment().
+  /// Whether the scene's light was set by setEnvironment().
   bool isEnvironmentChosen() const { return m_environment.has_value(); }
-  /// Whether the environment is seen behind the objects, and out of focus, in this scene and all that follow.
+  /// Sets whether the environment is visible behind the objects, and blurred, in this and all later scenes.
   void setBackground(bool shown, bool blurred);
-  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is empty or missing.
+  /// Sets the materials of the scene's other slots: slot i shows others[i - 1], or the subject if that is empty or
+  /// missing.
   void setOthers(const std::vector<SceneMaterial>& others);
   RenderMaterials others() const;
-  /// Effects that the user forces on or off.
+  /// Sets effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return m_overrides; }
-  /// Of the first subject; for a grey surface until its material is known.
+  /// The plan for the first subject, or for a grey surface until its material is known.
   const EffectPlan& plan() const { return m_first.plan(); }
   Tracing tracing() const;
-  /// Whether OpenGL runs on the CPU: meshes are traced at rest then, which is twice as fast.
+  /// Sets whether OpenGL runs on the CPU. If so, meshes are path-traced at rest, which is twice as fast.
   void setSoftware(bool software);
 
-  /// Of the whole viewport, in pixels.
+  /// @param pixels size of the whole viewport.
   void setViewport(const QSize& pixels);
   const QSize& viewport() const { return m_viewport; }
-  /// Of one side.
+  /// Size of one side, in pixels.
   QSize pictureSize() const;
   int wantedSamples() const;
-  /// Whether samples differ.
+  /// Whether the samples have noise.
   bool isNoisy() const;
-  /// Whether something about it is still being found out, or traced.
+  /// Whether an estimate or path tracing is running.
   bool isBusy() const;
-  /// All of it, as the drawing takes it.
+  /// The request for rendering.
   PictureRequest request() const;
 
  Q_SIGNALS:
-  /// By the user's hand.
+  /// Changed by the user.
   void changed();
-  /// From the background: a subject is known better, or traced further.
+  /// Changed by background work: a better estimate, or more path-traced samples.
   void refined();
-  /// The pictures are compared otherwise, or have other names; they themselves are as before.
+  /// The comparison mode or the names changed, but not the pictures.
   void comparisonChanged();
   void sceneChanged(const gonio::Scene& scene);
-  /// The plan of the first subject is another, or its material is known now.
+  /// The plan of the first subject changed, or its material is now known.
   void planChanged(const gonio::EffectPlan& plan);
   void failed(const QString& message);
 
@@ -112,16 +114,16 @@ class PreviewContent : public QObject {
   PreviewSide m_first, m_second;
   PreviewComparison m_comparison;
   Scene m_scene, m_home;
-  std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< by the user
+  std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< set by the user
   struct Background {
     bool shown, blurred;
     void show(Scene& scene) const;
   };
-  std::optional<Background> m_background;  ///< likewise
+  std::optional<Background> m_background;  ///< set by the user
   EffectOverrides m_overrides;
   std::vector<SceneMaterial> m_others;
   QSize m_viewport{1, 1};
-  QTimer m_rest;  ///< runs out when the hand has rested: what is traced at rest begins
+  QTimer m_rest;  ///< starts path tracing once the picture is at rest
   bool m_software = false;
 };
 

@@ -13,15 +13,15 @@ class QWheelEvent;
 
 namespace gonio::widgets {
 
-/// What the hand does to the preview. Left drag orbits (with one distant light alone: moves the light), right drag
-/// orbits always, middle or Shift + left drag pans, the wheel zooms to the pointer, Shift + right drag turns the
-/// environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at a point, a right click asks
-/// for a menu. By keys: arrows orbit, with Ctrl they pan, plus and minus zoom, F frames, R resets the view.
+/// Mouse and keyboard input of the preview. Left drag orbits (if the only light is one distant light: moves the light),
+/// right drag always orbits, middle or Shift + left drag pans, the wheel zooms at the pointer, Shift + right drag
+/// rotates the environment, Ctrl + left (or left while picking) picks the viewer's polar angle at a point, a right
+/// click requests a menu. Keys: arrows orbit, Ctrl + arrows pan, plus and minus zoom, F frames, R resets the view.
 class PreviewInput : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes the viewport's mouse, wheel and keys.
+  /// Handles the mouse, wheel and key events of the viewport.
   PreviewInput(PreviewContent& content, QWidget& viewport);
 
   /// While picking, a left click or drag picks as Ctrl + left does.
@@ -30,9 +30,9 @@ class PreviewInput : public QObject {
   void resetView();
 
  Q_SIGNALS:
-  /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
+  /// The user picked a point of the sphere where the viewer has this polar angle (rad, [0, pi/2]).
   void polarAnglePicked(double theta);
-  /// By a click with the right button, or by the menu key. @param place global
+  /// Requested by a right click or the menu key. @param place global position
   void menuRequested(const QPoint& place);
 
  protected:
@@ -43,7 +43,7 @@ class PreviewInput : public QObject {
     double x, y, aspect;  ///< x, y in [-1, 1], y up
   };
   PicturePosition picturePosition(const QPointF& position) const;
-  /// The place, or a distance, in halves of the picture's smaller side, y up.
+  /// A position or a distance, in units of half the picture's smaller side, y up.
   QPointF inHalfSides(const QPointF& pixels) const;
   void press(const QMouseEvent& event);
   void move(const QMouseEvent& event);
@@ -56,7 +56,7 @@ class PreviewInput : public QObject {
   QWidget& m_viewport;
   bool m_picking = false;
   QPointF m_lastPosition;
-  bool m_moved = false;  ///< since a button was pressed
+  bool m_moved = false;  ///< whether the mouse moved since a button was pressed
 };
 
 }  // namespace gonio::widgets

@@ -8,28 +8,28 @@
 
 namespace gonio::widgets {
 
-/// What the hand does to the view, as plain functions: no state, no widget.
+/// Navigation of the view, as plain functions without state or widget.
 
-/// The camera after a drag by (dx, dy) pixels, y down: the sphere follows the hand.
+/// The camera after a drag by (dx, dy) pixels, y down: the sphere follows the pointer.
 OrbitCamera orbited(const OrbitCamera& camera, double dx, double dy);
 
-/// The camera after it was shifted so that what lies at the target's depth moves by (x, y) in the picture (whose
-/// smaller half side is 1, y up). The target stays within reach of the objects.
+/// The camera shifted so that points at the target's depth move by (x, y) in the picture (in units of half its smaller
+/// side, y up). The target stays near the objects.
 OrbitCamera panned(const OrbitCamera& camera, double x, double y);
 
-/// The camera after `steps` notches of the wheel; positive moves nearer. What lies at the target's depth at (x, y) in
-/// the picture (as in panned()) stays there.
+/// The camera after `steps` notches of the wheel; positive moves nearer. The point at the target's depth at (x, y) in
+/// the picture (units as in panned()) stays in place.
 OrbitCamera zoomed(const OrbitCamera& camera, double steps, double x = 0, double y = 0);
 
-/// Turn of the environment for a drag by dx pixels, rad.
+/// Rotation of the environment for a drag by dx pixels, rad.
 double environmentTurn(double dx);
 
-/// Direction to a light whose mirror highlight lies at a picture position (x, y in [-1, 1], y up): it is reflected at
-/// the sphere there; beside the sphere at its silhouette.
+/// Direction to a light whose mirror highlight on the sphere is at a picture position (x, y in [-1, 1], y up); beside
+/// the sphere, at its silhouette.
 Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect);
 
 /// Polar angle of the viewer (rad, [0, pi/2]) at the point of the sphere seen at a picture position (x, y in [-1, 1],
-/// y up): the angle between the normal there and the direction to the eye. Nothing beside the sphere.
+/// y up): the angle between the normal there and the direction to the eye. Nullopt beside the sphere.
 std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, double y, double aspect);
 
 }  // namespace gonio::widgets

@@ -13,17 +13,17 @@ namespace gonio::widgets {
 
 /// "1 sample", "64 samples".
 QString samplesText(int samples);
-/// What is simulated, in short: "environment, shadows, 8 of 64 reflections".
-/// @param followed at most so many reflections are drawn.
+/// Short description of the simulated effects, e.g. "environment, shadows, 8 of 64 reflections".
+/// @param followed maximum number of reflections that are rendered.
 QString effectsText(const EffectPlan& plan, int followed);
 
 class FalseColourLegend;
 class PreviewBanner;
 class SplitBar;
 
-/// What lies over the preview's picture: facts about the frame, a ring while the keyboard has led there, a hint while
-/// it is empty, a banner while something else than the material is shown, and for a comparison the names of the sides,
-/// the split bar and the legend of the difference.
+/// The overlays of the preview's picture: facts about the frame, a ring for keyboard focus, a hint if it is empty, a
+/// banner if something other than the material is shown, and for a comparison the names of the sides, the split bar and
+/// the legend of the difference.
 class PreviewOverlay : public QObject {
   Q_OBJECT
 
@@ -37,14 +37,14 @@ class PreviewOverlay : public QObject {
   /// In the middle; an empty text hides it.
   void setHint(const QString& text);
 
-  /// @param shown what the picture shows now: mode off hides all.
+  /// @param shown the displayed comparison; mode off hides all.
   void setComparison(const PreviewComparison& shown, const std::array<QString, 2>& names, bool flickering);
   void setRange(DifferenceKind kind, double range);
 
   /// At the top; an empty text hides it.
   void setBanner(const QString& text, const QString& button);
 
-  /// What belongs to the picture: names, divider, legend. In the viewport's coordinates.
+  /// Draws the parts that belong to the picture (names, divider, legend), in the viewport's coordinates.
   void drawLabels(QPainter& painter) const;
 
   PreviewBanner* banner() const { return m_banner; }

@@ -8,15 +8,15 @@
 
 namespace gonio::widgets {
 
-/// One subject of the preview, with what is found out of it in the background: how it is sampled, what it reflects,
-/// what its scene calls for, its picture where that is traced.
+/// One subject of the preview with the results of background work: its sampling density and albedo, the plan of its
+/// effects, and its path-traced picture if there is one.
 class PreviewSide : public QObject {
   Q_OBJECT
 
  public:
   explicit PreviewSide(QObject* parent = nullptr);
 
-  /// @returns whether it is another than before.
+  /// @returns whether the subject changed.
   bool setSubject(const PreviewSubject& subject);
   const PreviewSubject& subject() const { return m_subject; }
   void setName(const QString& name) { m_name = name; }
@@ -24,7 +24,7 @@ class PreviewSide : public QObject {
 
   void setPlan(const EffectPlan& plan) { m_plan = plan; }
   const EffectPlan& plan() const { return m_plan; }
-  /// As rendering takes the subject; null while it is not known.
+  /// The subject in the form for core/rendering; null until it is known.
   const std::shared_ptr<const RenderMaterial>& material() const { return m_material; }
   SceneTracer& tracer() { return m_tracer; }
   const SceneTracer& tracer() const { return m_tracer; }
@@ -33,14 +33,14 @@ class PreviewSide : public QObject {
   PictureRequest::Side request() const { return {m_subject, m_number, m_plan, nullptr}; }
 
  Q_SIGNALS:
-  /// The material is known, maybe another density of its samples too.
+  /// The material is known; the sampling density may have changed, too.
   void estimated();
   void failed(const QString& message);
 
  private:
   void adopt(const MaterialEstimate& estimate);
 
-  PreviewSubject m_subject;  ///< with the lobe that it is drawn with
+  PreviewSubject m_subject;  ///< with the lobe that is used for rendering
   PreviewSubject m_given;
   int m_number = 0;  ///< of the subject and its lobe
   QString m_name;

@@ -12,11 +12,11 @@ namespace gonio::widgets {
 
 class PreviewOverlay;
 
-/// The preview viewport: a material in a scene, converging while nothing changes, restarting when something does; or
-/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. The shader
-/// draws at once, the path tracer takes over at rest where Tracing says so; both in other threads: the widget shows the
-/// newest finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its
-/// content(), what the hand does to it in its input().
+/// The preview viewport: one subject, or two in comparison, in a scene. The picture converges while nothing changes and
+/// restarts after a change. Only the effects that the scene needs are simulated. The shader renders at once, the path
+/// tracer takes over at rest depending on Tracing, both in other threads. The widget shows the newest finished picture
+/// (PictureThread) with facts about it (PreviewOverlay). content() describes what is shown, input() handles mouse and
+/// keys.
 class PreviewWidget : public QWidget {
   Q_OBJECT
 
@@ -29,43 +29,44 @@ class PreviewWidget : public QWidget {
   PreviewInput& input() { return *m_input; }
   PreviewOverlay* overlay() const { return m_overlay; }
 
-  /// How radiance becomes pixels, and what is behind them. Emits displayChanged().
+  /// Sets the conversion of radiance to pixels and the background. Emits displayChanged().
   void setDisplay(const DisplaySettings& settings);
   const DisplaySettings& display() const { return m_settings; }
-  /// The display with another exposure, in stops.
+  /// Sets the exposure of the display, in stops.
   void setExposure(double stops);
-  /// Whether noise is filtered for the eye while samples are few; never in difference pictures, which show numbers.
+  /// Sets whether noise is filtered for display while there are few samples; never in difference pictures, which show
+  /// numbers.
   void setNoiseFiltered(bool filtered);
   bool isNoiseFiltered() const { return m_filtersNoise; }
-  /// In a comparison: shows the second subject while it is on.
+  /// In a comparison: whether the second subject is shown instead of the first.
   void setFlickering(bool flickering);
 
-  /// The picture that is shown, without overlay; null before the first.
+  /// The displayed picture without overlay; null before the first one.
   const QImage& picture() const { return m_state.picture; }
-  /// The picture of what is wanted now, without overlay, at the quality reached so far. Waits for a frame of it.
+  /// The picture of the current state without overlay, at the quality reached so far. Waits for one frame.
   QImage grabPicture();
-  /// The same with the names of what is compared and the legend of a difference.
+  /// The same with the names of the compared subjects and the legend of a difference.
   QImage grabLabelledPicture();
-  /// The linear radiance of the first subject as it has converged so far. Waits for the frame that is being drawn.
+  /// The linear radiance of the first subject, at the quality reached so far. Waits for the current frame.
   Image linearPicture() { return m_thread.readFirst(); }
-  /// The difference that has the last colour now; 0: not found yet.
+  /// The difference currently shown in the last colour of the map; 0: not determined yet.
   double differenceRange() const { return m_state.range; }
-  /// What OpenGL says of itself, once it has started: renderer, maker, version.
+  /// Renderer, vendor and version reported by OpenGL, once it has started.
   QString graphics() const { return m_graphics; }
-  /// Whether the picture has all the samples that it will get.
+  /// Whether the picture has all its samples.
   bool converged() const;
   /// Whether the picture was traced on the CPU.
   bool showsFilm() const { return m_state.sides[0].isTraced; }
-  /// Pictures are requested with rising numbers: that of the last request, and of the picture that is shown.
+  /// Requests have increasing numbers: the number of the last request, and of the displayed picture.
   int lastRequest() const { return m_number; }
   int shownRequest() const { return m_state.number; }
 
  Q_SIGNALS:
-  /// Exposure, tone map or the checkerboard behind the picture.
+  /// Exposure, tone map or the checkerboard background changed.
   void displayChanged();
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
-  /// By the user, on the picture.
+  /// The user dragged the split bar on the picture.
   void splitMoved(double fraction);
 
  protected:
@@ -86,9 +87,9 @@ class PreviewWidget : public QWidget {
 
   PreviewContent m_content;
   PictureThread m_thread;
-  PictureState m_state;  ///< of the picture that is shown
+  PictureState m_state;  ///< of the displayed picture
   int m_number = 0;      ///< of the newest request
-  int m_fresh = 0;       ///< the first request of the pictures as they are wanted now
+  int m_fresh = 0;       ///< first request with the current content
   std::chrono::steady_clock::time_point m_changed;
   DisplaySettings m_settings;
   bool m_flickering = false, m_filtersNoise = true;

@@ -12,8 +12,8 @@
 
 namespace gonio::widgets {
 
-/// Traces a scene in another thread: a coarse picture first, then full size with ever more samples. The
-/// newest request alone is worked on.
+/// Path-traces a scene in another thread: coarse pictures first, then at full size with an increasing number of
+/// samples. Only the newest request is processed.
 class SceneTracer : public QObject {
   Q_OBJECT
 
@@ -21,23 +21,24 @@ class SceneTracer : public QObject {
   explicit SceneTracer(QObject* parent = nullptr);
   ~SceneTracer() override;
 
-  /// @param slotMaterials of the scene's slots. The picture before stays until the first new one is there.
+  /// @param slotMaterials materials of the scene's slots. The previous picture stays until the first new one is
+  /// finished.
   void trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan, const QSize& size,
              int samples);
   void stop();
 
-  /// Whether film() is of the picture that was last asked for, and not stopped since.
+  /// Whether film() belongs to the last request and the request was not stopped.
   bool isCurrent() const { return m_isCurrent; }
-  /// Whether it is there with all its samples.
+  /// Whether film() belongs to the last request and has all its samples.
   bool isDone() const { return m_isDone; }
-  /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
+  /// The newest picture; null before the first one. Smaller than requested while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
-  /// Of the last pass, one sample per pixel at full size.
+  /// Time of the last pass, of one sample per pixel at full size.
   double millisecondsOfSample() const { return m_milliseconds; }
 
  Q_SIGNALS:
   void advanced();
-  /// The newest request came to nothing.
+  /// The newest request failed.
   void failed(const QString& message);
 
  private:
@@ -45,7 +46,7 @@ class SceneTracer : public QObject {
 
   std::shared_ptr<const Film> m_film;
   std::stop_source m_stop;
-  QThreadPool m_pool;  ///< not the global one, which Qt paints with: painting would wait for this work
+  QThreadPool m_pool;  ///< separate from the global pool, which Qt uses for painting, so that painting does not wait
   QFuture<void> m_future;
   double m_milliseconds = 0;
   int m_request = 0, m_samples = 0;

@@ -6,8 +6,8 @@
 
 namespace gonio::widgets {
 
-/// The bar between two pictures: dragged with the mouse, moved with the arrow keys (Shift: finer), back to the middle
-/// by a double-click or Home. It covers a strip of its parent and follows its size.
+/// The bar between two pictures: dragged with the mouse, moved with the arrow keys (Shift: finer), reset to the middle
+/// by a double-click or Home. It covers a strip of its parent and adapts to the parent's size.
 class SplitBar : public QWidget {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class SplitBar : public QWidget {
   void place();
 
   double m_position = 0.5;
-  double m_grip = 0;  ///< where the mouse holds it, pixels from its middle
+  double m_grip = 0;  ///< position of the mouse on the bar, pixels from its middle
 };
 
 }  // namespace gonio::widgets

@@ -10,13 +10,13 @@
 
 namespace gonio::widgets {
 
-/// Failures of work in another thread, where nobody catches: QFuture would throw them again wherever it is waited for,
-/// in a destructor too.
+/// Converts exceptions of work in another thread to messages. Otherwise QFuture would rethrow them in every function
+/// that waits for it, including destructors.
 class TaskFailure {
   Q_DECLARE_TR_FUNCTIONS(TaskFailure)
 
  public:
-  /// Does the work. @returns what it threw, for people; nothing where it was done or stopped.
+  /// Runs the work. @returns a message for the user if it threw; empty if it was finished or cancelled.
   template <typename Work>
   static QString of(const Work& work) {
     try {

@@ -9,16 +9,16 @@
 
 namespace gonio::widgets {
 
-/// One material on a contact sheet. A null picture is still to come.
+/// One representation on a contact sheet. A null picture is pending.
 struct SheetTile {
   QString name;
-  QString numbers;  ///< a line or two below the name
+  QString numbers;  ///< one or two lines below the name
   QPixmap picture;
-  QPixmap map;  ///< of its error; null: none
+  QPixmap map;  ///< error map; null: none
 };
 
-/// Pictures of one material's representations side by side, with maps of their errors on one scale, names and numbers;
-/// two can be selected. The same drawing fills the widget and a picture of any size.
+/// Pictures of one material's representations side by side, with error maps on a common scale, names and numbers. Two
+/// tiles can be selected. The same drawing code is used for the widget and for pictures of any size.
 class ContactSheet : public QWidget {
   Q_OBJECT
 
@@ -27,18 +27,18 @@ class ContactSheet : public QWidget {
 
   void setTiles(std::vector<SheetTile> tiles);
   const std::vector<SheetTile>& tiles() const { return m_tiles; }
-  /// The absolute difference of luminance of the last colour; 0: no scale.
+  /// Sets the absolute luminance difference shown in the last colour of the error maps; 0: no maps.
   void setRange(double range);
   void setMapsShown(bool shown);
-  /// Of a picture, in the widget.
+  /// Sets the side of a picture in the widget, in pixels.
   void setTileSide(int pixels);
 
-  /// At most two, in the order in which they were chosen.
+  /// At most two tiles, in the order of selection.
   const std::vector<int>& selected() const { return m_selected; }
-  /// Selects a tile, or takes the selection back; of three the first is dropped.
+  /// Selects or deselects a tile; a third selection drops the oldest.
   void toggle(int tile);
 
-  /// The whole sheet on white, without selection.
+  /// The whole sheet on white, without the selection.
   QImage picture(int tileSide, int columns) const;
 
   bool hasHeightForWidth() const override { return true; }

@@ -15,8 +15,8 @@ namespace gonio::widgets {
 
 struct PlotStyle;
 
-/// The records of a study as points over a cost, with the Pareto front as steps. The pointer and the arrow keys go from
-/// point to point; a click or Enter chooses one. Shapes as in the exported plot (study::lookOf()).
+/// The records of a study as points over a cost, with the Pareto front as steps. The pointer and the arrow keys move
+/// between points; a click or Enter selects one. The point shapes are those of the exported plot (study::lookOf()).
 class StudyScatter : public QWidget {
   Q_OBJECT
 
@@ -24,22 +24,22 @@ class StudyScatter : public QWidget {
   explicit StudyScatter(QWidget* parent = nullptr);
 
   void setRecords(std::vector<study::StudyRecord> records, const study::StudyAxes& axes);
-  /// Points with a ring and a word; -1: none.
+  /// Marks points with a ring and a word; -1: none.
   void setMarks(int shown, int best);
-  /// The point that Enter chooses; -1: none.
+  /// The point that Enter selects; -1: none.
   void setCurrent(int record);
   int current() const { return m_current; }
-  /// Shown in the middle while there are no points.
+  /// Text shown in the middle if there are no points.
   void setHint(const QString& hint);
-  /// The point in the widget's pixels; nothing where it has no place on the axes.
+  /// Position of a point in the widget, pixels; nullopt if its values cannot be shown on the axes.
   std::optional<QPointF> place(int record) const;
 
  Q_SIGNALS:
   void chosen(int record);
   void currentChanged(int record);
-  /// The pointer rests on a point, or on none (-1).
+  /// The pointer is on a point, or on none (-1).
   void hovered(int record, const QPoint& globalPosition);
-  /// Escape.
+  /// Escape was pressed.
   void dismissed();
 
  protected:

@@ -17,8 +17,8 @@ class HemisphereChart;
 
 namespace gonio::app {
 
-/// The samples of an acquisition on the hemisphere, and in a slice of half-difference space with what can be measured
-/// there and how uncertain the reconstruction is.
+/// The samples of an acquisition on the hemisphere and in a slice of half-difference space, with the measurable cells
+/// and the uncertainty of the reconstruction.
 class AcquisitionCharts : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class AcquisitionCharts : public QWidget {
 
   widgets::HemisphereChart& hemisphere() const { return *m_hemisphere; }
   widgets::HalfDifferenceChart& chart() const { return *m_chart; }
-  /// The sample that both mark; -1: none.
+  /// Sets the sample marked in both charts; -1: none.
   void setCurrent(int sample);
   void refresh();
 
@@ -39,7 +39,7 @@ class AcquisitionCharts : public QWidget {
   void connectCharts();
   void showDirections();
   void showSlice();
-  /// The slice that a sample lies in.
+  /// Shows the slice that contains a sample.
   void showSliceOf(int sample);
 
   const AcquisitionSession& m_session;

@@ -11,8 +11,8 @@
 
 namespace gonio::app {
 
-/// What an acquisition is set to: the material that is measured, the training set, the number of samples and how they
-/// are chosen, the limits of the rig, the noise and the method of reconstruction.
+/// The settings of an acquisition: the measured material, the training set, the number and selection of samples, the
+/// limits of the rig, the noise and the reconstruction method.
 class AcquisitionControls : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class AcquisitionControls : public QWidget {
   PlanSettings planSettings() const;
   acquisition::MeasurementNoise noise() const;
   acquisition::ReconstructionOptions reconstruction() const;
-  /// Enables what can be changed now.
+  /// Enables the controls that can be changed in this state.
   void setBusy(bool busy);
 
  Q_SIGNALS:
@@ -37,8 +37,8 @@ class AcquisitionControls : public QWidget {
 
  private:
   enum ReconstructionItem { chosenRidge, publishedRidge, sparse };
-  /// Of a ridge that is chosen: more than samples, since the ridge keeps them in check. The time of the uncertainty
-  /// grows with their square.
+  /// Maximum number of components with a fixed ridge, which permits more components than samples. The time for the
+  /// uncertainty grows with the square of their number.
   static constexpr int maxComponents = 100;
 
   void buildReconstruction(QFormLayout& form);

@@ -8,7 +8,7 @@ class QFileDialog;
 
 namespace gonio::app {
 
-/// The plan and the values of a session as files and as text of the clipboard.
+/// Exchange of a session's plan and values as files and as clipboard text.
 class AcquisitionFiles : public QObject {
   Q_OBJECT
 
@@ -17,12 +17,12 @@ class AcquisitionFiles : public QObject {
   AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls, AcquisitionSubject& subject,
                    QWidget* panel);
 
-  /// The plan as comma-separated text, with what it was made for in comments.
+  /// The plan as comma-separated text, with its settings in comments.
   QString planText() const;
   void savePlan(const QString& path);
-  /// A plan that was saved before, here or by goniotool: learns the training set and takes its directions.
+  /// Reads a plan saved by the editor or goniotool, learns its training set and uses its directions.
   void readPlan(const QString& path);
-  /// Values as comma-separated text, one row a sample. Reports what is wrong with them.
+  /// Reads values from comma-separated text, one row per sample. Reports errors.
   void paste(const QString& text);
   void readValues(const QString& path);
 

@@ -20,8 +20,8 @@ class ErrorCurvePage;
 class ReconstructionPage;
 class SamplesPage;
 
-/// The Acquisition workspace: where a material is to be measured, and the whole material from what was measured there.
-/// Nothing of it changes the document until the result is opened, which is an undo step.
+/// The Acquisition workspace: selects the directions of a measurement and reconstructs the whole material from the
+/// measured values. The document does not change until the result is opened, which is an undo step.
 class AcquisitionPanel : public QWidget {
   Q_OBJECT
 
@@ -39,19 +39,19 @@ class AcquisitionPanel : public QWidget {
   ErrorCurvePage& curve() const { return *m_curve; }
   QTabWidget& pages() const { return *m_pages; }
   QPushButton& startButton() const { return *m_start; }
-  /// What it says of what was done and what can be done next.
+  /// Description of the current state and of the possible next step.
   QString status() const;
-  /// No work is pending.
+  /// Whether no work is pending.
   bool isSettled() const;
 
  public Q_SLOTS:
-  /// Chooses directions with the present settings; while it works: stops.
+  /// Selects directions with the current settings, or stops the running work.
   void start();
-  /// The material that is measured: a file or one of the library.
+  /// Sets the measured material. @param id a file or a material of the library.
   void measure(const QString& id);
 
  Q_SIGNALS:
-  /// The user wants to choose the material that is measured.
+  /// The user wants to choose the measured material.
   void subjectWanted();
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
@@ -71,7 +71,7 @@ class AcquisitionPanel : public QWidget {
 
   Document& m_document;
   AcquisitionSession m_session;
-  bool m_pageChosen = false;  ///< by the user, since the last start
+  bool m_pageChosen = false;  ///< whether the user has chosen a page since the last start
   AcquisitionControls* m_controls;
   AcquisitionSubject* m_subject;
   AcquisitionFiles* m_files;

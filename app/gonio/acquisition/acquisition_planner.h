@@ -11,10 +11,10 @@
 
 namespace gonio::app {
 
-/// From what and how the directions are chosen.
+/// Settings for the selection of directions.
 struct PlanSettings {
   TrainingSet training = measuredTraining();
-  bool leaveOutReference = true;  ///< the measured material teaches nothing of itself
+  bool leaveOutReference = true;  ///< excludes the measured material from the training set
   acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
   int samples = 20;
   acquisition::MeasurableDirections measurable;
@@ -23,8 +23,8 @@ struct PlanSettings {
   bool operator==(const PlanSettings&) const = default;
 };
 
-/// Chooses the directions of an acquisition in the background: learns the training set, unless the last plan was of the
-/// same one, then chooses one direction after the other, or takes those of a plan that was made before.
+/// Selects the directions of an acquisition in the background: learns the training set, unless it is that of the last
+/// plan, then selects one direction after the other or takes those of an existing plan.
 class AcquisitionPlanner : public QObject {
   Q_OBJECT
 
@@ -32,29 +32,29 @@ class AcquisitionPlanner : public QObject {
   AcquisitionPlanner(BackgroundTasks& tasks, QString taskKey, QObject* parent);
 
   /// @param measuredId the material that the settings may leave out of the training set; empty: none.
-  /// @param given directions to take at the nearest cells instead of choosing them.
+  /// @param given existing directions, moved to the nearest cells, to use instead of a selection.
   void plan(const PlanSettings& settings, const QString& measuredId,
             const std::optional<acquisition::SamplingPlan>& given = {});
-  /// The plan and its directions, not what was learned.
+  /// Forgets the plan and its directions, but not the learned basis.
   void forget();
 
   const PlanSettings& settings() const { return m_settings; }
-  /// Those chosen so far.
+  /// The directions selected so far.
   std::vector<DirectionPair> directions() const;
   bool hasPlan() const { return !m_plan.samples.empty(); }
   const acquisition::SamplingPlan& samplingPlan() const { return m_plan; }
   const acquisition::SampleSelection& selection() const { return m_selection; }
-  /// Null until a training set is learned.
+  /// The principal components; null until a training set is learned.
   const std::shared_ptr<const dictionary::PrincipalComponents>& basis() const { return m_basis; }
-  /// How many materials it was learned from.
+  /// Number of materials from which basis() was learned.
   int learnedMaterials() const { return int(m_learned.size()); }
-  /// Whether a material, or a copy of it, is among them.
+  /// Whether a material, or a copy of it, is among the learned materials.
   bool hasLearned(const QString& id) const;
 
  Q_SIGNALS:
   void learning();
   void choosing();
-  /// Another direction is chosen.
+  /// A further direction was selected.
   void directionChosen();
   void planned();
   void stopped();
@@ -72,9 +72,9 @@ class AcquisitionPlanner : public QObject {
   QString m_taskKey;
   PlanSettings m_settings;
   std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
-  QStringList m_learned;                             ///< that m_basis is of
-  std::optional<acquisition::SamplingPlan> m_given;  ///< to be taken as it is
-  int m_run = 0;                                     ///< numbers the plans: directions of an earlier one are late
+  QStringList m_learned;                             ///< materials of m_basis
+  std::optional<acquisition::SamplingPlan> m_given;  ///< existing plan to use, if any
+  int m_run = 0;  ///< number of the plan, to recognise directions of earlier plans that arrive late
   std::vector<std::uint32_t> m_chosen;
   acquisition::SampleSelection m_selection;
   acquisition::SamplingPlan m_plan;

@@ -12,9 +12,9 @@
 
 namespace gonio::app {
 
-/// A material that is measured, and against which its reconstruction is judged: its table and its picture.
+/// The measured material, with which the reconstruction is compared: its table and its picture.
 struct AcquisitionReference {
-  QString id;  ///< of the file or the library; empty where there is none
+  QString id;  ///< file or library id; empty: none
   QString name;
   std::shared_ptr<const TabulatedBrdf> table;
   std::unique_ptr<const RenderedComparison> comparison;
@@ -22,31 +22,31 @@ struct AcquisitionReference {
 };
 using AcquisitionReferencePtr = std::shared_ptr<const AcquisitionReference>;
 
-/// Size and samples of the pictures: every reconstruction that is compared has one.
+/// Size and samples of the pictures of references and reconstructions.
 RenderOptions acquisitionPicture();
 
-/// Renders the picture: some tenths of a second. @throws Cancelled.
+/// Makes a reference. Renders its picture in some tenths of a second. @throws Cancelled.
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
                                              std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
                                              const TaskControl& control = {});
-/// The same of a material that is read first. @throws Error naming the file; Cancelled.
+/// The same for a material that is read first. @throws Error with the file name; Cancelled.
 AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
                                                  const TaskControl& control = {});
 
-/// How far a reconstruction is from its reference.
+/// Errors of a reconstruction against its reference.
 struct AcquisitionError {
   double renderedSnr = 0;  ///< dB, in comparisonScene()
   double logError = 0;     ///< metrics::BrdfMetric::log
 };
 
-/// A reconstruction as it is shown.
+/// A reconstruction with its pictures and errors.
 struct AcquisitionResult {
   std::shared_ptr<const acquisition::Reconstruction> reconstruction;
   QImage picture;
   std::optional<AcquisitionError> error;  ///< absent without a reference
   QImage errorMap;                        ///< differences of luminance in false colour; null without a reference
-  double errorRange = 0;                  ///< the difference that has the last colour, in the scene's unit of radiance
-  double deviationRange = 0;              ///< a deviation that nearly all cells are below; 0 where none is known
+  double errorRange = 0;      ///< the difference shown in the last colour of errorMap, in the scene's unit of radiance
+  double deviationRange = 0;  ///< upper limit of nearly all cells' standard deviations; 0 if they are not known
 };
 using AcquisitionResultPtr = std::shared_ptr<const AcquisitionResult>;
 
@@ -56,17 +56,19 @@ struct AcquisitionInput {
   acquisition::MeasuredValues values;
   acquisition::ReconstructionOptions options;
 
-  /// With the first samples alone.
+  /// The input reduced to its first samples.
   AcquisitionInput prefix(std::size_t samples) const;
 };
 
-/// Some seconds. @param reference may be null. @throws Error, Cancelled.
+/// Reconstructs a material, in some seconds. @param reference may be null. @throws Error, Cancelled.
 AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
                              const TaskControl& control = {});
 
-/// Numbers of samples at which a curve up to m is measured: a dozen at most, ascending, the last is m.
+/// The numbers of samples at which an error curve up to m samples is measured: at most twelve, ascending, the last is
+/// m.
 std::vector<int> curveCounts(int m);
-/// The error of reconstructions from ever more of the samples. @param measured called on this thread with each.
+/// Measures the error of reconstructions from increasing numbers of samples. @param measured called on this thread with
+/// each result.
 /// @throws Error, Cancelled.
 void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
                   const std::function<void(int samples, const AcquisitionError& error)>& measured,

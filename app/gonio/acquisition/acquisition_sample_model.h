@@ -9,8 +9,8 @@
 
 namespace gonio::app {
 
-/// The samples of a plan as rows: angles in degrees, their place in an order along a short path of the arms, what was
-/// measured.
+/// The samples of a plan as rows: angles in degrees, position in a measurement order with short movements of the arms,
+/// and measured values.
 class AcquisitionSampleModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -33,10 +33,10 @@ class AcquisitionSampleModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Directions that are chosen so far: no order of measurement yet.
+  /// Sets the directions selected so far, without a measurement order.
   void setDirections(const std::vector<DirectionPair>& directions);
   void setPlan(const acquisition::SamplingPlan& plan);
-  /// Empty, or one per sample.
+  /// @param values empty, or one per sample.
   void setValues(const acquisition::MeasuredValues& values);
 
   int rowCount(const QModelIndex& parent = {}) const override;

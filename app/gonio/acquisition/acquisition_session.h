@@ -11,43 +11,45 @@
 
 namespace gonio::app {
 
-/// An acquisition without its widgets: chooses directions, simulates or takes measured values, reconstructs the
+/// An acquisition without widgets: selects directions, simulates measured values or takes given ones, reconstructs the
 /// material and measures the error. Each step runs in the background and starts the next one.
 class AcquisitionSession : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int minSamples = 5, maxSamples = 60;
-  /// How many points a curve has at most.
+  /// A point of the error curve.
   struct CurvePoint {
     int samples;
     AcquisitionError error;
   };
   enum class Step { idle, learning, choosing, reconstructing, measuringCurve };
 
-  /// @param tasks may end before the session, never run on after it.
+  /// @param tasks may be destroyed before the session; its tasks end with the session.
   explicit AcquisitionSession(BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// The material that is measured and compared with.
+  /// Reader of the reference: the measured material, with which the result is compared.
   ReferenceReader& referenceReader() { return m_referenceReader; }
   const ReferenceReader& referenceReader() const { return m_referenceReader; }
 
-  /// Chooses directions anew, and reports each as it is chosen. With a reference it is measured then.
-  /// @param given a plan that was made before, to take instead.
+  /// Starts a new selection of directions and reports each as it is selected. Afterwards the reference is measured, if
+  /// there is one.
+  /// @param given an existing plan to use instead.
   void plan(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given = {});
   const AcquisitionPlanner& planner() const { return m_planner; }
-  /// Stops what is under way. What is there stays.
+  /// Stops the current step; existing results stay.
   void cancel();
   Step step() const { return m_step; }
   bool isBusy() const { return m_step != Step::idle; }
   /// Fraction of the current step, [0, 1].
   double fraction() const;
-  /// Whether the reference, or a copy of it, is among the materials that were learned.
+  /// Whether the reference, or a copy of it, is among the learned materials.
   bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceReader.id()); }
 
-  /// From now on the reference is measured with this noise.
+  /// Simulates measurements of the reference with this noise from now on.
   void simulate(const acquisition::MeasurementNoise& noise);
-  /// Values of a rig, one per sample. @param name where they are from. @throws Error when there are not as many.
+  /// Sets the values measured by a rig, one per sample. @param name their origin. @throws Error if the number is
+  /// different.
   void setValues(const acquisition::MeasuredValues& values, const QString& name);
   const acquisition::MeasuredValues& values() const { return m_values; }
   bool isSimulated() const { return m_simulated; }
@@ -55,7 +57,7 @@ class AcquisitionSession : public QObject {
 
   void setReconstruction(const acquisition::ReconstructionOptions& options);
   const acquisition::ReconstructionOptions& reconstructionOptions() const { return m_options; }
-  /// Null until it is there.
+  /// Null until there is a result.
   const AcquisitionResultPtr& result() const { return m_result; }
   const std::vector<CurvePoint>& curve() const { return m_curve; }
 
@@ -67,18 +69,18 @@ class AcquisitionSession : public QObject {
   QString resultName() const;
 
  Q_SIGNALS:
-  /// Another direction is chosen, or all are forgotten.
+  /// A further direction was selected, or all were dropped.
   void directionsChanged();
   void planChanged();
   void valuesChanged();
   void resultChanged();
   void curveChanged();
-  /// Another step, or it went on.
+  /// The step or its progress changed.
   void progressed();
   void failed(const QString& title, const QString& text);
 
  private:
-  /// One key for all steps: a step takes the place of the one before.
+  /// Task key of all steps: a step replaces the previous one.
   inline static const QString stepKey = QStringLiteral("acquisition");
   void setStep(Step step);
   void forgetPlan();
@@ -98,7 +100,7 @@ class AcquisitionSession : public QObject {
   acquisition::MeasurementNoise m_noise;
   acquisition::MeasuredValues m_values;
   QString m_valuesName;
-  QString m_valuesOf, m_resultOf;  ///< which material was measured
+  QString m_valuesOf, m_resultOf;  ///< names of the measured materials
   bool m_simulated = true;
   acquisition::ReconstructionOptions m_options;
   AcquisitionResultPtr m_result;

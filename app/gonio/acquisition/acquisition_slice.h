@@ -10,9 +10,9 @@
 
 namespace gonio::app {
 
-/// What the chart shows at the k-th phi_d of a grid: what can be measured there, and how uncertain each cell is.
-/// @param mapping null before a basis is learned: every cell above the horizon counts.
-/// @param deviations one a cell of the mapping, or none. O(cells of the slice).
+/// The chart's slice at the k-th phi_d of a grid: which cells can be measured, and how uncertain each cell is.
+/// @param mapping null before a basis is learned: then all cells above the horizon are used.
+/// @param deviations one per cell of the mapping, or empty. O(cells of the slice).
 widgets::HalfDifferenceSlice sliceAt(int k, const HalfDifferenceGrid& grid,
                                      const acquisition::MeasurableDirections& measurable,
                                      const dictionary::MappedCells* mapping, std::span<const float> deviations);

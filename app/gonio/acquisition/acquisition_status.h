@@ -6,10 +6,11 @@
 
 namespace gonio::app {
 
-/// Whether a start would stop the work in progress: with other settings than those at work it starts anew instead.
+/// Whether the start button would stop the work in progress. If the settings changed meanwhile, it restarts the work
+/// instead.
 bool startCancels(const AcquisitionSession& session, const AcquisitionControls& controls);
 
-/// What an acquisition does, or what can be done next.
+/// Description of the running step, or of the possible next step.
 QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionControls& controls);
 
 }  // namespace gonio::app

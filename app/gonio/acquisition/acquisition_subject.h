@@ -8,19 +8,19 @@
 
 namespace gonio::app {
 
-/// Gives a session the material that its controls ask for: the open material with its edits while the controls are in
-/// sight, one that was chosen, or none.
+/// Passes the material selected in the controls to a session: the open material with its edits (only while the controls
+/// are visible), a chosen material, or none.
 class AcquisitionSubject : public QObject {
   Q_OBJECT
 
  public:
   AcquisitionSubject(const Document& document, AcquisitionSession& session, AcquisitionControls& controls);
 
-  /// The document's material, where that is what is measured.
+  /// Updates the session's reference from the document, if the document's material is the selected one.
   void takeOpenMaterial();
-  /// A file or a material of the library.
+  /// Selects a material. @param id a file or a material of the library.
   void choose(const QString& id);
-  /// Another material is to be opened: what is measured now goes on being measured.
+  /// Keeps the current material as the measured one although another will be opened.
   void keepOpenMaterial();
 
  private:
@@ -30,7 +30,7 @@ class AcquisitionSubject : public QObject {
   const Document& m_document;
   AcquisitionSession& m_session;
   AcquisitionControls& m_controls;
-  std::shared_ptr<const Brdf> m_taken;  ///< the base of the reference
+  std::shared_ptr<const Brdf> m_taken;  ///< base of the reference
   std::vector<editing::Edit> m_takenEdits;
 };
 

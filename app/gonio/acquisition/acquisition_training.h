@@ -10,9 +10,9 @@
 
 namespace gonio::app {
 
-/// Materials from which an acquisition learns what materials are like.
+/// The materials from which an acquisition learns its principal components.
 struct TrainingSet {
-  QString name;     ///< for people: "measured materials of the library"
+  QString name;     ///< name in the interface, e.g. "measured materials of the library"
   QStringList ids;  ///< as materials::readMaterial() takes them
 
   bool operator==(const TrainingSet&) const = default;
@@ -24,18 +24,18 @@ TrainingSet libraryTraining();
 TrainingSet measuredTraining();
 TrainingSet nearMeasuredTraining();
 TrainingSet fittedTraining();
-/// The material files of a folder, not of its subfolders; no ids where there are none.
+/// The material files of a folder without subfolders; no ids if there are none.
 TrainingSet folderTraining(const QString& folder);
 
-/// What a material is called whatever file holds it: "cc_iris_purple_gem" of "library:rgl/cc_iris_purple_gem" and of
-/// "cc_iris_purple_gem_rgb.bsdf".
+/// Name of a material independent of its file, in lower case: "cc_iris_purple_gem" for "library:rgl/cc_iris_purple_gem"
+/// and for "cc_iris_purple_gem_rgb.bsdf".
 QString baseName(const QString& id);
-/// Those that are not this material or a copy of it under the same name.
+/// The ids without this material and copies of it, which have the same baseName().
 QStringList without(const QStringList& ids, const QString& id);
 
-/// Reads the materials one after another and learns their principal components. About a second each where a
-/// material is no table. Memory: PrincipalComponents.
-/// @throws Error naming the file; Cancelled.
+/// Reads the materials one after another and learns their principal components. About a second per material that is not
+/// a table. Memory: see PrincipalComponents.
+/// @throws Error with the file name, or if there are fewer than two materials; Cancelled.
 std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids,
                                                                   const TaskControl& control = {});
 

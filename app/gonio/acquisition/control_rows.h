@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// What the rows of the Acquisition panel's form are made of.
+// Widgets for the rows of the Acquisition panel's form.
 #pragma once
 
 #include <QString>
@@ -16,13 +16,13 @@ namespace gonio::app {
 
 QLabel* rowHeading(const QString& text);
 
-/// A number in a unit of `factor` per internal unit; the range and the step are internal.
+/// A field that shows internal values multiplied by `factor`. Range and step are in internal units.
 widgets::NumberField* rowField(const QString& name, const QString& toolTip, double least, double most, double step,
                                const QString& unit, double factor = 1);
 
-/// The column is narrow: long names are cut, not the boxes.
+/// A combo box for the narrow column, which truncates long names.
 QComboBox* rowBox(const QString& toolTip);
-/// An item that stands for nothing yet is not offered.
+/// Hides an item that cannot be selected yet.
 void hideItem(QComboBox& box, int item, bool hidden);
 
 }  // namespace gonio::app

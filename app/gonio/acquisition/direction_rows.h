@@ -17,7 +17,7 @@ class ParameterSlider;
 
 namespace gonio::app {
 
-/// Rows of a form: the number of directions, how they are chosen, and which of them the rig can measure.
+/// Rows of a form: the number of directions, the selection method, and the limits of the rig.
 class DirectionRows : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class DirectionRows : public QObject {
   acquisition::SelectionMethod method() const;
   acquisition::MeasurableDirections measurable() const;
   std::uint64_t seed() const;
-  /// @param noisy whether the noise of the measurement needs the seed too.
+  /// @param noisy whether the simulated noise uses the seed, too.
   void setEnabled(bool enabled, bool noisy);
   QComboBox& methodBox() const { return *m_method; }
   widgets::ForbiddenRegionsEditor& forbidden() const { return *m_forbidden; }

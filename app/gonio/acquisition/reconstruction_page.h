@@ -15,7 +15,7 @@ class ReconstructionView;
 
 namespace gonio::app {
 
-/// The reconstructed material beside the one that is measured, with its error.
+/// The reconstructed material beside the measured one, with its error.
 class ReconstructionPage : public QWidget {
   Q_OBJECT
 
@@ -24,12 +24,12 @@ class ReconstructionPage : public QWidget {
 
   widgets::ReconstructionView& view() const { return *m_view; }
   QPushButton& openButton() const { return *m_open; }
-  /// What the result's numbers are.
+  /// The numbers of the result as text.
   QString numbers() const;
   void refresh();
 
  Q_SIGNALS:
-  /// The result is to become the document's material.
+  /// The user wants the result to become the document's material.
   void openRequested();
 
  private:

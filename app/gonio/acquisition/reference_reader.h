@@ -9,8 +9,8 @@
 
 namespace gonio::app {
 
-/// Reads the material that an acquisition measures and is compared with, in the background. A new one replaces the one
-/// that is being read.
+/// Reads the reference of an acquisition in the background: the measured material, with which the result is compared. A
+/// new request replaces the running one.
 class ReferenceReader : public QObject {
   Q_OBJECT
 
@@ -19,23 +19,23 @@ class ReferenceReader : public QObject {
 
   explicit ReferenceReader(BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// Size and samples of the pictures of references that are read from now on.
+  /// Sets size and samples of the pictures of later references.
   void setPicture(const RenderOptions& picture) { m_picture = picture; }
-  /// @param id of a file or a material of the library
+  /// @param id a file or a material of the library
   void read(const QString& id);
-  /// @param makeTable called in the background
+  /// @param makeTable called in another thread
   void read(const QString& id, const QString& name, TableMaker makeTable);
   void clear();
 
   /// Null until it has been read.
   const AcquisitionReferencePtr& reference() const { return m_reference; }
-  /// Of the reference, also while it is being read; empty where there is none.
+  /// Id of the reference, also while it is being read; empty: none.
   QString id() const { return m_id; }
   QString name() const { return m_name; }
   bool isReading() const;
 
  Q_SIGNALS:
-  /// Another id, name or reference.
+  /// Id, name or reference changed.
   void changed();
   /// The reference was read, or cleared.
   void finished();

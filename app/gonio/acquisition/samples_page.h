@@ -14,7 +14,7 @@ namespace gonio::app {
 
 class AcquisitionFiles;
 
-/// The samples of an acquisition as a table, with their exchange as files and text.
+/// The samples of an acquisition as a table, with import and export as files and text.
 class SamplesPage : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class SamplesPage : public QWidget {
   SamplesPage(const AcquisitionSession& session, const AcquisitionControls& controls, AcquisitionFiles& files);
 
   QTableView& table() const { return *m_table; }
-  /// The sample of the selected row; -1: none.
+  /// Selects the row of a sample; -1: none.
   void setCurrent(int sample);
   void refresh();
 

@@ -15,7 +15,7 @@ class NumberField;
 
 namespace gonio::app {
 
-/// Rows of a form: the material that is measured, and the noise of a simulated measurement.
+/// Rows of a form: the measured material, and the noise of a simulated measurement.
 class SubjectRows : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class SubjectRows : public QObject {
   explicit SubjectRows(QFormLayout& form);
 
   Subject subject() const;
-  /// The material that is measured is this one, whatever is opened.
+  /// Selects a fixed material, independent of the open one.
   void choose(const QString& id, const QString& name);
   QString chosenId() const;
   acquisition::MeasurementNoise noise(std::uint64_t seed) const;
@@ -33,9 +33,9 @@ class SubjectRows : public QObject {
   QComboBox& box() const { return *m_box; }
 
  Q_SIGNALS:
-  /// Another kind of subject was chosen.
+  /// The user selected another kind of subject.
   void edited();
-  /// Another material shall be chosen to be measured.
+  /// The user wants to choose another measured material.
   void wanted();
   void noiseEdited();
 

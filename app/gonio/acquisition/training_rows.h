@@ -21,13 +21,13 @@ class TrainingRows : public QObject {
  public:
   explicit TrainingRows(QFormLayout& form);
 
-  /// What the library shows at this time.
+  /// Sets the function that returns the ids currently shown in the library.
   void setShownIds(std::function<QStringList()> shownIds) { m_shownIds = std::move(shownIds); }
   TrainingSet training() const;
-  /// A training set beside those that are offered.
+  /// Selects a training set that is not among the offered ones.
   void setTraining(const TrainingSet& training);
   bool leavesMeasuredOut() const;
-  /// Which material is left out.
+  /// Sets the material to exclude.
   void setMeasuredId(const QString& id);
   void setEnabled(bool enabled);
   void refresh();
@@ -44,7 +44,7 @@ class TrainingRows : public QObject {
   void askForFolder();
 
   std::function<QStringList()> m_shownIds;
-  TrainingSet m_otherSet;  ///< a folder's
+  TrainingSet m_otherSet;  ///< training set of a folder
   int m_last = 0;
   QString m_measuredId;
   QComboBox* m_box;

@@ -19,10 +19,10 @@ class PreviewWidget;
 
 namespace gonio::app {
 
-/// What may take the place of the edited material in the preview; the first that is there does.
+/// Subjects that can replace the edited material in the preview, in descending priority.
 enum class StandIn {
-  representation,  ///< of the material, while the user looks at it
-  blend            ///< under the hand
+  representation,  ///< a representation of the material
+  blend            ///< the current blend of the Interpolation panel
 };
 
 /// A spectral material at one wavelength.
@@ -32,8 +32,8 @@ struct WavelengthSubjects {
   widgets::PreviewSubject measured, edited;
 };
 
-/// Decides what the preview shows: the edited material, or two of the document's sides and another material against
-/// each other. It keeps the preview, the bar and the document together. What is compared is no part of the document.
+/// Controls what the preview shows: the edited material, or a comparison of two of the measured, fitted and edited
+/// material and a reference. Keeps preview, bar and document consistent. The comparison is not part of the document.
 class ComparisonController : public QObject {
   Q_OBJECT
 
@@ -41,55 +41,57 @@ class ComparisonController : public QObject {
   ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,
                        widgets::ComparisonBar& bar, QObject* parent = nullptr);
 
-  /// Reads another material in the background and puts it against the document's, in a split when nothing is compared.
+  /// Reads another material in the background and compares it with the document's, in a split view if the comparison is
+  /// off.
   void openReference(const QString& path);
   const LoadedMaterialPtr& reference() const { return m_reference; }
 
-  /// Off, or the mode that was used last.
+  /// Switches the comparison off, or on in the last mode.
   void toggle();
   void setComparison(const widgets::PreviewComparison& comparison);
   const widgets::PreviewComparison& comparison() const { return m_comparison; }
   void setSides(widgets::ComparedSubject first, widgets::ComparedSubject second);
   std::array<widgets::ComparedSubject, 2> sides() const { return m_sides; }
 
-  /// The edited material stands on this code of the document's material from now on; null: on the measurement.
+  /// Uses this code of the document's material as the base of the edited material; null: the measurement.
   void setCode(std::shared_ptr<const MaterialCode> code);
-  /// Null when it is of another material.
+  /// Null if the code is of another material.
   const MaterialCode* code() const;
 
-  /// The measured and the edited material are shown at a wavelength from now on; nothing: at all of them.
+  /// Shows the measured and the edited material at one wavelength; nullopt: in RGB.
   void setWavelength(std::optional<WavelengthSubjects> subjects);
 
   widgets::PreviewSubject subject(widgets::ComparedSubject side) const;
-  /// Shows something else in the place of the edited material, until it is taken back.
+  /// Shows a subject in place of the edited material, until it is set to nullopt.
   void setStandIn(StandIn kind, std::optional<widgets::PreviewSubject> subject, const QString& name);
-  /// Of those that are there, the one that is shown; nothing: the edited material.
+  /// The stand-in that is shown; nullopt: the edited material.
   std::optional<StandIn> standIn() const;
   QString standInName() const;
-  /// Asks whoever put the stand-in there to take it back; nothing where there is none.
+  /// Ends the pair of setPair(), else asks the owner of the stand-in to remove it (standInDismissed()), if there is
+  /// one.
   void dismissStandIn();
 
-  /// A subject that is none of the document.
+  /// A subject that is not part of the document.
   struct Named {
     widgets::PreviewSubject subject;
     QString name;
   };
-  /// Puts any two subjects against each other, in the places of the edited material and of the reference: until
-  /// dismissStandIn(), another choice of sides, the end of the comparison or any change of the document.
+  /// Compares any two subjects, in place of the edited material and the reference, until dismissStandIn(), another
+  /// choice of sides, the end of the comparison or any change of the document.
   void setPair(const std::array<Named, 2>& pair);
   bool hasPair() const { return m_pair.has_value(); }
-  /// Whether something else than the document's material is shown: dismissStandIn() brings it back.
+  /// Whether something other than the document's material is shown, so that dismissStandIn() has an effect.
   bool isReplaced() const { return m_pair || standIn(); }
 
-  /// sourceKind(), "Fit: GGX", "Edited", the name of a material without edits, "Encoded", the name of the reference;
-  /// empty while it is not there.
+  /// Name of a side: sourceKind(), "Fit: GGX", "Edited", the name of a material without edits, "Encoded", or the name
+  /// of the reference; empty if the side does not exist.
   QString name(widgets::ComparedSubject side) const;
 
  Q_SIGNALS:
-  /// The sides, or what stands on one of them.
+  /// The sides or their subjects changed.
   void subjectsChanged();
   void comparisonChanged();
-  /// The user wants to see the material again.
+  /// The user wants to see the document's material again.
   void standInDismissed(gonio::app::StandIn kind);
   /// The user wants to choose another material.
   void referenceWanted();
@@ -98,10 +100,10 @@ class ComparisonController : public QObject {
  private:
   void refresh();
   void endPair();
-  /// Of the pair; null where there is none or it has nothing on this side.
+  /// The subject of the pair on this side; null if there is none.
   const Named* pairSide(widgets::ComparedSubject side) const;
   void showBanner();
-  /// Null for other materials than the document's.
+  /// Null if the wavelength is of another material than the document's.
   const WavelengthSubjects* wavelength() const;
   bool isEdited() const;
   void chooseUsualSides();
@@ -113,7 +115,7 @@ class ComparisonController : public QObject {
   widgets::PreviewComparison m_comparison;
   widgets::CompareMode m_lastMode = widgets::CompareMode::split;
   std::array<widgets::ComparedSubject, 2> m_sides{widgets::ComparedSubject::edited, widgets::ComparedSubject::measured};
-  bool m_sidesChosen = false;  ///< by the user; otherwise the most informative ones
+  bool m_sidesChosen = false;  ///< by the user; if not, the most informative sides are chosen
   LoadedMaterialPtr m_reference;
   struct Pair {
     std::array<Named, 2> subjects;
@@ -125,7 +127,7 @@ class ComparisonController : public QObject {
     std::optional<widgets::PreviewSubject> subject;
     QString name;
   };
-  std::array<Replacement, 2> m_standIns;  ///< by StandIn
+  std::array<Replacement, 2> m_standIns;  ///< indexed by StandIn
   std::shared_ptr<const MaterialCode> m_code;
   std::optional<WavelengthSubjects> m_wavelength;
 };

@@ -12,8 +12,7 @@
 
 namespace gonio::app {
 
-/// What a subject is compared with, ready for use: its table and its picture. Made once, used for every step of an
-/// edit.
+/// The prepared reference of a comparison: its table and its picture. Made once and used for all steps of an edit.
 struct ComparisonReference {
   widgets::PreviewSubject subject;
   std::shared_ptr<const TabulatedBrdf> table;
@@ -21,7 +20,7 @@ struct ComparisonReference {
 };
 using ComparisonReferencePtr = std::shared_ptr<const ComparisonReference>;
 
-/// A subject that is no table is sampled as one first. About a second. @throws Cancelled.
+/// Prepares a reference, in about a second. A subject that is not a table is sampled first. @throws Cancelled.
 ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subject, const TaskControl& control = {});
 
 struct ComparisonNumbers {
@@ -30,7 +29,7 @@ struct ComparisonNumbers {
   double renderedSnr = 0;      ///< dB, in comparisonScene()
   double renderedPsnr = 0;     ///< dB
 };
-/// About a second. @throws Cancelled.
+/// Compares a subject with the reference, in about a second. @throws Cancelled.
 ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const ComparisonReference& reference,
                                   const TaskControl& control = {});
 
@@ -39,11 +38,11 @@ struct ComparisonLine {
   QString name, unit, explanation;
   double value;
 };
-/// Every number, named; the values are NaN without numbers.
+/// All numbers with their names; the values are NaN if `numbers` is null.
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers);
-/// For people: "23.4", "∞" for equal pictures, "undefined" where there is no number.
+/// Text of a value: "23.4", "∞" for equal pictures, "undefined" for NaN.
 QString comparisonValue(double value);
-/// Comma-separated: what is compared in which scene in comment lines, then quantity, value and unit a line.
+/// Comma-separated text: subjects and scene in comment lines, then one line with quantity, value and unit per number.
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference);
 
 }  // namespace gonio::app

@@ -17,18 +17,18 @@ namespace gonio::app {
 
 class ComparisonController;
 
-/// The numbers of what the comparison controller compares: every metric, rendered SNR and PSNR. Measured in the
-/// background while the panel is in sight; grey until they are those of what is shown.
+/// The numbers of the current comparison: all metrics, rendered SNR and PSNR. Measured in the background while the
+/// panel is visible; grey while they are outdated.
 class ComparisonPanel : public QWidget {
   Q_OBJECT
 
  public:
   ComparisonPanel(ComparisonController& comparison, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Whether the numbers are those of the present subjects.
+  /// Whether the numbers belong to the current subjects.
   bool isCurrent() const { return m_current; }
   const std::optional<ComparisonNumbers>& numbers() const { return m_numbers; }
-  /// Whether nothing is to come: measured, out of sight, or nothing to compare.
+  /// Whether no measurement is pending: finished, hidden, or nothing to compare.
   bool isSettled() const;
 
  protected:
@@ -48,7 +48,7 @@ class ComparisonPanel : public QWidget {
   QTableWidget* m_table;
   QPushButton* m_copy;
   std::optional<ComparisonNumbers> m_numbers;
-  ComparisonReferencePtr m_reference;  ///< of the last measurement, used again while it is the same subject
+  ComparisonReferencePtr m_reference;  ///< of the last measurement, reused as long as the subject does not change
   bool m_current = false;
 };
 

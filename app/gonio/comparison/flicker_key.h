@@ -9,8 +9,8 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Reports while the key \ is held in a window, wherever the focus is but in a field for text. A shortcut cannot: it
-/// knows no release.
+/// Reports whether the key \ is held in a window, with any focus except a text field. A shortcut does not report the
+/// release.
 class FlickerKey : public QObject {
   Q_OBJECT
 

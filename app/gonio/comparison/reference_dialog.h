@@ -10,7 +10,7 @@ class LibraryModel;
 
 namespace gonio::app {
 
-/// Asks which material to compare with: one of the library in sight, or a file.
+/// Asks for the reference of comparisons: a material of the shown library, or a file.
 class ReferenceDialog : public QDialog {
   Q_OBJECT
 

@@ -12,34 +12,34 @@
 
 namespace gonio::app {
 
-/// A copy of unsaved work that was left by a program that did not end well.
+/// A copy of unsaved work left behind by a program that crashed or was killed.
 struct RecoverableWork {
   QString autosavePath;
   QString originalPath;  ///< empty for a document that was never saved
 };
 
-/// Writes a copy of a modified document every minute, and removes it when the document is saved or closed in order.
-/// Copies lie beside their document, those of unsaved documents in the user's data folder. A lock distinguishes the
-/// copies of running programs from those that were left behind.
+/// Writes a copy of a modified document every minute, and removes it when the document is saved or closed normally.
+/// Copies are stored beside their document, those of documents without a file in the user's data folder. A lock file
+/// distinguishes copies of running programs from abandoned ones.
 class Autosave : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int intervalSeconds = 60;
 
-  /// `snapshot` gives the document to write, or nothing when there is nothing unsaved.
+  /// `snapshot` returns the document to write, or nullopt if everything is saved.
   using Snapshot = std::function<std::optional<editing::EditDocument>()>;
   Autosave(QString dataFolder, Snapshot snapshot, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Where the document lives; empty while it was never saved. Forgets the copy made so far.
+  /// Sets the document's path; empty if it was never saved. Forgets the copy made so far.
   void setDocumentPath(const QString& path);
-  /// Writes now if there is something to write, else removes the copy.
+  /// Writes the copy now, or removes it if everything is saved.
   void update();
   void discard();
   QString currentCopy() const { return m_copy; }
 
-  /// Copies of programs that no longer run.
+  /// The copies of programs that no longer run.
   static QList<RecoverableWork> recoverable(const QString& dataFolder);
   static void forget(const QString& dataFolder, const QString& autosavePath);
   static QString defaultDataFolder();

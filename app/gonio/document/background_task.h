@@ -17,19 +17,20 @@
 
 namespace gonio::app {
 
-/// How a piece of background work is reported to the user and how it relates to other work.
+/// How a background task is reported to the user and how it relates to other tasks.
 struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
   QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
   bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
-  bool live = false;   ///< at normal priority in threads of their own, never shown, not cancelled by Esc: what follows
-                       ///< each step of the user's hand (checks, comparisons, plots)
-  bool file = false;   ///< it writes a file that the user asked for: one after the other, never replaced; key: none
-  std::shared_ptr<Pause> pause = nullptr;  ///< the work waits while it is on
+  bool live = false;   ///< at normal priority in separate threads, never shown, not cancelled by Esc; for work after
+                       ///< each step of an interaction (checks, comparisons, plots)
+  bool file = false;   ///< writes a file requested by the user; such tasks run one after the other, are never replaced
+                       ///< and have no key
+  std::shared_ptr<Pause> pause = nullptr;  ///< the work waits while it is paused
 };
 
-/// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
-/// thread of this object, unless the task was replaced meanwhile. Destroying the object stops all work (stopAll()).
+/// Runs all core functions outside the GUI thread. The work gets a TaskControl; its result is delivered in the thread
+/// of this object, unless the task was replaced meanwhile. Destruction stops all work (stopAll()).
 class BackgroundTasks : public QObject {
   Q_OBJECT
 
@@ -37,9 +38,9 @@ class BackgroundTasks : public QObject {
   explicit BackgroundTasks(QObject* parent = nullptr);
   ~BackgroundTasks() override;
 
-  /// Runs `work` in another thread, then in this one: `done` with its result, or `failed` with the text of what it
-  /// threw, or `cancelled` when it threw Cancelled. None of them for a task that was replaced. Without `failed` the
-  /// signal of that name is emitted, so that no failure is lost.
+  /// Runs `work` in another thread, then in this one `done` with the result, `failed` with the message of an exception,
+  /// or `cancelled` after Cancelled; none of them if the task was replaced. Without `failed` the signal failed() is
+  /// emitted, so that no failure is lost.
   template <class Result>
   void run(const TaskRequest& request, std::function<Result(const TaskControl&)> work, std::function<void(Result)> done,
            std::function<void(const QString&)> failed = {}, std::function<void()> cancelled = {}) {
@@ -56,40 +57,40 @@ class BackgroundTasks : public QObject {
     double fraction;  ///< [0, 1]
     bool quiet;
     int id;        ///< for cancel()
-    bool waiting;  ///< for those before it
+    bool waiting;  ///< for earlier tasks
     bool canPause, paused;
   };
-  /// What the status bar shows: the newest task that is neither quiet nor live, else a quiet one.
+  /// The task for the status bar: the newest that is neither quiet nor live, else a quiet one.
   std::optional<Info> topmost() const;
-  /// All that is neither quiet nor live, oldest first.
+  /// All tasks that are neither quiet nor live, oldest first.
   std::vector<Info> shown() const;
-  /// Whether files that the user asked for are still being written or waiting for it.
+  /// Whether files requested by the user are being written or waiting.
   bool isWritingFiles() const;
   bool isRunning(const QString& key) const;
-  /// Its share, [0, 1]; nothing where it does not run.
+  /// Progress of a task, [0, 1]; nullopt if it is not running.
   std::optional<double> progress(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
 
-  /// Work that is asked for from now on waits for release(), at most this long: what is urgent has the processors.
+  /// Holds new tasks until release(), at most this long, to keep the processors free for urgent work.
   void hold(int maxMilliseconds);
   void release();
 
-  /// Asks a task to stop; its `cancelled` or `done` still comes.
+  /// Asks a task to stop; its `cancelled` or `done` is still called.
   void cancel(const QString& key);
   void cancel(int id);
-  /// Of a task that can pause: it goes on when it is asked to.
+  /// Pauses or resumes a task that has a Pause.
   void setPaused(int id, bool paused);
   /// Stops a task and drops its result.
   void drop(const QString& key);
-  /// Stops all work, waits until no thread is at work any more and drops the results.
+  /// Stops all work, waits for the threads and drops the results.
   void stopAll();
 
  public Q_SLOTS:
-  /// Cancels the newest task that is neither quiet nor live. Those end with what they belong to.
+  /// Cancels the newest task that is neither quiet nor live.
   void cancelTopmost();
 
  Q_SIGNALS:
-  /// A task started, ended or progressed.
+  /// A task started, progressed or ended.
   void changed();
   /// A task without a `failed` callback failed.
   void failed(const QString& title, const QString& text);
@@ -107,14 +108,14 @@ class BackgroundTasks : public QObject {
   void finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error);
 
   static Info infoOf(const Task& task);
-  /// One that runs comes before those that wait for it.
+  /// Running tasks take precedence over waiting ones.
   std::shared_ptr<Task> newestShown() const;
 
   QThreadPool m_pool, m_quietPool, m_livePool, m_filePool;
-  QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while work is held
+  QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while tasks are held
   std::vector<std::function<void()>> m_held;
   int m_lastId = 0;
-  std::vector<std::shared_ptr<Task>> m_tasks;  ///< those whose result is still wanted, oldest first
+  std::vector<std::shared_ptr<Task>> m_tasks;  ///< tasks whose results are still needed, oldest first
 };
 
 }  // namespace gonio::app

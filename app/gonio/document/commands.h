@@ -14,9 +14,9 @@ class ReplaceEditsCommand final : public Command {
 
   int id() const override { return 1; }
   bool mergeWith(const QUndoCommand* other) override;
-  /// Curves that both lists hold do not count: other steps or the document hold them too.
+  /// Curves in both lists do not count, because other steps or the document share them.
   std::size_t bytes() const override;
-  /// An edit that exists on both sides of this step, behind all others.
+  /// Appends an edit to both lists of this step.
   void append(const editing::Edit& edit);
 
  protected:
@@ -30,8 +30,7 @@ class ReplaceEditsCommand final : public Command {
   EditState m_before, m_after;
 };
 
-/// Puts another material in the place of the document's. What stands beside the material (edits, the automatic fit, the
-/// file) goes and comes back with it.
+/// Replaces the document's material. Edits, fits and the file belong to the material and are restored together with it.
 class ReplaceMaterialCommand final : public Command {
  public:
   ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text);

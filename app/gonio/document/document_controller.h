@@ -9,31 +9,32 @@
 
 namespace gonio::app {
 
-/// What becomes of a document whose measured file has changed since it was saved.
+/// What to do with a document whose measured file changed after it was saved.
 enum class ChangedSource { withEdits, withoutEdits, cancel };
 
-/// What the user does with a document that takes time or touches files: opening, fitting, saving. All of it runs in the
-/// background but saving, which is a small file.
+/// Actions on a document that take time or access files: opening, fitting, saving. They run in the background, except
+/// saving, which writes a small file.
 class DocumentController : public QObject {
   Q_OBJECT
 
  public:
   DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// A measured file, a bundled material ("library:...") or a .gonio document. Replaces what is open when it is read;
-  /// a newer call wins. A material without an edit is then fitted with the default model.
+  /// Opens a measured file, a bundled material ("library:...") or a .gonio document. It replaces the open document once
+  /// it is read, unless a newer call replaced the request. A material without edits is then fitted with the default
+  /// model.
   void open(const QString& path);
-  /// An autosaved document; `originalPath` is where it belongs (empty: it was never saved).
+  /// Opens an autosaved copy. @param originalPath path of the document itself; empty: it was never saved.
   void openRecovered(const QString& autosavePath, const QString& originalPath);
   QString opening() const { return m_opening; }
-  /// The answer to sourceChanged(). The document then counts as unsaved.
+  /// Answers sourceChanged(). The document is then marked as unsaved.
   void openChangedSource(ChangedSource choice);
 
-  /// Uses the fit that is known of this material, or makes it. One undo step.
+  /// Uses the known fit of this model, or fits it first. One undo step.
   void chooseModel(const models::Model& model);
-  /// A second edit with the fit that is in use; where there is none, one with the default model.
+  /// Adds another edit with the fit in use, or with the default model if there is none.
   void addModelEdit();
-  /// Fits the current model again, with the conventions that are chosen in the edit.
+  /// Fits the current model again, with the conventions selected in the edit.
   void fit();
   void applyProposal();
   void discardProposal() { m_proposal.reset(); }
@@ -41,25 +42,25 @@ class DocumentController : public QObject {
 
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
-  /// Pastes edits, carried over to the open material, in the place of those of their kinds, in one undo step. The
-  /// factors that edits of curves need are found first, and the fits that edits of models need where none is in use.
+  /// Pastes edits, transferred to the open material, in place of the edits of the same kinds, in one undo step. Factors
+  /// for edits of curves, and fits for edits of models that have none, are computed first.
   void paste(const editing::EditList& edits);
 
  Q_SIGNALS:
-  /// A document was read whose source is another file than when it was saved: it waits for openChangedSource().
+  /// The source file of a document changed after the document was saved; waits for openChangedSource().
   void sourceChanged(const QString& text);
-  /// What was read is about to take the place of what is open.
+  /// The document that was read is about to replace the open one.
   void installing();
   /// `path` is empty for recovered work that was never saved.
   void opened(const QString& path);
-  /// The work of an autosaved copy is in the document now.
+  /// The document now contains the work of an autosaved copy.
   void recovered(const QString& autosavePath);
-  /// The view that a .gonio file holds.
+  /// The view stored in a .gonio file.
   void viewRestored(const nlohmann::json& view);
   void saved(const QString& path);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
-  /// A cancelled fit has a best so far.
+  /// A cancelled fit has an intermediate result.
   void proposalOffered(const QString& text);
 
  private:
@@ -72,28 +73,28 @@ class DocumentController : public QObject {
   void start(const QString& path, const QString& documentPath, bool recovered);
   void install(const Opened& opened);
   void offerChangedSource(Opened opened);
-  /// @param choices the conventions to keep, as fitting::fit() takes them.
+  /// @param choices the conventions to keep, as for fitting::fit().
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void dropTasks();
   void automaticFit();
   bool hasModelEdit() const { return m_document.active<editing::DifferentialEdit>() != nullptr; }
   struct Pasted {
-    editing::EditList edits;               ///< those of factors carried over, others as they were copied
-    std::vector<fitting::FitResult> fits;  ///< of models that no fit was known of
+    editing::EditList edits;               ///< edits of factors transferred, others as copied
+    std::vector<fitting::FitResult> fits;  ///< of models without a known fit
   };
   void install(const Pasted& pasted);
-  /// What an edit of a model that is pasted starts from; null where no fit of it is known.
+  /// The fitted values from which a pasted edit of a model starts; null if no fit is known.
   const models::ParameterValues* fittedValues(const models::Model& model) const;
 
   Document& m_document;
   BackgroundTasks& m_tasks;
   QString m_opening;
-  std::shared_ptr<const Opened> m_changedSource;  ///< waits for an answer
+  std::shared_ptr<const Opened> m_changedSource;  ///< waits for openChangedSource()
   std::optional<fitting::FitResult> m_proposal;
 };
 
-/// The model that a newly opened material is fitted with.
+/// The model of the automatic fit.
 const models::Model& defaultModel();
 
 }  // namespace gonio::app

@@ -10,14 +10,15 @@ class QMimeData;
 
 namespace gonio::app {
 
-/// The change that an edit makes, carried over to another fit of the same model: logarithmic parameters by ratio,
-/// choices as they are, all others by difference; inside the hard ranges. What the edit left alone stays at the new
-/// fit.
+/// The change of an edit transferred to another fit of the same model: logarithmic parameters by ratio, choices by
+/// value, all others by difference, clamped to the hard ranges. Parameters that the edit did not change keep the new
+/// fit's values.
 models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
 
-/// A document's edits on the clipboard: their JSON, as text too, so that they can be pasted into a .gonio file.
+/// A document's edits for the clipboard: as JSON, and the same as text so that they can be pasted into a .gonio file.
 QMimeData* toClipboard(const editing::EditDocument& document);
-/// The edits on a clipboard, those that change nothing only where there is no other; empty when it holds none.
+/// The edits on a clipboard, without those that have no effect unless there are no others; empty if it contains no
+/// edits.
 editing::EditList editsFromClipboard(const QMimeData* data);
 
 }  // namespace gonio::app

@@ -12,32 +12,32 @@
 
 namespace gonio::app {
 
-/// Writes the document's material and pictures of it to files in the background, one after the other. The files that
-/// the document is about are never replaced.
+/// Writes the document's material and pictures of it to files in the background, one after the other. Never replaces
+/// the files that the document uses.
 class FileExports : public QObject {
   Q_OBJECT
 
  public:
   FileExports(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// Whether a file is one that the document is about; then failed() has said so.
+  /// Whether a file is used by the document; if so, emits failed().
   bool refuses(const QString& path);
-  /// The edited material in a form; warns of what that cannot hold, with the measured error.
+  /// Writes the edited material in a form; warns of content that the form cannot represent, with the measured error.
   void writeMaterial(const QString& path, exports::MaterialForm form);
-  /// Renders the edited material on the CPU; the user may pause it.
+  /// Renders the edited material on the CPU; the user can pause it.
   void renderPicture(const PictureExport& picture);
-  /// What a panel shows beside the material.
+  /// Writes something else that a panel shows.
   void save(const QString& path, const FileSave& save);
-  /// Made in the background.
+  /// Called in the background.
   using Caption = std::function<QString(const TaskControl&)>;
-  /// A picture as it is: 8 bits per channel. @param caption of a line below it.
+  /// Writes a picture unchanged, with 8 bits per channel. @param caption text of a line below it.
   void writePng(const QString& path, const QImage& picture, const Caption& caption = {});
 
  Q_SIGNALS:
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
-  /// The user stopped it: nothing was written.
+  /// The user cancelled; nothing was written.
   void cancelled(const QString& path);
 
  private:

@@ -10,13 +10,13 @@
 
 namespace gonio::app {
 
-/// Something beside the material that a panel shows and that can be kept as a file: factors, a code, a fit.
+/// Something other than the material that a panel shows and that can be saved as a file: factors, a code, a fit.
 struct FileSave {
-  QString title;   ///< of the dialog: "Save Factors"
-  QString name;    ///< proposed, without folder and suffix
+  QString title;   ///< title of the dialog, e.g. "Save Factors"
+  QString name;    ///< proposed file name, without folder and suffix
   QString filter;  ///< "PDV factors (*.pdv)"
   QString suffix;  ///< ".pdv"
-  /// Not for the GUI thread. @throws Error naming the file; Cancelled.
+  /// Not for the GUI thread. @throws Error with the file name; Cancelled.
   std::function<void(const std::filesystem::path& path, const TaskControl& control)> write;
 };
 

@@ -7,14 +7,14 @@
 
 namespace gonio::app {
 
-/// An undo step that knows what it costs to keep and can let go of its content.
+/// An undo step that reports its memory and can free its content.
 class Command : public QUndoCommand {
  public:
   using QUndoCommand::QUndoCommand;
 
-  /// Memory that this step keeps alive.
+  /// Memory kept alive by this step.
   virtual std::size_t bytes() const = 0;
-  /// Frees the content: from now on the step does nothing in either direction.
+  /// Frees the content. Undo and redo of this step then have no effect.
   void forget();
   bool isForgotten() const { return m_forgotten; }
 
@@ -30,8 +30,8 @@ class Command : public QUndoCommand {
   bool m_forgotten = false;
 };
 
-/// The undo history of a document: unlimited by count, bounded by bytes. When it grows beyond the bound, the oldest
-/// steps forget their content; undo then stops at the oldest state that is still known.
+/// The undo history of a document, limited in bytes, not in number of steps. Above the limit the oldest steps forget
+/// their content, and undo stops at the oldest state that is still known.
 class History : public QUndoStack {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class History : public QUndoStack {
   explicit History(QObject* parent = nullptr) : QUndoStack(parent) {}
 
   void setByteLimit(std::size_t bytes) { m_byteLimit = bytes; }
-  /// Takes ownership and applies it, as QUndoStack::push; then bounds the history.
+  /// Takes ownership of a command and applies it, as QUndoStack::push(), then enforces the limit.
   void add(Command* command);
   std::size_t bytes() const;
 

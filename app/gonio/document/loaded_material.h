@@ -14,32 +14,32 @@
 
 namespace gonio::app {
 
-/// A material with all that the editor shows of it, computed once while it loads. Immutable and shared between the
-/// document, its undo steps and background work.
+/// A material with all facts that the editor shows, computed once while it loads. Immutable, shared by the document,
+/// its undo steps and background tasks.
 struct LoadedMaterial {
   static constexpr std::array<int, 4> albedoDegrees{0, 30, 60, 80};
 
   materials::Material material;
-  std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file of its own
-  /// What is shown, edited and exported: the measurement in its own form. Of the forms that the preview does not know
-  /// (widgets::isShownNatively()) a table stands for it.
+  std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file
+  /// The BRDF that is shown, edited and exported: the measurement in its native form, or a table if the preview cannot
+  /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
   std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< of the base
-  TableStatistics statistics;                           ///< of what is no table on a coarse grid
+  TableStatistics statistics;                           ///< on a coarse grid if the base is not a table
   std::array<Rgb, 4> albedo;
 
-  /// Whether the base was sampled from another form: it has an error of its own.
+  /// Whether the base was sampled from another form, with a sampling error.
   bool isSampled() const { return material.brdf && material.brdf != base; }
   /// Whether table() is the base itself.
   bool isTable() const { return base->asTable() != nullptr; }
-  /// The table that fits, factors and codes are made of: the base, or sampled from it at the first call (up to a
-  /// second, of an anisotropic measurement some seconds, in which others wait). Not for the GUI thread. @throws
-  /// Cancelled.
+  /// The table for fits, factors and codes: the base, or sampled from it at the first call (up to a second, for an
+  /// anisotropic measurement some seconds; concurrent calls wait). Not for the GUI thread.
+  /// @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
-  /// What models are fitted to: the base where it is anisotropic, else table(). Not for the GUI thread. @throws
-  /// Cancelled.
+  /// The BRDF to which models are fitted: the base if it is anisotropic, else table(). Not for the GUI thread.
+  /// @throws Cancelled.
   std::shared_ptr<const Brdf> fitBase(const TaskControl& control = {}) const;
-  /// In memory: of the tables that there are now.
+  /// Memory of the existing tables.
   std::size_t bytes() const;
 
  private:
@@ -51,20 +51,20 @@ struct LoadedMaterial {
 };
 using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 
-/// Reads a material and measures what the source panel shows: some tenths of a second; up to some seconds for forms
-/// that are tabulated.
+/// Reads a material and computes the facts of the source panel, in some tenths of a second, or up to some seconds for
+/// forms that are sampled as a table.
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
-/// The same, or a document with its edits applied as a material of its own.
+/// The same, also for a document: its edited material.
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control = {});
-/// What a document of resolved paths is about, without its edits. @throws Error, Cancelled.
+/// Loads the material of a document without its edits. The paths must be resolved. @throws Error, Cancelled.
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
-/// The same of a material that is there already.
+/// The same for a material in memory.
 LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control = {});
 
-/// What a material is before its edits: "Measured" (also where a file holds its code or its factors), "Published fit"
-/// or "Kept blend".
+/// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Published fit" or "Kept
+/// blend".
 QString sourceKind(const LoadedMaterial& material);
 
 }  // namespace gonio::app

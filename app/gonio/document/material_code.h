@@ -10,30 +10,31 @@
 
 namespace gonio::app {
 
-/// A material as a sparse code over the bundled dictionary, with what it costs and what it loses: measured, here and
-/// now, of what its file would hold.
+/// A material as a sparse code with the bundled dictionary, with its cost and error, both measured for the content of
+/// the code's file on this machine.
 struct MaterialCode {
   LoadedMaterialPtr material;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
-  std::size_t coefficients = 0;  ///< per channel, as they were asked for
+  std::size_t coefficients = 0;  ///< per channel, as requested
   dictionary::Encoded encoded;
-  std::shared_ptr<const widgets::EnsembleCode> stored;  ///< what the file holds, which is rounded
+  std::shared_ptr<const widgets::EnsembleCode> stored;  ///< the rounded code of the file
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
   std::shared_ptr<const TabulatedLobe> lobe;            ///< of the decoded table
   std::size_t bytes = 0;                                ///< of the file
-  double logError = 0;                                  ///< metrics::BrdfMetric::log against the measurement
+  double logError = 0;                                  ///< metrics::BrdfMetric::log compared with the measurement
   double snr = 0;                                       ///< dB, of the reflectances
-  double nanoseconds = 0;                               ///< of an evaluation straight from the code, on one core
+  double nanoseconds = 0;                               ///< per evaluation directly from the code, on one core
   double decodeSeconds = 0;
 };
 
-/// Encodes over the bundled dictionary (some 2 s on two cores; the first call prepares the encoder before), decodes
-/// what a file would hold, and measures that. From any thread. @throws Error when the material's grid is not the
-/// dictionary's; Cancelled.
+/// Encodes with the bundled dictionary (about 2 s on two cores; the first call also prepares the encoder), decodes the
+/// content of the file and measures its error. Thread-safe. @throws Error if the grids of material and dictionary
+/// differ; Cancelled.
 MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coefficients,
                             const TaskControl& control = {});
 
-/// What the representation section shows of a code: error, bytes, time; which transform and dictionaries, and why.
+/// The facts of a code for the representation section: error, bytes, time, transform and dictionaries, and the reason
+/// for their choice.
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code);
 
 }  // namespace gonio::app

@@ -10,22 +10,22 @@
 
 namespace gonio::app {
 
-/// A form for people, with the pattern of its files: "RGL material (*.bsdf)".
+/// File filter of a form for dialogs, e.g. "RGL material (*.bsdf)".
 QString formFilter(exports::MaterialForm form);
 
-/// What a written file cannot hold; empty: nothing.
+/// Content that a written file cannot represent; empty: none.
 struct ExportLosses {
   QStringList sentences;
-  double snr = 0;  ///< of the file against the material, dB, where something was lost
+  double snr = 0;  ///< SNR of the file compared with the material, dB, if something was lost
 
-  /// One text for people.
+  /// A message for the user.
   QString text() const;
 };
 
-/// Writes a material with its edits, atomically; where something is lost its error is measured (some seconds). Not for
-/// the GUI thread.
-/// @param base of the material in the order of the directions that is shown
-/// @throws Error naming the file; Cancelled.
+/// Writes a material with its edits, atomically. If content is lost, measures the error (some seconds). Not for the GUI
+/// thread.
+/// @param base base of the material with the displayed order of the directions
+/// @throws Error with the file name; Cancelled.
 ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr<const Brdf>& base,
                            const editing::EditList& edits, exports::MaterialForm form,
                            const std::filesystem::path& path, const TaskControl& control);

@@ -6,31 +6,31 @@
 
 #include "core/materials/material_formats.h"
 
-/// The table of the formats of materials (core/materials/material_formats.h) in the words of Qt's dialogs and folders.
-/// Files are opened by their content, whatever they are called.
+/// The formats of materials (core/materials/material_formats.h) as filters for Qt's dialogs and folders. When a file is
+/// opened, its content decides, not its name.
 namespace gonio::app {
 
-/// "*.binary", "*.bsdf", ..: of what a dialog or a folder of the library shows.
+/// Patterns of the files shown in dialogs and folders of the library: "*.binary", "*.bsdf", ...
 QStringList materialFilePatterns();
-/// Of measured materials alone: what a folder gives to a training set.
+/// Patterns of measured materials only, for training sets from a folder.
 QStringList measurementFilePatterns();
 
 /// "Materials and documents (..);;All files (*)".
 QString materialFilter();
-/// The same with a filter for each format between.
+/// The same with additional filters for each format.
 QString openFilter();
-/// ".binary": with which a format is written.
+/// Suffix of written files of a format, e.g. ".binary".
 QString formatSuffix(materials::FormatId format);
-/// ".binary": of what the editor writes where nobody chooses a format.
+/// Suffix of the editor's default format, e.g. ".binary".
 QString tableSuffix();
 
-/// By its suffix: a .gonio document, not a material.
+/// Whether the suffix is that of a .gonio document.
 bool isDocument(const QString& path);
 QString documentSuffix();
 
-/// "chrome" of "library:merl-copy/chrome" and of "/data/chrome.binary".
+/// Name of a material: "chrome" for "library:merl-copy/chrome" and for "/data/chrome.binary".
 QString materialName(const QString& id);
-/// Names of several materials, no two equal: those of one name get their source or suffix, "paper_rgl".
+/// Distinct names of several materials: equal names are extended with their source or suffix, e.g. "paper_rgl".
 QStringList distinctNames(const QStringList& ids);
 
 }  // namespace gonio::app

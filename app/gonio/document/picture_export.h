@@ -10,28 +10,28 @@
 
 namespace gonio::app {
 
-/// What lies behind the objects of a written picture.
+/// The background of a written picture.
 enum class PictureBackground { environment, transparent, colour };
 
-/// A picture that is to be rendered and written: what, how large, how well, in which form.
+/// A picture to be rendered and written: content, size, quality and format.
 struct PictureExport {
   QString path;  ///< its suffix decides: `.exr` 32-bit linear radiance, else 8-bit sRGB PNG
   Scene scene;
   EffectOverrides overrides;
-  RenderMaterials others;  ///< beside the document's material, see materialsInSlots()
+  RenderMaterials others;  ///< further materials, see materialsInSlots()
   int width = 1024, height = 1024;
   RefinementLimits limits;
   PictureBackground background = PictureBackground::transparent;
-  QColor colour = Qt::black;  ///< of the background; in an EXR as its linear value
+  QColor colour = Qt::black;  ///< of the background; its linear value in an EXR
   double exposure = 0;        ///< stops; PNG only
   ToneMap toneMap = ToneMap::filmic;
 
   bool isExr() const { return path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive); }
-  /// The scene with the background that the picture asks for.
+  /// The scene with the picture's background.
   Scene shownScene() const;
 };
 
-/// What the path tracer needs of a picture.
+/// Input of the path tracer.
 struct PicturePlan {
   Scene scene;
   RenderMaterials materials;
@@ -39,14 +39,15 @@ struct PicturePlan {
 };
 PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited);
 
-/// Renders and writes it, atomically. Not for the GUI thread.
-/// @param edited the document's material with its edits, named `name`. @throws Error naming the file; Cancelled.
+/// Renders a picture and writes it atomically. Not for the GUI thread.
+/// @param edited the document's material with its edits, named `name`. @throws Error with the file name; Cancelled.
 void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
                           const std::string& name, const TaskControl& control, const Pause& pause);
 
-/// An image over a colour: straight sRGB bytes, mixed in linear light; alpha 255.
+/// Composes an image over a colour. The bytes are sRGB with straight alpha, mixed in linear light; the resulting alpha
+/// is 255.
 void composeOver(const QColor& colour, std::span<std::uint8_t> rgba);
-/// The same of linear radiance; the image then has no alpha.
+/// The same for linear radiance; the image then has no alpha.
 void composeOver(const QColor& colour, Image& image);
 
 }  // namespace gonio::app

@@ -8,8 +8,8 @@ class QSettings;
 
 namespace gonio::app {
 
-/// The last files that were opened, newest first, at most ten, kept in the settings. Missing ones stay listed: a drive
-/// may come back.
+/// The last opened files, newest first, at most ten, stored in the settings. Missing files stay listed, because their
+/// drive may be reconnected.
 class RecentFiles {
  public:
   static constexpr int limit = 10;

@@ -8,7 +8,7 @@
 
 namespace gonio::app {
 
-/// What a transformed reflectance is, as people write it: "ln(1 + ρ)", ρ in 1/sr.
+/// Formula of a transform, e.g. "ln(1 + ρ)", with the BRDF value ρ in 1/sr.
 QString transformFormula(DataTransform transform);
 
 }  // namespace gonio::app

@@ -16,13 +16,13 @@ class QSettings;
 
 namespace gonio::app {
 
-/// Exports several materials of the library, as measured, to one target and one folder: each a task of its own, which
-/// can be stopped alone. It remembers target, SNR and folder, with File > Export for Renderer.
+/// Exports several materials of the library, without edits, to one target and one folder. Each is a separate task that
+/// can be cancelled. Target, SNR and folder are remembered, shared with File > Export for Renderer.
 class BatchDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param ids of the library, at least one.
+  /// @param ids materials of the library, at least one.
   BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent);
 
   const exports::ExportTarget& target() const;
@@ -37,7 +37,7 @@ class BatchDialog : public QDialog {
   void browse();
   void showFiles();
   ExportRequest request(qsizetype index) const;
-  /// Names of files that are there already.
+  /// Names of files that already exist.
   QStringList existing() const;
 
   ExportController& m_controller;

@@ -12,17 +12,17 @@
 
 namespace gonio::app {
 
-/// What an export is made of: the document's material as it was when it was asked for. Cheap to copy.
+/// The input of an export: the document's material at the time of the request. Cheap to copy.
 struct ExportSubject {
   LoadedMaterialPtr material;
   std::shared_ptr<const Brdf> base;
   editing::EditList edits;
   QString name;                              ///< of the document
-  std::vector<std::filesystem::path> files;  ///< that it is about: exports never replace them
+  std::vector<std::filesystem::path> files;  ///< files used by the document, never replaced by exports
 
   explicit ExportSubject(const Document& document);
   std::shared_ptr<const Brdf> edited() const;
-  /// Not for the GUI thread: it reads an RGL file again. @throws Error.
+  /// Not for the GUI thread, because it may read an RGL file again. @throws Error.
   exports::ExportSource source() const;
   /// "chrome_edited"
   QString proposedName() const;
@@ -35,16 +35,16 @@ struct ExportTrial {
 };
 using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
 
-/// What the user asks for: a target and the name of its files.
+/// The user's request: a target and the name of its files.
 struct ExportRequest {
   const exports::ExportTarget* target = nullptr;
   exports::ExportOptions options;
-  QString name;                                  ///< a path without the target's suffixes
-  std::shared_ptr<const Scene> scene = nullptr;  ///< written beside the material; null: none
-  QString place = {};                            ///< among several: "3 of 12"; empty: there is one
+  QString name;                                  ///< path without the target's suffixes
+  std::shared_ptr<const Scene> scene = nullptr;  ///< scene to write in addition to the material; null: none
+  QString place = {};                            ///< position among several, e.g. "3 of 12"; empty: there is one
 };
 
-/// Makes exports in the background and writes them. Each is a task of its own, so that several wait in a row.
+/// Makes and writes exports in the background. Each is a separate task; several wait in a queue.
 class ExportController : public QObject {
   Q_OBJECT
 
@@ -54,20 +54,20 @@ class ExportController : public QObject {
   const Document& document() const { return m_document; }
   BackgroundTasks& tasks() { return m_tasks; }
 
-  /// Makes an export without writing it; a newer trial takes the place of an older one.
+  /// Makes an export without writing it; a newer trial replaces an older one.
   void tryOut(const ExportSubject& subject, const exports::ExportTarget& target, const exports::ExportOptions& options,
               std::function<void(ExportTrialPtr)> done, const std::function<void(const QString&)>& failed);
   void dropTrial();
-  /// Progress of the trial, [0, 1]; nothing while none runs.
+  /// Progress of the trial, [0, 1]; nullopt if none is running.
   std::optional<double> trialProgress() const;
 
-  /// Writes an export, which replaces files of its names but never the source.
-  /// @param trial of this request; null: it is made first.
+  /// Writes an export. Replaces existing files of the same names, but never the source.
+  /// @param trial trial of this request; null: the export is made first.
   void write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial);
-  /// Writes a material of the library as it was measured, edits aside; the file it comes from is never replaced.
-  /// @param id what openMaterial() takes: a path or a bundled material. @param replace files of these names
+  /// Writes a material of the library without edits. Never replaces its own file.
+  /// @param id a path or a bundled material, as for openMaterial(). @param replace whether existing files are replaced.
   void writeMeasured(const QString& id, const ExportRequest& request, bool replace);
-  /// The last export of this document once more, as the document is now. Contract: canRepeat().
+  /// Repeats the last export of this document with its current state. Contract: canRepeat().
   void repeat();
   bool canRepeat() const { return m_last.has_value(); }
   const std::optional<ExportRequest>& last() const { return m_last; }
@@ -76,7 +76,7 @@ class ExportController : public QObject {
   void exported(const QString& files);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
-  /// The user stopped it: nothing was written.
+  /// The user cancelled; nothing was written.
   void cancelled(const QString& files);
   /// canRepeat() may have changed.
   void lastChanged();

@@ -23,30 +23,30 @@ namespace gonio::app {
 
 class ExportPictures;
 
-/// File > Export for Renderer: a choice of target; of each what it can hold and what an export to it costs, found by
-/// making the export in the background: rendered SNR, bytes, pictures. It remembers target, SNR and folder.
+/// File > Export for Renderer: a choice of targets. For each it shows its capabilities and, from a trial export in the
+/// background, rendered SNR, bytes and pictures. Target, SNR and folder are remembered.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Contract: the document has a material. @param scene of the preview, which is written where the user asks for it.
+  /// Contract: the document has a material. @param scene scene of the preview, written on request.
   ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent);
   ~ExportDialog() override;
 
   const exports::ExportTarget& target() const;
   void chooseTarget(std::string_view id);
-  /// A path without the target's suffixes; relative ones are of the folder of the last export.
+  /// Path without the target's suffixes; relative to the folder of the last export.
   QString name() const;
   void setName(const QString& name);
-  /// Of the chosen target with the options of now; null while it is being made or where that failed.
+  /// The trial of the selected target with the current options; null while it is being made or if it failed.
   ExportTrialPtr trial() const;
-  /// Whether a scene is written beside the material.
+  /// Whether a scene is written in addition to the material.
   bool withScene() const;
 
   void accept() override;
 
  private:
-  /// Targets of the same suffixes have the same files, which are made once.
+  /// Targets with the same suffixes have the same files, which are made only once.
   struct Key {
     std::string_view suffix;
     double snr;

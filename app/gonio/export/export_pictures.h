@@ -7,7 +7,7 @@
 
 namespace gonio::app {
 
-/// Two pictures of one size side by side with their names below; an empty place where there is none yet.
+/// Two pictures of the same size side by side with their names below; missing pictures leave an empty area.
 class ExportPictures : public QWidget {
   Q_OBJECT
 

@@ -9,15 +9,15 @@ class QLabel;
 
 namespace gonio::app {
 
-/// What the dialogs of exports remember.
+/// Settings remembered by the export dialogs.
 namespace export_settings {
 inline const QString target = QStringLiteral("export/target"), snr = QStringLiteral("export/snr"),
                      folder = QStringLiteral("export/folder"), scene = QStringLiteral("export/scene");
 }
 
-/// A field of the rendered SNR that files should reach, dB.
+/// A field for the rendered SNR that files should reach, dB.
 QDoubleSpinBox* exportSnrField();
-/// A text that wraps and can be copied.
+/// A label with text that wraps and can be copied.
 QLabel* exportText();
 
 }  // namespace gonio::app

@@ -25,13 +25,13 @@ namespace gonio::app {
 class ComparisonController;
 class PictureSettings;
 
-/// File > Export Image: the scene of the preview rendered at a chosen size and quality, with the time and the noise to
-/// expect; or the preview's picture as it is, in a comparison with names, scale and numbers. It remembers the choices.
+/// File > Export Image: the scene of the preview rendered with a selected size and quality, with estimates of time and
+/// noise; or the preview's picture itself, for a comparison with names, scale and numbers. The choices are remembered.
 class ImageDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// What it works with; all of it outlives the dialog.
+  /// The objects that the dialog uses; they must outlive it.
   struct Parts {
     Document& document;
     FileExports& exports;
@@ -41,15 +41,15 @@ class ImageDialog : public QDialog {
     QSettings& settings;
   };
 
-  /// Contract: the document has a material. @param name proposed for the file, without folder and suffix.
+  /// Contract: the document has a material. @param name proposed file name, without folder and suffix.
   ImageDialog(const Parts& parts, const QString& name, QWidget* parent);
   ~ImageDialog() override;
 
-  /// What is asked for now, where the picture is rendered.
+  /// The current request, if the picture is rendered.
   PictureExport request() const;
-  /// Whether the picture is rendered; else the preview's is taken as it is.
+  /// Whether the picture is rendered; if not, the preview's picture is used.
   bool rendersPicture() const;
-  /// Nothing until it has been measured.
+  /// Nullopt until it has been measured.
   const std::optional<PictureEstimate>& estimate() const { return m_estimate; }
   QLineEdit& path() { return *m_path; }
 

@@ -8,9 +8,9 @@ namespace gonio::app {
 
 class ComparisonController;
 
-/// The numbers of what is compared now, as a line below a picture: "gold-paint, Edited
-/// against Measured: BRDF SNR 23.4 dB, ...".
-/// They are measured when the caption is asked for, not on the GUI thread, in about a second.
+/// The numbers of the current comparison as a line below a picture: "gold-paint, Edited against Measured: BRDF SNR 23.4
+/// dB, ...".
+/// They are measured when the caption is called, in about a second. Not for the GUI thread.
 FileExports::Caption comparisonCaption(const ComparisonController& comparison, const QString& material);
 
 }  // namespace gonio::app

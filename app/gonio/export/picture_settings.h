@@ -15,27 +15,28 @@ class QSpinBox;
 
 namespace gonio::app {
 
-/// Size, samples and background of a picture that is to be rendered.
+/// Size, samples and background of a picture to be rendered.
 class PictureSettings : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param preview the size that "As the preview" means.
+  /// @param preview the size for "As the preview".
   explicit PictureSettings(const QSize& preview, QWidget* parent = nullptr);
 
-  /// @param environmentShown whether the preview shows the environment behind the objects: then the picture does.
+  /// @param environmentShown whether the preview shows the environment behind the objects; if so, the picture does,
+  /// too.
   void restore(const QSettings& settings, bool environmentShown);
   void remember(QSettings& settings) const;
   RefinementLimits limits() const;
-  /// Of the widest label, so that other rows can stand below them.
+  /// Width of the widest label, for the alignment of other rows.
   int labelWidth() const;
-  /// Sets what is chosen here.
+  /// Writes the settings to a request.
   void apply(PictureExport& picture) const;
 
  Q_SIGNALS:
-  /// What a sample costs is another: size, background.
+  /// The cost of a sample changed: size or background.
   void costChanged();
-  /// How many samples, how much time.
+  /// The limits of samples or time changed.
   void limitsChanged();
 
  private:
@@ -43,7 +44,7 @@ class PictureSettings : public QWidget {
   QWidget* qualityRow();
   void connectParts();
   void chooseSize(int preset);
-  /// Names the size in the list.
+  /// Shows the size in the list.
   void showSize();
   void chooseColour();
   void showChoices();

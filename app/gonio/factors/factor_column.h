@@ -13,24 +13,24 @@ class ResidualStrip;
 
 namespace gonio::app {
 
-/// The factors of the model, by what they run over.
+/// The factors of the PDV model, by their argument.
 enum class FactorAxis { theta, deviation, phi };
 
 const std::vector<double>& nodesOf(const factorization::PdvFactors& factors, FactorAxis axis);
 std::vector<double>& curveOf(factorization::PdvTerm& term, FactorAxis axis);
 const std::vector<double>& curveOf(const factorization::PdvTerm& term, FactorAxis axis);
 
-/// What a button does to the curves of a factor.
+/// The operations on the curves of a factor that have buttons.
 enum class FactorOperation { stronger, weaker, wider, narrower, tiltUp, tiltDown, smooth, reset };
 
-/// The factors with an operation on one axis, on all terms of a channel (or of all, -1). `reset` takes the curves of
-/// `original` back where there are as many terms.
+/// Applies an operation to the curves of one axis, for all terms of a channel (-1: of all channels). `reset` restores
+/// the curves of `original`, if it has as many terms.
 factorization::PdvFactors operated(const factorization::PdvFactors& factors, const factorization::PdvFactors& original,
                                    FactorAxis axis, FactorOperation operation, int channel);
 QString operationText(FactorOperation operation, FactorAxis axis);
 
-/// One factor: its curve editor, what its curves leave unexplained, the buttons of its operations, and a place where a
-/// material's thumbnail can be dropped.
+/// One factor: its curve editor, the residuals along its axis, buttons for its operations, and a drop area for a
+/// material's thumbnail.
 class FactorColumn : public QWidget {
   Q_OBJECT
 
@@ -41,12 +41,12 @@ class FactorColumn : public QWidget {
   widgets::ResidualStrip& residuals() const { return *m_residuals; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
-  /// What the values of the curves are: shown beside the axis of F1, whose curves carry the strength.
+  /// Sets the transform of the values, shown at the axis of F1, whose curves contain the magnitude.
   void setTransform(DataTransform transform);
 
  Q_SIGNALS:
   void operationChosen(gonio::app::FactorOperation operation);
-  /// A material's thumbnail was dropped: an id as the library has it.
+  /// A material's thumbnail was dropped. @param id as in the library.
   void materialDropped(const QString& id);
 
  protected:

@@ -19,9 +19,9 @@ namespace gonio::app {
 
 class FactorTermsView;
 
-/// The content of the Factor curves dock: the PDV factors of the document's material under the hand. Factorises in the
-/// background when it is first shown. It changes the document's active edit of factor curves, or makes one where there
-/// is none; every change is an undo step.
+/// The content of the Factor curves dock: an editor for the PDV factors of the document's material. Factorises in the
+/// background when it is first shown. Changes the document's active edit of factor curves, or adds one if there is
+/// none; every change is an undo step.
 class FactorCurvesPanel : public QWidget {
   Q_OBJECT
 
@@ -36,9 +36,10 @@ class FactorCurvesPanel : public QWidget {
   void operate(FactorAxis axis, FactorOperation operation);
   /// Stretches F2 of all terms and channels.
   void widen(double factor);
-  /// A new edit of the curves, once they are known; the panel has to be shown.
+  /// Adds a new edit of the curves, once they are known; the panel must be visible.
   void addEdit();
-  /// Takes F1 or F2 of a material over, by its id in the library: read and factorised in the background, an undo step.
+  /// Takes F1 or F2 from another material, which is read and factorised in the background. One undo step. @param id as
+  /// in the library.
   void takeOver(FactorAxis axis, const QString& id);
 
  Q_SIGNALS:
@@ -51,12 +52,12 @@ class FactorCurvesPanel : public QWidget {
 
  private:
   using Curves = editing::FactorEdit::Curves;
-  static const QString swapKey;  ///< of the background task that reads the other material
+  static const QString swapKey;  ///< key of the background task that reads the other material
 
   void buildControls();
   void connectColumns();
   void connectDocument();
-  /// Where the disk of directions ends for a viewer, rad.
+  /// Shows the limits of the disk of directions for a viewer. @param thetaR rad.
   void showLimits(double thetaR);
   void request();
   void forget();
@@ -65,10 +66,10 @@ class FactorCurvesPanel : public QWidget {
   void showResiduals(FactorColumn& column);
   MeasuredFactors::Kind kind() const;
   int channel() const;
-  /// The content of the active edit, or one that changes nothing yet. Without curves while nothing is known.
+  /// The content of the active edit, or of a new one without effect. Without curves while no factors are known.
   editing::FactorEdit current() const;
   void change(const factorization::PdvFactors& edited, const QString& text);
-  /// What changes nothing and has no name is no edit.
+  /// Sets the active edit; removes it if it has no effect and no name.
   void apply(const editing::FactorEdit& edit, const QString& text);
   void curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves);
   void chooseTerms(int terms);
@@ -84,8 +85,8 @@ class FactorCurvesPanel : public QWidget {
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
   std::shared_ptr<const MeasuredFactors> m_measured;
-  Curves m_original;                  ///< those of m_measured with the chosen number of terms
-  MeasuredFactors::Kind m_requested;  ///< of m_measured, or of what is being measured
+  Curves m_original;                  ///< curves of m_measured with the selected number of terms
+  MeasuredFactors::Kind m_requested;  ///< of m_measured or of the running measurement
   bool m_running = false, m_refused = false, m_addWhenKnown = false;
 };
 

@@ -11,15 +11,15 @@ class QSlider;
 
 namespace gonio::app {
 
-/// How many terms of factors are used, beside what each count costs: the measured error over the terms as a chart, a
-/// slider below it, the numbers of the chosen count in words.
+/// Choice of the number of terms: a chart of the measured error over the number of terms, a slider below it, and the
+/// costs of the selected number as text.
 class FactorTermsView : public QWidget {
   Q_OBJECT
 
  public:
   explicit FactorTermsView(QWidget* parent = nullptr);
 
-  /// Null: nothing is known.
+  /// @param measured null if the factors are not known.
   void setMeasured(std::shared_ptr<const MeasuredFactors> measured);
   void setTerms(int terms);
   int terms() const;

@@ -7,9 +7,9 @@
 
 namespace gonio::app {
 
-/// The factors of a material with what each count of terms costs.
+/// The factors of a material with the error and cost of each number of terms.
 struct MeasuredFactors {
-  /// What is chosen before a factorisation; the count of terms is chosen after it.
+  /// Options selected before the factorisation; the number of terms is selected afterwards.
   struct Kind {
     factorization::PdvForm form = factorization::PdvForm::twoFactors;
     DataTransform transform = DataTransform::logPlus;
@@ -17,18 +17,18 @@ struct MeasuredFactors {
   };
   LoadedMaterialPtr material;
   factorization::PdvFactorization factorization;
-  // Of each count of terms; index 0 is one term.
-  std::vector<factorization::PdvResidualsAlong> along;  ///< what is left unexplained at each node
-  std::vector<std::size_t> bytes;                       ///< of a file with the factors
-  std::vector<double> nanoseconds;  ///< of one evaluation on one core, the median of some runs on this machine
+  // For each number of terms; index 0: one term.
+  std::vector<factorization::PdvResidualsAlong> along;  ///< residuals at each node
+  std::vector<std::size_t> bytes;                       ///< size of a file with the factors
+  std::vector<double> nanoseconds;  ///< per evaluation on one core, median of several runs on this machine
 
-  /// The fraction of the transformed reflectance that so many terms leave unexplained, in [0, 1].
+  /// The fraction of the transformed BRDF that is not explained by this number of terms, in [0, 1].
   double residual(int terms) const { return factorization.residuals[std::size_t(terms)]; }
 };
 
 inline constexpr int maxEditedTerms = 10;
 
-/// Factorises and measures: some seconds in the 3-D form. @throws Cancelled.
+/// Factorises and measures the costs; takes some seconds for the 3-D form. @throws Cancelled.
 MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
                                const TaskControl& control = {});
 

@@ -10,7 +10,7 @@ class QComboBox;
 
 namespace gonio::app {
 
-/// Chooses how the change of the active model edit is brought to the measurement; hidden where there is none.
+/// Choice of the composition of the active model edit with the measurement; hidden if there is no such edit.
 class CompositionChoice : public QWidget {
   Q_OBJECT
 

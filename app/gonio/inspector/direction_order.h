@@ -10,7 +10,7 @@ class QComboBox;
 
 namespace gonio::app {
 
-/// Chooses which direction takes the place of the incident one in a measurement that is not reciprocal; hidden for all
+/// Choice of the direction that is used as the incident one in a measurement that is not reciprocal; hidden for all
 /// others.
 class DirectionOrder : public QWidget {
   Q_OBJECT

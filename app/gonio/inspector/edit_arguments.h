@@ -8,8 +8,8 @@
 
 namespace gonio::app {
 
-/// What an edit changes as arguments of `goniotool edit`: "--model ggx --set roughness=0.4 --control tint=1,0.5,0.2
-/// --compose lobes". Numbers keep every bit, with a point in every language.
+/// The change of an edit as arguments of `goniotool edit`: "--model ggx --set roughness=0.4 --control tint=1,0.5,0.2
+/// --compose lobes". Numbers are exact, with a decimal point in every locale.
 QString editArguments(const editing::DifferentialEdit& edit);
 
 }  // namespace gonio::app

@@ -26,7 +26,7 @@ class TableErrorMonitor;
 class WavelengthPanel;
 
 /// The right side of the window: Source, Model, Edits, Controls, Parameters, Plausibility and Representation of a
-/// document, in sections that fold.
+/// document, in collapsible sections.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
@@ -39,21 +39,21 @@ class Inspector : public QScrollArea {
   widgets::EditStack* edits() const { return m_edits; }
   RepresentationPanel* representation() const { return m_representation; }
   WavelengthPanel* wavelength() const { return m_wavelength; }
-  /// Unfolds its section.
+  /// Expands the Representation section.
   void unfoldRepresentation();
-  /// Unfolds the section of a row of its panels, scrolls there and gives the row the focus.
+  /// Expands the section that contains a row, scrolls to the row and gives it the focus.
   void reveal(QWidget& row);
-  /// Whether what is measured in the background describes the present state.
+  /// Whether the background measurements belong to the current state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;
   void restoreState(const QSettings& settings);
 
   QSize sizeHint() const override;
-  /// As wide as the widest row needs: nothing scrolls sideways.
+  /// Wide enough for the widest row, so that there is no horizontal scrolling.
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  /// Another edit of factor curves is wanted: the factor curves make it.
+  /// The user wants another edit of factor curves, which FactorCurvesPanel adds.
   void factorEditWanted();
 
  private:
@@ -67,7 +67,7 @@ class Inspector : public QScrollArea {
   void showValues();
   void connectEdits();
   void showEdits();
-  /// What an edit does to the energy.
+  /// The effect of an edit on the energy.
   QString energyText(int edit) const;
 
   Document& m_document;
@@ -83,9 +83,9 @@ class Inspector : public QScrollArea {
   widgets::ControlPanel* m_controls;
   widgets::ParameterPanel* m_parameters;
   widgets::EditStack* m_edits;
-  QMap<QString, widgets::CollapsibleSection*> m_sections;  ///< by the name under which they are remembered
-  const models::Model* m_shownModel = nullptr;             ///< of the sliders
-  QString m_noSliders;                                     ///< stands in their place where there is no model
+  QMap<QString, widgets::CollapsibleSection*> m_sections;  ///< by their name in the settings
+  const models::Model* m_shownModel = nullptr;             ///< model of the sliders
+  QString m_noSliders;                                     ///< text shown instead of sliders if there is no model
 };
 
 }  // namespace gonio::app

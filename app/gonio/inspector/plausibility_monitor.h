@@ -15,21 +15,21 @@ class PlausibilityBadges;
 
 namespace gonio::app {
 
-/// Checks the edited material after each change, and measures its energy from edit to edit, in the background; the
-/// newest state wins.
+/// Checks the edited material after each change and measures its energy before and after each edit, in the background.
+/// Only the newest state is processed.
 class PlausibilityMonitor : public QObject {
   Q_OBJECT
 
  public:
   PlausibilityMonitor(Document& document, BackgroundTasks& tasks, widgets::PlausibilityBadges& badges,
                       QObject* parent = nullptr);
-  /// Whether the badges and the energies are those of the present state.
+  /// Whether the badges and the energies belong to the current state.
   bool isCurrent() const { return m_current; }
-  /// Before the first edit and behind each; empty while they are not those of the present state.
+  /// The energies before the first edit and after each edit; empty while they are outdated.
   const std::vector<editing::Energy>& energies() const { return m_energies; }
 
  Q_SIGNALS:
-  /// The energies are there, or are not any more.
+  /// The energies became available or outdated.
   void energiesChanged();
 
  private:

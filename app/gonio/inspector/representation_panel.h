@@ -22,9 +22,9 @@ class FactList;
 
 namespace gonio::app {
 
-/// The content of the inspector's Representation section: the document's material as a sparse code of so many
-/// coefficients, with its measured error, bytes and time. Encodes in the background while it is seen, or while the
-/// preview shows the code. A way to look: it changes nothing of the document.
+/// The content of the inspector's Representation section: the document's material as a sparse code with a selectable
+/// number of coefficients, with its measured error, bytes and time. Encodes in the background while the panel is
+/// visible or the preview shows the code. It does not change the document.
 class RepresentationPanel : public QWidget {
   Q_OBJECT
 
@@ -33,15 +33,15 @@ class RepresentationPanel : public QWidget {
 
   RepresentationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Coefficients per channel that are chosen; setCoefficients() takes the nearest step.
+  /// The selected number of coefficients per channel. setCoefficients() selects the nearest step.
   std::size_t coefficients() const;
   void setCoefficients(std::size_t coefficients);
-  /// The code of the document's material; null while it is not known.
+  /// The code of the document's material; null until it is known.
   const CodePtr& code() const { return m_code; }
-  /// What the preview is asked to show in the measurement's place; null: the measurement.
+  /// The code that the preview shows instead of the measurement; null: the measurement.
   CodePtr shown() const;
   QCheckBox& showEncoded() const { return *m_show; }
-  /// Whether what is asked for is known, or nothing is.
+  /// Whether the requested code is known, or none is requested.
   bool isSettled() const;
 
  Q_SIGNALS:
@@ -69,8 +69,8 @@ class RepresentationPanel : public QWidget {
   widgets::FactList* m_facts;
   QTimer m_delay;
   CodePtr m_code;
-  std::optional<std::size_t> m_requested;  ///< coefficients of the encoding that runs
-  QString m_refusal;                       ///< why there is no code; empty where there is none yet
+  std::optional<std::size_t> m_requested;  ///< coefficients of the running encoding
+  QString m_refusal;                       ///< why there is no code; empty if it only has not been made yet
 };
 
 }  // namespace gonio::app

@@ -11,11 +11,11 @@
 
 namespace gonio::app {
 
-/// What the source section shows of a material: file, hash, grid, range of values, invalid fraction, albedo.
-/// @param tableSnr the error of the material's table where it is sampled, dB. @param measuring whether it is on its
-/// way.
+/// The facts of the Source section: file, hash, grid, range of values, fraction of invalid cells, albedo.
+/// @param tableSnr error of the material's table if it is sampled, dB. @param measuring whether the error is being
+/// measured.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);
-/// The residual of a fit in one or two lines.
+/// The error of a fit, in one or two lines.
 QString fitSummary(const fitting::FitResult& fit);
 
 }  // namespace gonio::app

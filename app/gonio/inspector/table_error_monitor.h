@@ -11,18 +11,18 @@
 
 namespace gonio::app {
 
-/// What the sampling of the document's material onto the table for editing costs: rendered SNR of the table against the
-/// material in its own form. Measured once a material, in the background.
+/// Error of the table sampled from the document's material for editing: rendered SNR of the table compared with the
+/// native form. Measured in the background, once per material.
 class TableErrorMonitor : public QObject {
   Q_OBJECT
 
  public:
-  /// @param picture in which it is measured: that of every comparison.
+  /// @param picture size and samples of the comparison pictures.
   TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr,
                     const RenderOptions& picture = {});
-  /// dB, in comparisonScene(); nothing before it is measured, and where the material is a table itself.
+  /// dB, in comparisonScene(); nullopt until it is measured, and if the material itself is a table.
   std::optional<double> snr() const { return m_snr; }
-  /// Whether nothing is being measured.
+  /// Whether no measurement is running.
   bool isSettled() const { return !m_measuring; }
 
  Q_SIGNALS:

@@ -15,18 +15,18 @@ class ParameterSlider;
 
 namespace gonio::app {
 
-/// Chooses whether a spectral material is shown in RGB under D65 or at one wavelength, which it samples with the edits
-/// in the background; hidden for all other materials. A way of looking: no undo step, not saved, and another material
-/// starts with all wavelengths.
+/// Choice between the RGB rendition of a spectral material under D65 and a single wavelength, sampled with the edits in
+/// the background; hidden for all other materials. A setting of the view: not undoable, not saved, and reset for each
+/// material.
 class WavelengthPanel : public QWidget {
   Q_OBJECT
 
  public:
   WavelengthPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// What is shown in place of the material; nothing: all wavelengths, or not sampled yet.
+  /// The subjects shown in place of the material; nullopt: RGB, or not sampled yet.
   const std::optional<WavelengthSubjects>& subjects() const { return m_subjects; }
-  /// Whether subjects() follow the document and the slider.
+  /// Whether subjects() belong to the current document and slider position.
   bool isSettled() const { return !m_sampling; }
   QComboBox& choice() { return *m_choice; }
   widgets::ParameterSlider& slider() { return *m_slider; }
@@ -48,7 +48,8 @@ class WavelengthPanel : public QWidget {
   widgets::NumberField* m_field;
   double m_wavelength = 0;  ///< nm
   std::optional<WavelengthSubjects> m_subjects;
-  bool m_sampling = false, m_again = false;  ///< one sampling at a time: a drag shows what it passes
+  bool m_sampling = false, m_again = false;  ///< only one sampling at a time, so that a drag shows intermediate
+                                             ///< wavelengths
 };
 
 }  // namespace gonio::app

@@ -15,18 +15,17 @@ namespace gonio::app {
 struct BlendEnd {
   QString name, description;
   QImage picture;
-  editing::InterpolationEnd material;  ///< with its edits
-  editing::EditDocument source;        ///< what it takes to make it again; resolved paths
+  editing::InterpolationEnd material;  ///< the material with its edits
+  editing::EditDocument source;        ///< document to reproduce it, with resolved paths
 };
 
-/// A file, a .gonio document, or a library's material by its id. Draws its picture. @throws Error, Cancelled.
+/// Reads a file, a .gonio document or a material of the library, and renders its picture. @throws Error, Cancelled.
 BlendEnd readBlendEnd(const QString& id, const TaskControl& control);
-/// An open material with the edits of `source`. @throws Cancelled.
+/// Makes an end from an open material with the edits of `source`. @throws Cancelled.
 BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
                       const TaskControl& control);
 
-/// The materials of the Interpolation panel, two to four places, and the reading of them in the background. Nothing of
-/// it is part of the document.
+/// The two to four materials of the Interpolation panel, which are read in the background. Not part of the document.
 class BlendEnds : public QObject {
   Q_OBJECT
 
@@ -34,20 +33,20 @@ class BlendEnds : public QObject {
   BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
   int count() const { return int(m_places.size()); }
-  /// Null while the place is empty; one that is filled anew has its old material until then.
+  /// Null if the place is empty. While a new material is read, the old one stays.
   const BlendEnd* at(int place) const;
   bool isReading(int place) const;
-  /// What went wrong there, else empty.
+  /// Error message of the place, or empty.
   QString failure(int place) const { return m_places[std::size_t(place)].failure; }
-  /// Every place has its material.
+  /// Whether every place has a material.
   bool isComplete() const;
   bool isReading() const;
-  /// All materials; complete ones only.
+  /// All materials. Contract: isComplete().
   std::vector<editing::InterpolationEnd> ends() const;
 
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
-  /// The document's material as it is now, with its edits.
+  /// Uses the document's material in its current state, with its edits.
   void takeCurrent(int place);
   void clear(int place);
   void addPlace();
@@ -55,9 +54,9 @@ class BlendEnds : public QObject {
   void swap(int first, int second);
 
  Q_SIGNALS:
-  /// A place was filled, emptied, added or taken away: isComplete() and ends() may be others now.
+  /// A place was filled, emptied, added or removed; isComplete() and ends() may have changed.
   void changed();
-  /// Only the words of a place changed: it is being read, or that failed.
+  /// Only the text of a place changed: reading started or failed.
   void stateChanged();
   void failed(const QString& title, const QString& text);
 
@@ -65,7 +64,7 @@ class BlendEnds : public QObject {
   struct Place {
     std::optional<BlendEnd> end;
     QString failure;
-    int key;  ///< of its task
+    int key;  ///< number of its task
   };
   void fill(int place, const QString& title, const QString& name, std::function<BlendEnd(const TaskControl&)> make);
   int placeOf(int key) const;

@@ -14,7 +14,7 @@ class BlendStrip;
 
 namespace gonio::app {
 
-/// All spaces of interpolation side by side, as rows of small spheres.
+/// All interpolation spaces, as rows of small spheres.
 class BlendOverview : public QWidget {
   Q_OBJECT
 
@@ -23,13 +23,13 @@ class BlendOverview : public QWidget {
 
   widgets::BlendStrip& strip() const { return *m_strip; }
   QPushButton& drawButton() const { return *m_draw; }
-  /// After BlendSpaces::setEnds().
+  /// Shows the spaces after BlendSpaces::setEnds().
   void showSpaces();
 
  Q_SIGNALS:
-  /// A sphere of a space at t; of its name alone t is negative.
+  /// The user chose the sphere of a space at t, or its name (t < 0).
   void chosen(gonio::editing::InterpolationSpace space, double t);
-  /// Spaces that were cancelled are wanted after all.
+  /// The user wants cancelled spaces to be computed after all.
   void drawRequested();
 
  private:

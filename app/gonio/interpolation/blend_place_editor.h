@@ -15,7 +15,7 @@ class ParameterSlider;
 
 namespace gonio::app {
 
-/// The place between the materials: a slider and a number between two, a pad between more.
+/// Editor for the position between the materials: a slider and a number for two, a pad for more.
 class BlendPlaceEditor : public QStackedWidget {
   Q_OBJECT
 
@@ -25,10 +25,10 @@ class BlendPlaceEditor : public QStackedWidget {
   widgets::ParameterSlider& slider() const { return *m_slider; }
   widgets::NumberField& number() const { return *m_number; }
   widgets::BlendPad& pad() const { return *m_pad; }
-  /// One for each material.
+  /// @param corners one per material.
   void setCorners(std::vector<widgets::BlendCorner> corners);
   void setPlace(const QPointF& place);
-  /// Beside the slider, where there is room.
+  /// Sets a text beside the slider.
   void setExplanation(const QString& text);
 
  Q_SIGNALS:

@@ -13,55 +13,55 @@
 
 namespace gonio::app {
 
-/// How the small spheres are drawn.
+/// Size and samples of the small spheres.
 struct StripPictures {
   int side = 112, samples = 16;
 };
 
-/// Prepares materials for every space of interpolation, one space after the other in the background, and draws the
-/// small spheres that show them side by side.
+/// Prepares the blends of materials in all interpolation spaces, one space after the other in the background, and
+/// renders rows of small spheres for the comparison of the spaces.
 class BlendSpaces : public QObject {
   Q_OBJECT
 
  public:
   using Space = editing::InterpolationSpace;
-  static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the way of widgets::wayPlace()
+  static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the path of widgets::wayPlace()
   enum class State { waiting, running, ready, failed, cancelled };
 
   explicit BlendSpaces(BackgroundTasks& tasks, QObject* parent = nullptr, const StripPictures& pictures = {});
 
-  /// The spaces that can be offered, in the order in which they are shown.
+  /// The available spaces, in the order of display.
   const std::vector<Space>& spaces() const { return m_spaces; }
 
-  /// Materials, or none. Of the same ones in another order, or after none, all that was prepared stays. Of others it is
-  /// prepared anew when it is wanted, also what was found of a material that stays: that is about a second a material
-  /// in the background, and the nodes and dictionaries of the blend depend on all of them.
+  /// Sets the materials, or none. If they are the same as before in any order, even with none in between, the prepared
+  /// blends stay. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
+  /// for a material that stays, because the nodes and dictionaries of a blend depend on all materials.
   void setEnds(std::vector<editing::InterpolationEnd> ends);
-  /// Of the spaces `parameters` and `differential`, which are prepared anew.
+  /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.
   void setModel(const models::Model& model);
   const models::Model& model() const { return *m_model; }
   static bool usesModel(Space space) { return space == Space::parameters || space == Space::differential; }
   bool hasEnds() const { return m_complete; }
-  /// Where the material of each place stands in prepared(): in the order in which they were first set.
+  /// Index in prepared() of each place's material. prepared() keeps the order in which the materials were first set.
   const std::vector<std::size_t>& order() const { return m_order; }
-  /// Weights of the places as prepared() takes them.
+  /// Weights of the places in the order of prepared().
   std::vector<double> ordered(const std::vector<double>& weights) const;
-  /// Begins or goes on, with this space first; also after a cancel or a failure of it.
+  /// Starts or resumes the work with this space, even if it was cancelled or failed.
   void want(Space first);
-  /// No more work until want().
+  /// Stops the work until want().
   void pause();
 
   State state(Space space) const { return entry(space).state; }
   QString failure(Space space) const { return entry(space).failure; }
-  /// Null until it is there; before its pictures are.
+  /// Null until it is ready, which is before its pictures are.
   widgets::PreparedBlendPtr prepared(Space space) const { return entry(space).prepared; }
-  /// Empty until they are there.
+  /// Empty until they are rendered.
   const std::vector<QImage>& pictures(Space space) const { return entry(space).pictures; }
-  /// Nothing runs and nothing waits.
+  /// Whether no work is running or waiting.
   bool isSettled() const;
 
  Q_SIGNALS:
-  /// The state of a space, or what is there of it.
+  /// The state or the results of a space changed.
   void changed(gonio::editing::InterpolationSpace space);
 
  private:
@@ -86,7 +86,7 @@ class BlendSpaces : public QObject {
   BackgroundTasks& m_tasks;
   StripPictures m_stripPictures;
   std::vector<Space> m_spaces;
-  std::vector<editing::InterpolationEnd> m_ends;  ///< in the order in which they are prepared
+  std::vector<editing::InterpolationEnd> m_ends;  ///< in the order of prepared()
   std::vector<std::size_t> m_order;
   bool m_complete = false;
   const models::Model* m_model = &models::ggx();

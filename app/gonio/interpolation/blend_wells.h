@@ -14,7 +14,7 @@ class MaterialWell;
 
 namespace gonio::app {
 
-/// The places of the materials that are blended, each a well that takes a material.
+/// Wells for the blended materials, one per place.
 class BlendWells : public QScrollArea {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class BlendWells : public QScrollArea {
   void showWeights(const std::vector<double>& weights);
 
  Q_SIGNALS:
-  /// The user fills a place.
+  /// The user filled a place.
   void touched();
 
  protected:
-  /// What is dropped beside a well goes into the nearest one.
+  /// Drops beside a well go to the nearest one.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragMoveEvent(QDragMoveEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
@@ -48,7 +48,7 @@ class BlendWells : public QScrollArea {
   BlendEnds& m_ends;
   std::vector<widgets::MaterialWell*> m_wells;
   QToolButton *m_swap, *m_add;
-  widgets::MaterialWell* m_offered = nullptr;  ///< that a drag beside it would go to
+  widgets::MaterialWell* m_offered = nullptr;  ///< target of a drag beside the wells
 };
 
 }  // namespace gonio::app

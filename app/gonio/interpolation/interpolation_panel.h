@@ -25,9 +25,9 @@ class BlendOverview;
 class BlendPlaceEditor;
 class BlendWells;
 
-/// The content of the Interpolation dock: two to four materials, the place between them under the hand, the space in
-/// which they are blended, all spaces side by side. While it is visible it decides what the preview shows. Nothing
-/// of it changes the document until the blend is kept, which is an undo step.
+/// The content of the Interpolation dock: two to four materials, an editor for the position between them, the
+/// interpolation space, and a comparison of all spaces. While it is visible it can replace the subject of the preview.
+/// The document does not change until the blend is kept, which is an undo step.
 class InterpolationPanel : public QWidget {
   Q_OBJECT
 
@@ -35,10 +35,10 @@ class InterpolationPanel : public QWidget {
   InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr,
                      const StripPictures& pictures = {});
 
-  /// What the preview is to show instead of the document's material; nothing while the panel is out of sight, is not
-  /// shown in the preview, or has nothing to show.
+  /// The subject that the preview shows instead of the document's material; nullopt while the panel is hidden, is not
+  /// to be shown in the preview, or has no blend.
   std::optional<widgets::PreviewSubject> subject() const;
-  /// "40 % nickel, 60 % chrome (Linear)"
+  /// E.g. "40 % nickel, 60 % chrome (Linear)".
   QString description() const;
 
   BlendEnds& ends() { return m_ends; }
@@ -47,19 +47,19 @@ class InterpolationPanel : public QWidget {
   void setSpace(editing::InterpolationSpace space);
   QPointF place() const { return m_place; }
   std::vector<double> weights() const;
-  /// Moves the point, as the hand does.
+  /// Moves the position, as the user does.
   void moveTo(const QPointF& place);
   void setShownInPreview(bool shown);
   bool isShownInPreview() const;
 
-  /// Puts a material, by its id, in the next empty place: the last one when all are filled. Of several the places
-  /// are made to fit, and each is filled anew; more than widgets::maxBlended fail.
+  /// One id: puts the material in the next empty place, or in the last one if all are filled. Several ids: adjusts the
+  /// number of places and fills all of them; more than widgets::maxBlended are refused.
   void take(const QStringList& ids);
-  /// The document's material in the first place, if that is empty.
+  /// Puts the document's material in the first place, if that is empty.
   void begin();
-  /// The blend becomes the document's material: computed in the background, one undo step.
+  /// Makes the blend the document's material: computed in the background, one undo step.
   void keep();
-  /// No work is pending.
+  /// Whether no work is pending.
   bool isSettled() const;
 
   BlendWells& wells() const { return *m_wells; }
@@ -70,7 +70,7 @@ class InterpolationPanel : public QWidget {
   QPushButton& keepButton() const { return *m_keep; }
 
  Q_SIGNALS:
-  /// subject() is another one.
+  /// subject() changed.
   void subjectChanged();
   void failed(const QString& title, const QString& text);
 
@@ -84,7 +84,7 @@ class InterpolationPanel : public QWidget {
   void connectParts();
   void endsChanged();
   void materialChanged();
-  /// The hand works here: the preview follows.
+  /// The user works in this panel, so the preview shows the blend.
   void touched() { setShownInPreview(true); }
   void showEnds();
   void showPlace();

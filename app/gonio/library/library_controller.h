@@ -13,35 +13,34 @@
 
 namespace gonio::app {
 
-/// Fills the library with the bundled materials or with a folder, and has the pictures made in the background, those in
-/// sight first.
+/// Fills the library with the bundled materials or with a folder, and renders the thumbnails in the background, visible
+/// ones first.
 class LibraryController : public QObject {
   Q_OBJECT
 
  public:
   using ThumbnailFactory = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
 
-  /// @param ownFolder whose materials stand beside the bundled ones; it need not be there. Empty: none.
+  /// @param ownFolder folder of the user's own materials, shown with the bundled ones; need not exist. Empty: none.
   LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder = {},
                     QObject* parent = nullptr);
 
   widgets::LibraryModel& model() { return m_model; }
-  /// The bundled materials, and those of the user's own folder.
+  /// Shows the bundled materials and those of the user's own folder.
   void showBundled();
-  /// Lists the user's own folder again, which may be new, because a document has been saved there.
+  /// Lists the user's own folder again after a document was saved there. The folder may be new.
   void addOwn(const QString& path);
   QString ownFolder() const { return m_ownFolder; }
-  /// Every material and document in a folder, not in its subfolders. It is listed in the background, and again when
-  /// files come, go or change.
+  /// Shows all materials and documents in a folder, without subfolders. The folder is listed in the background, and
+  /// again when files are added, removed or changed.
   void showFolder(const QString& folder);
-  /// The material that LibraryModel::DissimilarityRole compares with; empty: none. Its picture is made where there is
-  /// none.
+  /// Sets the reference of LibraryModel::DissimilarityRole; empty: none. Renders its thumbnail if necessary.
   void setReference(const QString& id);
-  /// Has a large picture made, of `pixels` a side; only the last one that is asked for comes.
+  /// Renders a large picture in the background, `pixels` wide and high. Only the last requested picture is delivered.
   void makeLargePicture(const QString& id, int pixels);
   QString title() const { return m_title; }
   QString folder() const { return m_folder; }  ///< empty for the bundled library
-  /// Whether every picture in sight is there.
+  /// Whether all visible thumbnails are available.
   bool isVisibleComplete() const;
 
  public Q_SLOTS:
@@ -49,7 +48,7 @@ class LibraryController : public QObject {
 
  Q_SIGNALS:
   void titleChanged(const QString& title);
-  /// A material comes into the list soon that the user has just saved.
+  /// A material that the user has just saved will appear in the list.
   void added(const QString& id);
   void largePictureMade(const QString& id, const QImage& picture);
 
@@ -60,7 +59,7 @@ class LibraryController : public QObject {
   void watch(const QString& folder);
   void show(std::vector<widgets::LibraryItem> items);
   void makeNext();
-  /// What is not there yet, those in sight first.
+  /// Ids without a thumbnail, visible ones first.
   QStringList nextOnes() const;
 
   BackgroundTasks& m_tasks;
@@ -70,7 +69,7 @@ class LibraryController : public QObject {
   QString m_title, m_folder;
   const QString m_ownFolder;
   QFileSystemWatcher m_watcher;
-  QTimer m_change;  ///< runs out when a folder has been quiet
+  QTimer m_change;  ///< delays listing until a folder has not changed for a while
 };
 
 }  // namespace gonio::app

@@ -9,19 +9,20 @@
 
 namespace gonio::app {
 
-/// The user's notes on materials, in an SQLite file. Where it cannot be opened, notes last as long as the program.
+/// The user's notes on materials, in an SQLite file. If it cannot be opened, notes are kept until the program ends.
 class LibraryStore {
  public:
-  /// @param path of the file, which is made where there is none, with its folder.
+  /// @param path path of the file, which is created together with its folder if it does not exist.
   explicit LibraryStore(const QString& path);
   ~LibraryStore();
   LibraryStore(const LibraryStore&) = delete;
   LibraryStore& operator=(const LibraryStore&) = delete;
 
   widgets::LibraryNotes read() const;
-  /// In the file at once, all or none. An empty note leaves it. @returns whether they could be written.
+  /// Writes notes to the file immediately, in one transaction. Empty notes are removed from the file. @returns whether
+  /// writing succeeded.
   bool write(const widgets::LibraryNotes& notes);
-  /// Why the last note was not kept, or why the file cannot be opened; empty: all is well.
+  /// Why the last note was not written or the file cannot be opened; empty: no failure.
   const QString& failure() const { return m_failure; }
 
  private:

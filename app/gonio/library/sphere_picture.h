@@ -10,12 +10,12 @@
 
 namespace gonio::app {
 
-/// A sphere of any reflectance in the studio, on a transparent ground, with its hue and roughness as texts of the
-/// image.
+/// A picture of a sphere with any BRDF in the studio environment, on a transparent background, with hue and roughness
+/// as text entries of the image.
 /// @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
-/// A picture that was rendered, as the screen shows it: exposure 0, the film-like tone curve.
+/// Converts a rendered picture to display colours with exposure 0 and the film-like tone curve.
 QImage displayedImage(const Image& picture);
 
 }  // namespace gonio::app

@@ -21,11 +21,12 @@ class ParameterSlider;
 
 namespace gonio::app {
 
-/// What the user chose to see in the plots.
+/// The user's choices for the plots.
 struct PlotChoices {
   PlotKind kind = PlotKind::polar;
-  widgets::PlotSettings settings;  ///< of all plots but the logarithm, see settingsOf()
-  /// Whether a kind has a logarithmic axis of values. Lobes have: on a linear one a highlight is all that is seen.
+  widgets::PlotSettings settings;  ///< of all plots, except for the logarithm, see settingsOf()
+  /// Whether a kind of plot has a logarithmic value axis. Lobes have one, because on a linear axis only the highlight
+  /// is visible.
   std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, false, false, true};
   plots::SectionAxis axis = plots::SectionAxis::thetaO;
   double phiD = halfPi, thetaH = 0, planeAzimuth = 0;  ///< rad
@@ -33,12 +34,12 @@ struct PlotChoices {
 
   bool operator==(const PlotChoices&) const = default;
   widgets::PlotSettings settingsOf(PlotKind of) const;
-  /// The section that these choices are: along theta_h, theta_d is the angle of incidence.
+  /// The section for these choices. In a section along theta_h, theta_d is the angle of incidence.
   plots::Section section() const;
 };
 
-/// The line above the plots: which plot, angle of incidence, channel, cosine, logarithm, picking on the sphere, export.
-/// Shows only what the chosen plot needs.
+/// The bar above the plots: kind of plot, angle of incidence, channel, cosine, logarithm, picking on the sphere,
+/// export. Shows only the controls of the selected plot.
 class PlotControls : public QWidget {
   Q_OBJECT
 
@@ -46,7 +47,7 @@ class PlotControls : public QWidget {
   explicit PlotControls(QWidget* parent = nullptr);
 
   const PlotChoices& choices() const { return m_choices; }
-  /// Shows choices; emits changed() when they are others.
+  /// Sets the choices; emits changed() if they differ.
   void setChoices(const PlotChoices& choices);
   void setThetaI(double thetaI);
   void setExportEnabled(bool enabled);
@@ -82,7 +83,7 @@ class PlotControls : public QWidget {
   QCheckBox* m_logarithmic;
   QToolButton* m_export;
   QSize m_exportSize;
-  /// With their labels; hidden where a kind of plot has no use for them.
+  /// Rows with labels, hidden for kinds of plots that do not use them.
   QWidget *m_axisRow, *m_spacingRow, *m_phiDRow, *m_thetaHRow, *m_planeAzimuthRow, *m_cosineRow;
 };
 

@@ -19,7 +19,7 @@ enum class PlotKind { polar, cartesian, slice, albedo, lobe };
 inline constexpr PlotKind allPlotKinds[] = {PlotKind::polar, PlotKind::cartesian, PlotKind::slice, PlotKind::albedo,
                                             PlotKind::lobe};
 
-/// A model as it was fitted to the material; no model: the measurement.
+/// A model fitted to the material; without a model: the measurement.
 struct PlottedFit {
   const models::Model* model = nullptr;
   models::ParameterValues parameters = {};
@@ -27,7 +27,7 @@ struct PlottedFit {
   bool operator==(const PlottedFit&) const = default;
 };
 
-/// The albedo curves that an edit leaves as they are: they take longest and are kept while a slider moves.
+/// The albedo curves that do not depend on edits. They take longest and are kept while a slider moves.
 struct KnownAlbedo {
   LoadedMaterialPtr material;
   std::shared_ptr<const Brdf> base;
@@ -35,22 +35,22 @@ struct KnownAlbedo {
   std::vector<std::pair<PlottedFit, plots::Curve>> curves;
 };
 
-/// What to compute: one kind of plot of a material and its edits.
+/// Input of computePlot(): one kind of plot of a material and its edits.
 struct PlotRequest {
   PlotKind kind = PlotKind::polar;
   LoadedMaterialPtr material;
   editing::EditList edits;
-  std::optional<editing::DifferentialEdit> fit;  ///< the one of them that the fit is of
-  plots::Section section;                        ///< also the angle of incidence, phi_d and the cosine of the others
+  std::optional<editing::DifferentialEdit> fit;  ///< the edit to which the plotted fit belongs
+  plots::Section section;  ///< contains also the angle of incidence, phi_d and the cosine of the other plots
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
-  bool coarse = false;  ///< albedo: few samples, while something moves
+  bool coarse = false;  ///< albedo with few samples, during an interaction
   std::shared_ptr<const KnownAlbedo> known;
   std::shared_ptr<const Brdf> base = nullptr;  ///< Document::base(); null: that of the material
-  std::vector<PlottedFit> otherFits = {};      ///< beside `fit`
+  std::vector<PlottedFit> otherFits = {};      ///< in addition to `fit`
 };
 
-/// Series of the kind that was asked for: measured (in its own form), fit (the model at the fitted parameters), the
-/// other fits, edited (where the edit changes something).
+/// Series of the requested kind: measured (in its native form), fit (the model with the fitted parameters), the other
+/// fits, and edited (if the edits have an effect).
 struct PlotData {
   widgets::PlotSeriesList<plots::Curve> curves;
   widgets::PlotSeriesList<plots::Slice> slices;
@@ -58,7 +58,7 @@ struct PlotData {
   std::shared_ptr<const KnownAlbedo> known;
 };
 
-/// Some ms; the albedo up to a second. @throws Cancelled.
+/// Takes a few ms; for the albedo up to a second. @throws Cancelled.
 PlotData computePlot(const PlotRequest& request, const TaskControl& control = {});
 
 }  // namespace gonio::app

@@ -23,26 +23,26 @@ class SlicePlot;
 
 namespace gonio::app {
 
-/// The content of the Plots dock: the document's measurement, fit and edit in five plots that share their settings. The
-/// numbers are computed in the background, for the shown plot alone and not at all while the panel is hidden; while a
-/// slider moves, every computation is finished and shown before the next one takes the newest state.
+/// The content of the Plots dock: the document's measurement, fit and edit in five plots with common settings. The data
+/// are computed in the background, only for the shown plot and only while the panel is visible. While a slider moves,
+/// each computation is finished and shown before the next one starts with the newest state.
 class PlotsPanel : public QWidget {
   Q_OBJECT
 
  public:
   PlotsPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Brings the dock to the front with this plot at this angle of incidence (rad).
+  /// Raises the dock and shows a plot at an angle of incidence (rad).
   void showAt(PlotKind kind, double thetaI);
-  /// The same by name ("polar", "cartesian", "slice", "albedo", "lobe"), at the angle as it is.
+  /// The same by name ("polar", "cartesian", "slice", "albedo", "lobe"), at the current angle.
   void showKind(const QString& name);
-  /// Fits of the document's material that are drawn beside the one in use.
+  /// Sets further fits of the document's material that are plotted.
   void setOtherFits(const std::vector<PlottedFit>& fits);
-  /// The angle of all plots (rad), clamped to what they offer.
+  /// Sets the angle of incidence of all plots (rad), clamped to their range.
   void setThetaI(double thetaI) { m_controls->setThetaI(thetaI); }
   PlotControls& controls() { return *m_controls; }
   widgets::Plot& currentPlot() const;
-  /// Whether the shown plot is that of the document's current state.
+  /// Whether the shown plot belongs to the document's current state, or the panel is hidden.
   bool isSettled() const;
 
   void saveState(QSettings& settings) const { m_controls->saveState(settings); }
@@ -79,7 +79,7 @@ class PlotsPanel : public QWidget {
   QList<widgets::Plot*> m_plots;  ///< in the order of PlotKind
   std::vector<PlottedFit> m_otherFits;
   std::shared_ptr<const KnownAlbedo> m_known;
-  QTimer m_rest;  ///< runs while something moves: the albedo is refined when it ends
+  QTimer m_rest;  ///< runs during an interaction; at timeout the albedo is refined
   bool m_running = false, m_again = false;
 };
 

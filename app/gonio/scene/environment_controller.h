@@ -20,15 +20,15 @@ class EnvironmentController : public QObject {
  public:
   EnvironmentController(BackgroundTasks& tasks, widgets::PreviewContent& preview, QObject* parent = nullptr);
 
-  /// Reads a picture in the background and lights the preview with it; a bundled name ("studio", "sky") too; empty
-  /// turns the environment off.
+  /// Reads an environment in the background and lights the preview with it: a picture file or a bundled name ("studio",
+  /// "sky"); empty: turns the environment off.
   void open(const QString& nameOrPath);
-  /// The light of the scene itself, in this scene and all that follow.
+  /// Uses the scene's own light in this and all later scenes.
   void openScenesOwn();
   bool isScenesOwn() const;
-  /// What open() takes for the environment in use; empty for the directional light.
+  /// Name or path of the current environment, as for open(); empty: the directional light.
   QString name() const;
-  /// Pictures that were opened before, the newest first; no bundled ones, and none that could not be found again.
+  /// Previously opened pictures, newest first, without bundled ones and without missing files.
   const QStringList& recent() const { return m_recent; }
 
  Q_SIGNALS:

@@ -14,20 +14,19 @@ class MaterialWell;
 
 namespace gonio::app {
 
-/// The wells of the Scene dock: the materials that stand beside the edited one in scenes of several. They are no part
-/// of the document.
+/// The wells of the Scene dock: further materials in scenes with several materials. Not part of the document.
 class SceneNeighbours : public QWidget {
   Q_OBJECT
 
  public:
-  /// Places beside that of the edited material.
+  /// Number of places in addition to that of the edited material.
   static constexpr int count = 3;
 
   SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Shows the wells of the places that a scene has.
+  /// Shows the wells for the places of a scene.
   void showScene(const Scene& scene);
-  /// One per place; empty where the edited material stands.
+  /// One per place; empty: the edited material.
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);

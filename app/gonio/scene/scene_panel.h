@@ -19,20 +19,20 @@ class PreviewWidget;
 
 namespace gonio::app {
 
-/// What a bundled scene or environment is called: "Shader ball" of "shader-ball".
+/// Title of a bundled scene or environment, e.g. "Shader ball" for "shader-ball".
 QString sceneTitle(const std::string& name);
 
-/// The Scene dock: which scene the preview shows, the plan of its effects with a switch for each, what each was
-/// measured to cost, and how far the preview's picture is from a converged one.
+/// The Scene dock: the choice of the scene, the plan of its effects with a switch and the measured cost of each, and
+/// the error of the preview's picture compared with a converged one.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
   ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// A scene of the project, a scene file or a mesh: read in the background, shown, then `shown` is called.
+  /// Opens a bundled scene, a scene file or a mesh: reads it in the background and shows it, then calls `shown`.
   void open(const QString& nameOrPath, const std::function<void()>& shown = {});
-  /// The same of a file that the user chooses.
+  /// Asks the user for a file and opens it.
   void askForFile();
   widgets::EffectList& effects() const { return *m_effects; }
   QComboBox& scenes() const { return *m_scenes; }

@@ -19,7 +19,7 @@ class BackgroundTasks;
 class EnvironmentController;
 class ScenePanel;
 
-/// The strip below the preview: the shape that shows the material, its light, its background, and the exposure.
+/// The strip below the preview: shape, light, background and exposure.
 class ViewStrip : public QWidget {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class ViewStrip : public QWidget {
   void build();
   void connectParts();
   void fillLights();
-  /// Small pictures of the bundled environments, made in the background.
+  /// Renders small pictures of the bundled environments in the background.
   void drawLights();
   void setLightIcon(const QString& name, const QImage& picture);
   void refresh();

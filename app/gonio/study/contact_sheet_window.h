@@ -17,22 +17,23 @@ class QSpinBox;
 
 namespace gonio::app {
 
-/// One representation of a material on its way to a sheet, with the numbers of the table that it comes from.
+/// One representation of a material for a contact sheet, with its numbers from the ranking or study table.
 struct SheetEntry {
   QString name, numbers;
-  double snr = 0;  ///< rendered, dB: the order of the sheet
+  double snr = 0;  ///< rendered SNR, dB; determines the order
   std::shared_ptr<const Brdf> brdf;
-  /// For the preview. Not for the GUI thread.
+  /// Makes the subject for the preview. Not for the GUI thread.
   std::function<widgets::PreviewSubject(const TaskControl&)> subject;
 };
 
 struct SheetSource {
-  LoadedMaterialPtr material;  ///< what all are compared with
+  LoadedMaterialPtr material;  ///< the reference of all entries
   std::vector<SheetEntry> entries;
 };
 
-/// Representations of a material side by side, the best first, behind the material itself: rendered one after the
-/// other in the background, with maps of their errors on one scale. Any two go to the preview, and all to a picture.
+/// The material and its representations side by side, the best first: rendered one after the other in the background,
+/// with error maps on a common scale. Any two can be compared in the preview, and the whole sheet can be saved as a
+/// picture.
 class ContactSheetWindow : public QDialog {
   Q_OBJECT
 
@@ -41,15 +42,15 @@ class ContactSheetWindow : public QDialog {
   ~ContactSheetWindow() override;
 
   widgets::ContactSheet& sheet() const { return *m_sheet; }
-  /// How many representations are shown.
+  /// Sets the number of representations that are shown.
   void setCount(int count);
-  /// Whether all pictures and maps are there.
+  /// Whether all pictures and maps are finished.
   bool isComplete() const { return m_complete; }
   /// Prepares the two selected tiles for the preview. Contract: two are selected.
   void compareSelected();
 
  Q_SIGNALS:
-  /// Names as on the sheet.
+  /// The two subjects are ready. @param names as on the sheet.
   void compareRequested(const std::array<gonio::widgets::PreviewSubject, 2>& subjects,
                         const std::array<QString, 2>& names);
   void saveRequested(const QString& path, const QImage& picture);
@@ -66,9 +67,9 @@ class ContactSheetWindow : public QDialog {
 
   BackgroundTasks& m_tasks;
   const SheetSource m_source;
-  QString m_renderKey, m_mapsKey, m_pairKey;               ///< of its tasks
-  std::shared_ptr<const RenderedComparison> m_comparison;  ///< null until the material is rendered
-  std::vector<Image> m_pictures;                           ///< of the entries, as far as they are rendered
+  QString m_renderKey, m_mapsKey, m_pairKey;               ///< keys of its tasks
+  std::shared_ptr<const RenderedComparison> m_comparison;  ///< null until the reference is rendered
+  std::vector<Image> m_pictures;                           ///< pictures of the entries rendered so far
   std::vector<widgets::SheetTile> m_tiles;
   double m_range = 0;
   bool m_complete = false;

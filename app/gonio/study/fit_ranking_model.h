@@ -10,8 +10,8 @@
 
 namespace gonio::app {
 
-/// The fits of one material as rows. Qt::UserRole holds what a column is sorted by: a number that is smaller for
-/// better rows, or a name.
+/// The fits of one material as rows. Qt::UserRole is the sort key of a column: a number that is smaller for better
+/// rows, or a name.
 class FitRankingModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -30,18 +30,18 @@ class FitRankingModel : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
 
   void clear();
-  /// Replaces the row of the same model.
+  /// Adds a row, or replaces the row of the same model.
   void add(const study::RankedFit& ranked);
   const study::RankedFit& ranked(int row) const { return m_rows[std::size_t(row)].ranked; }
-  /// Which error the error column shows.
+  /// Sets the error shown in the error column.
   void setMetric(metrics::BrdfMetric metric);
   metrics::BrdfMetric metric() const { return m_metric; }
-  /// The fits that the user has ticked, in the order of the rows.
+  /// The fits that the user has checked, in the order of the rows.
   std::vector<const fitting::FitResult*> plotted() const;
-  /// The model that is edited now is marked; null: none.
+  /// Marks the model that is being edited; null: none.
   void setCurrent(const models::Model* model);
 
-  /// Comma-separated: all rows in the order of the models, with every error.
+  /// Comma-separated text: all rows in the order of the models, with all errors.
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

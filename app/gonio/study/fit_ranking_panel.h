@@ -17,8 +17,8 @@ namespace gonio::app {
 
 struct SheetSource;
 
-/// Every model side by side: fits them all in the background, shows each as it is done, and takes the one that is
-/// clicked into use. The fits stay with the document's material.
+/// Compares all models: fits them in the background, shows each when it is finished, and uses the one that is clicked.
+/// The fits are kept with the document's material.
 class FitRankingPanel : public QWidget {
   Q_OBJECT
 

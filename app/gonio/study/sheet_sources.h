@@ -10,12 +10,12 @@ namespace gonio::app {
 class FitRankingModel;
 class StudyModel;
 
-/// What a studied representation looks like in the preview: its table. Not for the GUI thread. @throws Cancelled.
+/// The preview's subject for a studied representation: its table. Not for the GUI thread. @throws Cancelled.
 widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studied, const TaskControl& control);
 
-/// The fits that are done, as models without the measurement.
+/// The finished fits, as models without the measurement.
 SheetSource sheetSource(const LoadedMaterialPtr& material, const FitRankingModel& ranking);
-/// The representations that are measured.
+/// The measured representations.
 SheetSource sheetSource(const LoadedMaterialPtr& material, const StudyModel& study);
 
 }  // namespace gonio::app

@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace gonio::app {
 
-/// Limits that a representation has to keep, the one that keeps them best, and a button that takes it.
+/// Limits for a representation, the best representation within them, and a button that uses it.
 class StudyBudgetBar : public QWidget {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class StudyBudgetBar : public QWidget {
 
   study::Budget budget() const;
   void setBudget(const study::Budget& budget);
-  /// What is shown beside the limits.
+  /// Shows a text beside the limits. @param mayTake whether the button is enabled.
   void setResult(const QString& text, bool mayTake);
   QPushButton& take() const { return *m_take; }
 

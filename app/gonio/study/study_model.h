@@ -13,8 +13,8 @@
 
 namespace gonio::app {
 
-/// The representations of one material as rows: "-" and grey until they are measured. Qt::UserRole holds what a column
-/// is sorted by: a number that is smaller for better rows, or a name.
+/// The representations of one material as rows: "-" and grey until they are measured. Qt::UserRole is the sort key of a
+/// column: a number that is smaller for better rows, or a name.
 class StudyModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -33,23 +33,23 @@ class StudyModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Rows that are not measured yet, in this order.
+  /// Sets the rows, not measured yet, in this order.
   void plan(const std::vector<study::Representation>& representations);
-  /// Fills the row of the same representation; one that was not planned is ignored.
+  /// Fills the row of the same representation; ignored if it was not planned.
   void add(const Studied& studied);
-  /// Null while the row is not measured.
+  /// Null until the row is measured.
   const Studied& studied(int row) const { return m_rows[std::size_t(row)].studied; }
   const study::Representation& representation(int row) const { return m_rows[std::size_t(row)].representation; }
   std::vector<study::Representation> missing() const;
-  /// Records of the rows that are measured, and the row of each.
+  /// Records of the measured rows, and their row numbers.
   std::vector<study::StudyRecord> records() const;
   std::vector<int> measuredRows() const;
-  /// Which error the error column shows.
+  /// Sets the error shown in the error column.
   void setMetric(metrics::BrdfMetric metric);
-  /// Rows that are marked as shown in the preview, and as the best within the budget; -1: none.
+  /// Marks the row shown in the preview and the best row within the budget; -1: none.
   void setMarks(int shown, int best);
   bool hasShown() const { return m_shown >= 0; }
-  /// Picture and numbers, as rich text; empty while it is not measured.
+  /// Picture and numbers as rich text; empty until the row is measured.
   QString toolTip(int row) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -17,9 +17,9 @@ namespace gonio::app {
 class StudyView;
 struct SheetSource;
 
-/// What accuracy costs: every representation of the open material, measured in the background, as a table and as points
-/// over a cost. A click on either shows that representation in the preview, a second one or Escape the material again.
-/// Nothing of it changes the document.
+/// Accuracy versus cost: all representations of the open material, measured in the background, as a table and as points
+/// over a cost. A click on either shows the representation in the preview; a second click or Escape shows the material
+/// again. It does not change the document.
 class StudyPanel : public QWidget {
   Q_OBJECT
 
@@ -30,18 +30,18 @@ class StudyPanel : public QWidget {
   StudyRun& run() const { return *m_run; }
   StudyView& view() const { return *m_view; }
   StudyBudgetBar& budgetBar() const { return *m_budget; }
-  /// The representation that the preview is asked to show, with its name; nothing: the material.
+  /// The representation to show in the preview, and its name; nullopt: the material.
   const std::optional<widgets::PreviewSubject>& subject() const { return m_subject; }
   QString shownName() const;
 
  public Q_SLOTS:
   void measure() { m_run->measure(); }
-  /// Shows a row in the preview; the same again, or -1, shows the material.
+  /// Shows a row in the preview; the same row again, or -1, shows the material.
   void show(int row);
 
  Q_SIGNALS:
   void subjectChanged();
-  /// The user takes this representation into use.
+  /// The user wants to use this representation.
   void taken(const gonio::study::Representation& representation);
   void contactSheetRequested(const gonio::app::SheetSource& source);
   void exported(const QString& path);
@@ -63,7 +63,7 @@ class StudyPanel : public QWidget {
   StudyModel m_model;
   StudyRun* m_run;
   std::optional<widgets::PreviewSubject> m_subject;
-  int m_wanted = -1, m_shown = -1, m_best = -1;  ///< rows; `wanted` is shown when it is ready
+  int m_wanted = -1, m_shown = -1, m_best = -1;  ///< rows; m_wanted will be shown when it is ready
   QPushButton *m_measure, *m_back, *m_sheet, *m_copy, *m_export;
   QComboBox *m_quality, *m_cost;
   StudyView* m_view;

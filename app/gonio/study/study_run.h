@@ -13,32 +13,32 @@
 namespace gonio::app {
 
 /// Measures the representations of the open material in the background, one row of the model after the other, and
-/// writes down what is measured.
+/// records the results.
 class StudyRun : public QObject {
   Q_OBJECT
 
  public:
   StudyRun(const Document& document, BackgroundTasks& tasks, StudyModel& model, QObject* parent);
 
-  /// What is measured from now on; all representations by default. Forgets what was measured.
+  /// Sets what to measure; by default all representations. Drops the results.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
   bool isRunning() const;
-  /// Measures what is missing; where nothing is, all anew.
+  /// Measures the missing rows, or all again if none is missing.
   void measure();
   void cancel();
 
   std::string title() const;
-  /// What was measured on, one fact a line; nothing before the first measurement.
+  /// Description of the machine, one fact per line; empty before the first measurement.
   std::vector<std::string> machine() const;
   QString csv() const;
-  /// The plot with `axes`, dark on white. @throws Error naming the file.
+  /// Writes the plot with `axes`, dark on white. @throws Error with the file name.
   void writeSvg(const QString& path, const study::StudyAxes& axes) const;
 
  Q_SIGNALS:
-  /// All rows are empty again.
+  /// All results were dropped.
   void restarted();
   void rowMeasured();
-  /// isRunning() is another.
+  /// isRunning() changed.
   void runningChanged();
   void failed(const QString& title, const QString& text);
 

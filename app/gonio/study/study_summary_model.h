@@ -11,9 +11,9 @@
 
 namespace gonio::app {
 
-/// Representations as rows, each with its medians over several materials and the material that it reproduces worst: "-"
-/// and grey until one of them is measured. Qt::UserRole holds what a column is sorted by: a number that is smaller for
-/// better rows, or a name.
+/// Representations as rows, each with its medians over several materials and the material with the largest error: "-"
+/// and grey until a material is measured. Qt::UserRole is the sort key of a column: a number that is smaller for better
+/// rows, or a name.
 class StudySummaryModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class StudySummaryModel : public QAbstractTableModel {
       : QAbstractTableModel(parent), m_materials(std::move(materials)), m_records(m_materials.size()) {}
 
   const std::vector<std::string>& materials() const { return m_materials; }
-  /// The rows. What was measured before of other representations is forgotten.
+  /// Sets the rows. Results of other representations are dropped.
   void plan(const std::vector<study::Representation>& representations);
   void add(std::size_t material, const study::StudyRecord& record);
   std::vector<study::Representation> missing(std::size_t material) const;
@@ -48,15 +48,15 @@ class StudySummaryModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  /// Null while no material was measured with it.
+  /// Null until a material is measured with the row's representation.
   const study::StudySummary* summaryOf(int row) const;
   QString text(const study::StudySummary& summary, int column) const;
   QVariant sortKey(int row, int column) const;
 
   const std::vector<std::string> m_materials;
   std::vector<study::Representation> m_rows;
-  std::vector<std::vector<study::StudyRecord>> m_records;  ///< of each material
-  std::vector<study::StudySummary> m_summaries;            ///< of the records
+  std::vector<std::vector<study::StudyRecord>> m_records;  ///< per material
+  std::vector<study::StudySummary> m_summaries;            ///< of m_records
 };
 
 }  // namespace gonio::app

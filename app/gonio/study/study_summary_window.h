@@ -17,25 +17,26 @@ class QTreeView;
 
 namespace gonio::app {
 
-/// Accuracy against cost of several materials: each representation of each is measured in the background, one material
-/// after the other, and summarised in a row. What is measured when the user stops stays; Measure goes on from there.
+/// Accuracy versus cost for several materials: all representations are measured in the background, one material after
+/// the other, and summarised in one row per representation. If the user stops, the results stay, and Measure continues
+/// from there.
 class StudySummaryWindow : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param ids of the library: bundled materials, files, documents.
+  /// @param ids ids of the library: bundled materials, files, documents.
   StudySummaryWindow(BackgroundTasks& tasks, const QStringList& ids, QWidget* parent);
   ~StudySummaryWindow() override;
 
   StudySummaryModel& model() { return m_model; }
   QTreeView& table() const { return *m_table; }
-  /// In place of all representations of the families that are ticked.
+  /// Sets the representations, instead of all representations of the checked families.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
   bool isRunning() const;
   void measure();
   void cancel();
   QString csv() const;
-  /// How far it is, and which materials could not be read.
+  /// The progress, and the materials that could not be read.
   QString status() const;
 
  protected:
@@ -49,7 +50,7 @@ class StudySummaryWindow : public QDialog {
   void measureNext();
   void start(std::size_t material);
   void fail(std::size_t material, const QString& error);
-  /// The first that can be read and has representations to measure.
+  /// The first readable material with representations to measure.
   std::optional<std::size_t> nextMaterial() const;
   void refresh();
 
@@ -59,8 +60,8 @@ class StudySummaryWindow : public QDialog {
   study::RepresentationChoice m_choice;
   study::StudyOptions m_options;
   study::MachineFacts m_machine;
-  std::vector<QString> m_failures;  ///< of each material; empty: none
-  QString m_key;                    ///< of its tasks
+  std::vector<QString> m_failures;  ///< error per material; empty: none
+  QString m_key;                    ///< key of its tasks
   std::vector<QCheckBox*> m_families;
   QSortFilterProxyModel* m_sorted;
   QTreeView* m_table;

@@ -26,16 +26,16 @@ class StudyView : public QSplitter {
 
   QTreeView& table() const { return *m_table; }
   widgets::StudyScatter& scatter() const { return *m_scatter; }
-  /// Also after the rows of the model have changed.
+  /// To be called again after the rows of the model changed.
   void showPoints(const study::StudyAxes& axes);
-  /// The row in the preview, and the best within the budget; -1: none.
+  /// Marks the row shown in the preview and the best row within the budget; -1: none.
   void setMarks(int shown, int best);
-  /// In place of the points, and of the rows where the model is empty.
+  /// Sets a text shown in place of the points, and in place of the rows if the model is empty.
   void setHint(const QString& text);
 
  Q_SIGNALS:
   void chosen(int row);
-  /// Escape.
+  /// Escape was pressed.
   void dismissed();
 
  protected:

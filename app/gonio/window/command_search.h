@@ -12,30 +12,30 @@ class QListWidget;
 
 namespace gonio::app {
 
-/// Every action of a window that has a text, by menu: path is "File > Open Recent > a.binary".
+/// An action of a window's menus, with its path, e.g. "File > Open Recent > a.binary".
 struct NamedAction {
   QString path;
   QAction* action;
 };
 QList<NamedAction> allActions(const QWidget* window);
 
-/// Something that a search finds and does.
+/// A result of the search that can be run.
 struct SearchEntry {
-  QString text;      ///< "Library > chrome"
-  QString keywords;  ///< other words that find it
+  QString text;      ///< e.g. "Library > chrome"
+  QString keywords;  ///< further words by which it is found
   std::function<void()> run;
   QString shortcut = {};
   bool enabled = true;
-  bool isCommand = false;  ///< listed also before anything is typed
+  bool isCommand = false;  ///< also listed for an empty search text
 };
 
-/// Finds commands, and whatever else it is given, by typing parts of names in any order, and runs them. What has all
-/// the words in its text comes before what has them in its keywords.
+/// Search for commands and other entries by parts of their names in any order. Entries with all words in their text
+/// come before those with words in their keywords.
 class CommandSearch : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param others beside the window's actions.
+  /// @param others entries in addition to the window's actions.
   explicit CommandSearch(QWidget* window, std::vector<SearchEntry> others = {});
 
   QListWidget* list() const { return m_list; }

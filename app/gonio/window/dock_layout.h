@@ -12,7 +12,7 @@ class QSettings;
 
 namespace gonio::app {
 
-/// The docks of a window by their object names, and which of them each kind of work shows.
+/// The docks of a window, identified by their object names, and the docks of each workspace.
 class DockLayout : public QObject {
   Q_OBJECT
 
@@ -21,19 +21,19 @@ class DockLayout : public QObject {
 
   explicit DockLayout(QMainWindow& window);
 
-  /// Docks at the bottom lie behind one another, and are hidden at first.
-  /// @param lines its width at a side, in heights of a line; 0: as its content asks.
+  /// Adds a dock. Docks at the bottom are tabbed and initially hidden.
+  /// @param lines width at a side, in line heights; 0: the width of its content.
   QDockWidget* add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area, int lines = 0);
-  /// After the last add(): what reset() goes back to.
+  /// Stores the layout for reset(). Call it after the last add().
   void setDefault();
   const QList<QDockWidget*>& docks() const { return m_docks; }
   QDockWidget* dock(const QString& name) const;
-  /// Brings a dock to the front, or takes it away.
+  /// Shows and raises a dock, or hides it.
   void show(const QString& name, bool shown = true);
   void showWorkspace(Workspace workspace);
   void reset();
 
-  /// The window's geometry and its docks.
+  /// Restores the window's geometry and its docks.
   void restore(const QSettings& settings);
   void save(QSettings& settings) const;
 
@@ -44,7 +44,7 @@ class DockLayout : public QObject {
   QList<QDockWidget*> m_docks;
   struct Place {
     Qt::DockWidgetArea area;
-    int lines;  ///< its width
+    int lines;  ///< width in line heights
     bool shown = true;
   };
   std::vector<Place> m_places;  ///< of m_docks

@@ -24,20 +24,20 @@ class FileExports;
 class LibraryController;
 class RecentFiles;
 
-/// The files of a document as the user meets them: opening, saving and exporting with their questions, the recent
-/// files, the copies of unsaved work.
+/// The user interface for files: opening, saving and exporting with their dialogs, recent files, and copies of unsaved
+/// work.
 class DocumentFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// What it works with; all of it outlives this object.
+  /// The objects that are used; they must outlive this object.
   struct Parts {
     Document& document;
     DocumentController& controller;
     FileExports& exports;
     BackgroundTasks& tasks;
     RecentFiles& recent;
-    widgets::PreviewWidget& preview;  ///< its view is saved
+    widgets::PreviewWidget& preview;  ///< its view is saved with the document
     const ComparisonController& comparison;
     LibraryController& library;
     QSettings& settings;
@@ -52,19 +52,19 @@ class DocumentFiles : public QObject {
   /// Opens a file after asking what to do with unsaved changes.
   void open(const QString& path);
   void askAndOpen();
-  /// Saves under the known path, else asks for one. False when it was not saved.
+  /// Saves to the document's path, or asks for one. @returns false if it was not saved.
   bool save();
   bool saveAs();
   /// Asks for a name and saves the document among the user's own materials.
   void saveInLibrary();
   void exportBrdf();
   void exportImage();
-  /// Asks for a name and writes it in the background.
+  /// Asks for a file name and writes the file in the background.
   void saveBeside(const FileSave& save);
-  /// Offers work that an earlier run left behind.
+  /// Offers to recover unsaved work of an earlier run.
   void offerRecovery();
-  /// Asks about unsaved changes and exports under way, and removes the copy of unsaved work. False when the document is
-  /// to stay open.
+  /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @returns false if the
+  /// document should stay open.
   bool close();
 
  private:

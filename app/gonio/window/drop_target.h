@@ -14,12 +14,12 @@ class DropOverlay;
 
 namespace gonio::app {
 
-/// Takes files that are dropped on a window, and says meanwhile what dropping them will do.
+/// Accepts files dropped on a window, and shows the effect of the drop during the drag.
 class DropTarget : public QObject {
   Q_OBJECT
 
  public:
-  /// What to do with a file of each kind.
+  /// Actions for each kind of file.
   struct Actions {
     std::function<void(const QString&path)> openMaterial, openReference, openEnvironment, openScene;
   };

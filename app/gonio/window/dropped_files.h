@@ -6,11 +6,11 @@
 
 namespace gonio::app {
 
-/// Whether a file is meant as an environment, by its name.
+/// Whether a file is an environment, by its suffix.
 bool isPicture(const QString& path);
-/// Whether a file is meant as a scene or a mesh, by its name.
+/// Whether a file is a scene or a mesh, by its suffix.
 bool isScene(const QString& path);
-/// What dropping a file will do; a material is taken as the reference of comparisons where `asReference` says so.
+/// Describes the effect of dropping a file. @param asReference whether a material becomes the reference of comparisons.
 QString dropDescription(const QString& path, bool asReference = false);
 
 }  // namespace gonio::app

@@ -23,7 +23,7 @@ class EditMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// @param showHistory shows and hides the list of the undo steps.
+  /// @param showHistory action that shows and hides the list of undo steps.
   EditMenu(Document& document, DocumentController& controller, const Inspector& inspector,
            const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory, QWidget* window);
 
@@ -32,7 +32,7 @@ class EditMenu : public QMenu {
   void addEdits();
   void showPreferences();
   void apply(const Preferences& preferences);
-  /// What was chosen in the dialog is kept, and shown where it differs from before.
+  /// Stores the preferences chosen in the dialog and applies the changed ones.
   void adopt(const Preferences& chosen, const Preferences& before);
 
   Document& m_document;
@@ -40,7 +40,7 @@ class EditMenu : public QMenu {
   const Inspector& m_inspector;
   const widgets::PreviewWidget& m_preview;
   QSettings& m_settings;
-  bool m_pasteable = false;  ///< what the clipboard holds
+  bool m_pasteable = false;  ///< whether the clipboard contains edits
 };
 
 }  // namespace gonio::app

@@ -33,20 +33,20 @@ class ScenePanel;
 class StudyPanel;
 class ViewStrip;
 
-/// The parts of one window: its document, the controllers and the panels, made in this order and connected to each
-/// other. The window that they are put into owns the widgets and deletes them before this object goes: they use the
-/// document, the controllers and the tasks to their end.
+/// The parts of one window: its document, the controllers and the panels, created in this order and connected to each
+/// other. The window owns the widgets and deletes them before this object is destroyed, because their destructors may
+/// use the document, the controllers and the tasks.
 struct EditorParts {
   EditorParts();
   ~EditorParts();
 
-  /// Whether everything that was asked for is on the screen.
+  /// Whether everything requested is displayed.
   bool isSettled() const;
   void restoreSettings();
   void saveSettings();
 
   QSettings settings;
-  LibraryStore libraryStore;  ///< beside the settings
+  LibraryStore libraryStore;  ///< stored beside the settings
   RecentFiles recentFiles;
   BackgroundTasks tasks;
   Document document;
@@ -75,12 +75,12 @@ struct EditorParts {
   void connectLibrary();
   void connectPlots();
   void takeOldFavourites();
-  /// Fits and checks of a material wait for its first picture: the preview has the processors.
+  /// Delays fits and checks of a material until its first picture, to keep the processors free for the preview.
   void connectFirstPicture();
   void restoreSavedView(const nlohmann::json& view);
   void use(const gonio::study::Representation& representation);
 
-  int m_requestsBefore = 0;  ///< the preview's last request of what was open before
+  int m_requestsBefore = 0;  ///< the preview's last request for the previous material
 };
 
 }  // namespace gonio::app

@@ -9,15 +9,16 @@
 
 namespace gonio::app {
 
-/// The application, which can time its events: how long each kept the window from answering the next. An event includes
-/// what it sends at once; one that opens a menu or a dialog is not counted, those of the menu are.
+/// An application that can measure for how long each event blocks the GUI thread. The time of an event includes events
+/// sent during its handling. Events that open a menu or a dialog are not counted, but the events of the menu or dialog
+/// are.
 class TimedApplication : public QApplication {
  public:
   using QApplication::QApplication;
 
-  /// From here on events are timed.
+  /// Starts timing.
   void startTiming() { m_timing = true; }
-  /// How many events there were, how many took longer than 50 ms, and the longest kinds, one per line.
+  /// Number of events, number of events longer than 50 ms, and the slowest kinds of events, one per line.
   [[nodiscard]] QString eventTimes() const;
 
   bool notify(QObject* receiver, QEvent* event) override;

@@ -10,17 +10,17 @@ class QTextBrowser;
 
 namespace gonio::app {
 
-/// A page of the documentation that is built in: a file of docs/, or a heading on it.
+/// A page of the built-in documentation: a file of docs/, or a heading in it.
 struct GuidePage {
-  QString file;   ///< "editor.md", "results/exports.md"
-  QString title;  ///< "The editor", "Export Image"
+  QString file;   ///< e.g. "editor.md", "results/exports.md"
+  QString title;  ///< e.g. "The editor", "Export Image"
   int level = 1;  ///< 1: the page itself
 };
 
-/// All pages with their headings of the second level below them; the editor's own page first, measured results last.
+/// All pages, each followed by its second-level headings; the editor's page first, measured results last.
 const std::vector<GuidePage>& guidePages();
 
-/// The page that a link on a page leads to, as GuidePage::file: "../study.md" on "results/factors.md" is "study.md".
+/// Target of a link on a page, as GuidePage::file: "../study.md" in "results/factors.md" is "study.md".
 QString linkedPage(const QString& file, const QString& path);
 
 /// Help > Guide: the documentation, with links between its pages.
@@ -30,14 +30,14 @@ class GuideWindow : public QDialog {
  public:
   explicit GuideWindow(QWidget* parent);
 
-  /// @param heading as it reads; empty: the top of the page.
+  /// @param heading text of the heading; empty: the top of the page.
   void showPage(const QString& file, const QString& heading = {});
   QString page() const { return m_file; }
   QTextBrowser& text() const { return *m_text; }
 
  private:
   void follow(const QUrl& link);
-  /// To the first heading that `fits`.
+  /// Scrolls to the first heading for which `fits` is true.
   void scrollTo(const std::function<bool(const QString&)>& fits);
 
   QListWidget* m_pages;
@@ -45,10 +45,10 @@ class GuideWindow : public QDialog {
   QString m_file;
 };
 
-/// Opens a page in the guide of a window, in the one that is open already where there is one.
+/// Opens a page in the guide of a window, in the existing guide window if it is open.
 void openGuide(QWidget* window, const QString& file, const QString& heading = {});
 
-/// What a link in the documentation calls a heading: lower case, hyphens for spaces, no punctuation.
+/// Anchor of a heading in links: lower case, hyphens for spaces, no punctuation.
 QString anchorOf(const QString& heading);
 
 }  // namespace gonio::app

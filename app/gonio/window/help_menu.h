@@ -13,7 +13,8 @@ class HelpMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// @param window whose actions are searched and listed. @param others what else the search finds at this moment.
+  /// @param window the window whose actions are searched and listed. @param others returns further entries of the
+  /// search.
   HelpMenu(QWidget* window, const std::function<std::vector<SearchEntry>()>& others);
 };
 

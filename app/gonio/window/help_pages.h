@@ -8,14 +8,14 @@ class QWidget;
 
 namespace gonio::app {
 
-/// The table of all shortcuts of a window, made from its actions.
+/// Table of all shortcuts of a window, generated from its actions.
 QString shortcutsPage(const QWidget* window);
-/// All models with their parameters, formulae and sources, made from their specs.
+/// All models with their parameters, formulae and sources, generated from their specs.
 QString formulaePage();
-/// What Gonio is, its version, its licences and those of what it stands on.
+/// Description, version and licence of Gonio, and the licences of its dependencies.
 QString aboutPage();
 
-/// Shows a page in a window of its own that can stay open.
+/// Shows a page in a separate, non-modal window.
 void showPage(const QString& title, const QString& html, QWidget* parent);
 
 }  // namespace gonio::app

@@ -21,7 +21,7 @@ class LightMenu : public QMenu {
  public:
   LightMenu(EnvironmentController& environment, widgets::PreviewContent& preview, QWidget* window);
 
-  /// Lights the preview with a picture that the user chooses.
+  /// Asks for a picture and lights the preview with it.
   void askForFile();
 
  private:

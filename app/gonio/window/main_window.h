@@ -17,8 +17,8 @@ class DockLayout;
 class StatusLine;
 struct SheetSource;
 
-/// The editor's window: library left, preview in the middle, inspector right. It puts the parts of the editor in their
-/// places and into its menus; nothing that is in it knows it.
+/// The editor's window: library left, preview in the middle, inspector right. It arranges the parts of the editor and
+/// creates the menus; the parts do not depend on it.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// For the program's start and for tests.
+  /// For start-up and tests.
   EditorParts& parts() { return m_parts; }
   DocumentFiles& files() { return m_files; }
   DockLayout& docks() { return *m_docks; }

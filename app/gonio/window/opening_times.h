@@ -10,9 +10,9 @@ namespace gonio::app {
 
 struct EditorParts;
 
-/// Opens materials one after the other, prints how long each takes until it is read and until its first picture is on
-/// the screen (at most a frame later), and ends the program. The first material is opened when the window has shown
-/// nothing for a second, so that its start does not count; the shaders of its form do.
+/// Opens materials one after the other, prints the times until each is read and until its first picture is displayed
+/// (up to one frame too long), and ends the program. The first material is opened after one second, so that the start
+/// of the program is not included, but the compilation of shaders is.
 class OpeningTimes : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class OpeningTimes : public QObject {
   QStringList m_paths;
   QElapsedTimer m_elapsed;
   qint64 m_read = -1;  ///< ms; -1: not read yet
-  int m_before = 0;    ///< the preview's last request of what was open before
+  int m_before = 0;    ///< the preview's last request for the previous material
 };
 
 }  // namespace gonio::app

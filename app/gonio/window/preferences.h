@@ -14,11 +14,11 @@ class QSpinBox;
 
 namespace gonio::app {
 
-/// What the user sets once for all documents.
+/// Settings for all documents.
 struct Preferences {
   Theme theme = Theme::system;
-  int historyMegabytes = 0;  ///< of undo steps, for each window
-  int threads = 0;           ///< of computations; 0: all cores
+  int historyMegabytes = 0;  ///< limit of the undo history, per window
+  int threads = 0;           ///< for computations; 0: all cores
   widgets::RoughnessDisplay roughness = widgets::RoughnessDisplay::alpha;
 
   static Preferences read(const QSettings& settings);
@@ -26,7 +26,7 @@ struct Preferences {
   bool operator==(const Preferences&) const = default;
 };
 
-/// Bounds the threads of all parallel loops of the program from now on; 0: all cores.
+/// Limits the threads of all parallel loops of the program; 0: all cores.
 void limitThreads(int threads);
 
 /// Edit > Preferences.
@@ -34,7 +34,7 @@ class PreferencesDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param graphics what OpenGL says of itself.
+  /// @param graphics renderer, vendor and version reported by OpenGL.
   PreferencesDialog(const Preferences& preferences, const QString& graphics, QWidget* parent);
 
   Preferences preferences() const;

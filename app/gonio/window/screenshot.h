@@ -12,7 +12,7 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Saves a picture of a window when everything in it is settled, or after the longest wait, and ends the program.
+/// Saves a picture of a window once everything in it is settled, or after the maximum wait, and ends the program.
 class Screenshot : public QObject {
   Q_OBJECT
 

@@ -11,8 +11,8 @@ namespace gonio::app {
 class DocumentFiles;
 struct EditorParts;
 
-/// What the search finds beside the commands: the materials of the library, the sliders, the scenes and the lights, as
-/// they are now, and the pages of the guide.
+/// Entries of the search in addition to the commands: the current materials of the library, sliders, scenes and lights,
+/// and the pages of the guide.
 std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files, QWidget& window);
 
 }  // namespace gonio::app

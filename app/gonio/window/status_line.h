@@ -18,7 +18,7 @@ class BackgroundTasks;
 class ComparisonController;
 class Document;
 
-/// What the status bar of a window shows: the work in progress, what the preview shows, its samples and frame time.
+/// The content of a window's status bar: running tasks, the content of the preview, its samples and frame time.
 class StatusLine : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class StatusLine : public QObject {
   StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks, const ComparisonController& comparison,
              const widgets::PreviewWidget& preview);
 
-  /// What has been done, for some seconds: "Wrote chrome.bsdf".
+  /// Shows a message for some seconds, e.g. "Wrote chrome.bsdf".
   void showNotice(const QString& text);
   widgets::ProgressStrip& progress() { return *m_progress; }
 

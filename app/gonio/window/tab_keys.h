@@ -8,9 +8,9 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Tab goes as the eye does: along a row, then to the row below; a panel is left when all of it was visited. Panels
-/// make rows anew, fold and move, so the order is that of the places at the moment of the key. Holds for a window and
-/// all windows that it opens.
+/// Tab follows the reading order: along a row, then to the row below, and to the next panel after the whole panel.
+/// Because panels recreate rows, collapse and move, the order is computed from the positions at each key press. Applies
+/// to a window and all windows that it opens.
 class TabKeys : public QObject {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ enum class Theme { system, light, dark };
 QString themeName(Theme theme);
 Theme themeByName(const QString& name);
 
-/// Neutral greys, so that colours are judged fairly, and one accent; text has at least 4.5:1 contrast.
-/// The first call notes what the system asked for.
+/// Neutral greys, which do not bias the perception of colours, and one accent; text has a contrast of at least 4.5:1.
+/// The first call stores the system's theme.
 void applyTheme(QApplication& application, Theme theme);
 
 }  // namespace gonio::app

@@ -8,9 +8,9 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Text fields keep the keys of undo and redo for themselves, also when there is no typing that they could take back.
-/// Within a window this object passes them on then, so that they undo and redo steps of the document; and always
-/// Ctrl+E, which fields take for the end of the line (End does that too) and the window for an export.
+/// Text fields consume the undo and redo keys even if they have nothing to undo. In that case this object passes the
+/// keys on within a window, so that they undo and redo steps of the document. It always passes on Ctrl+E, which text
+/// fields use for the end of the line (as End), and the window for an export.
 class UndoKeys : public QObject {
   Q_OBJECT
 

@@ -20,11 +20,11 @@ class ViewMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// @param light its submenu.
+  /// @param light its Light submenu.
   ViewMenu(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview, QMenu* light,
            QSettings& settings, QWidget* window);
 
-  /// What concerns the picture alone, for a menu at the pointer.
+  /// Adds the actions on the picture to a context menu.
   void addPictureActionsTo(QMenu& menu);
 
  private:

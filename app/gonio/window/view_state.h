@@ -14,16 +14,17 @@ class PreviewWidget;
 
 namespace gonio::app {
 
-/// Scene, camera, light, exposure and tone map of a preview, as a .gonio file keeps them. Scene and environment are
-/// kept by their names: a bundled one's, or the path of a file.
+/// Scene, camera, light, exposure and tone map of a preview, in the format of .gonio files. Scene and environment are
+/// stored by bundled name or file path.
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
 
-/// What can be set at once. Keys that are missing or of the wrong type leave the view as it is.
+/// Restores everything except the scene and the environment, which must be read first. Missing keys and keys of the
+/// wrong type are ignored.
 void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view);
-/// The scene that a view asks for: the lone sphere where it does not name one.
+/// The scene of a view; the single sphere if it does not name one.
 QString sceneNameOf(const nlohmann::json& view);
-/// The environment that a view asks for: a bundled name, a path, or empty for the directional light; nothing when the
-/// view does not state it.
+/// The environment of a view: a bundled name, a path, or empty for the directional light; nullopt if the view does not
+/// contain it.
 std::optional<QString> environmentOf(const nlohmann::json& view);
 
 }  // namespace gonio::app

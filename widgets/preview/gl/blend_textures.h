@@ -7,16 +7,16 @@
 
 namespace gonio::widgets {
 
-/// The materials of a blend on the graphics card, for shaders/preview/blend.glsl. While a point is dragged between them
-/// only uniforms change.
+/// The materials of a blend on the graphics card, for shaders/preview/blend.glsl. If only the weights change, only
+/// uniforms are set.
 class BlendTextures {
  public:
-  /// What the shader is compiled for.
+  /// Adds the definitions and preamble files of the shader variant.
   static void addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble);
-  /// Uploads a mixture that is new (about 20 ms per material), binds it to its units, sets the shader's uniforms.
+  /// Uploads a new mixture (about 20 ms per material), binds it to its units and sets the shader's uniforms.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
             const PreviewBlend& blend);
-  /// In the context of bind().
+  /// Call with the context of bind() current.
   void release();
 
  private:
@@ -26,10 +26,10 @@ class BlendTextures {
   std::shared_ptr<const editing::TransformedMixture> uploaded_;
 };
 
-/// Definitions and files of a shader that evaluates a model in the place of a measurement.
+/// Adds the definitions and files of a shader that evaluates a model in place of a measurement.
 void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
                    QStringList& preamble);
-/// Definitions and files that a shader with a model's formula needs.
+/// Adds the definitions and files of a shader that contains a model's formula.
 void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
               QStringList& preamble);
 

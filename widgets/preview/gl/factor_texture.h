@@ -11,18 +11,18 @@
 
 namespace gonio::widgets {
 
-/// The curves of factor edits on the graphics card, for shaders/preview/factors.glsl: resampled to 1,024 places, even
-/// in theta_R, in the root of |Dp| (where sharp highlights have their nodes) and in |phi|; fewer where the driver's
-/// buffers do not hold as many. A texture buffer, since it is read without the arithmetic of pictures; one edit behind
-/// the other. While curves are dragged only the texels of their edit change: 64 kB a term in the form with two factors.
+/// The curves of factor edits on the graphics card, for shaders/preview/factors.glsl: resampled at 1,024 points (fewer
+/// if the driver's buffers are too small), uniform in theta_R, in the square root of |Dp| (denser near 0, as are the
+/// nodes of sharp highlights) and in |phi|. The curves of all edits are in one texture buffer, which is read by index.
+/// While curves are dragged only the texels of their edit are uploaded: 64 kB per term in the form with two factors.
 class FactorTexture {
  public:
   /// The sizes that the shader is compiled for.
   static int termsOf(const editing::FactorEdit& edit);
   static int axesOf(const editing::FactorEdit& edit);
-  /// Brings the curves to the texture at the active unit where they are others than before.
+  /// Uploads the curves that changed to the texture at the active unit.
   void update(QOpenGLFunctions_4_1_Core& gl, const std::vector<editing::FactorEdit>& edits);
-  /// The shader's uniforms. @param unit at which the texture is bound.
+  /// Sets the shader's uniforms. @param unit the texture unit of the buffer.
   void setUniforms(QOpenGLShaderProgram& program, int unit) const;
   /// Frees the texture.
   void release(QOpenGLFunctions_4_1_Core& gl);
@@ -32,7 +32,7 @@ class FactorTexture {
   void allocate(QOpenGLFunctions_4_1_Core& gl, const std::vector<editing::FactorEdit>& edits);
 
   std::vector<editing::FactorEdit> edits_;  ///< as uploaded
-  std::vector<int> firstTexels_;            ///< of each edit
+  std::vector<int> firstTexels_;            ///< first texel of each edit
   GLuint texture_ = 0, buffer_ = 0;
   int places_ = 0;
 };

@@ -8,20 +8,20 @@
 
 namespace gonio::widgets {
 
-/// A table of angles of incidence on the graphics card, for shaders/preview/incidence_table.glsl: 16 bytes a value.
+/// A table of angles of incidence on the graphics card, for shaders/preview/incidence_table.glsl: 16 bytes per value.
 class IncidenceTextures final : public ShaderBase {
  public:
-  /// Uploads; some ms.
+  /// Uploads the table, in a few ms.
   IncidenceTextures(QOpenGLFunctions_4_1_Core& gl, const IncidenceTableBrdf& brdf);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// Whether the least that OpenGL 4.1 asks of textures holds the table: 2,048 nodes of each angle.
+  /// Whether the table fits the texture size that OpenGL 4.1 guarantees: 2,048 nodes per angle.
   static bool fits(const IncidenceTable& table);
-  /// What the shader is compiled for.
+  /// The definitions of the shader variant.
   static QStringList definitions(const IncidenceTable& table);
 
  private:
-  GLint counts_[3];  ///< of polar angles, azimuths, angles of incidence
+  GLint counts_[3];  ///< numbers of polar angles, azimuths and angles of incidence
   TextureSet textures_;
 };
 

@@ -6,14 +6,15 @@
 
 #include "core/editing/differential_edit.h"
 
-/// An edit that is composed by lobes in the shader: twin of editing::LobeChange. EditChain puts it among the others.
-/// The text holds only the parts of the model that there are, and what happens to them: software OpenGL pays for loops
-/// and conditions even where they skip something. So a slider is compiled for when it is first moved.
+/// An edit by lobes in the shader: the counterpart of editing::LobeChange, inserted by EditChain. The generated code
+/// contains only the parts of the model that change, because loops and conditions are slow in software OpenGL even if
+/// they skip work. Hence the first move of a slider compiles a new variant.
 namespace gonio::widgets {
 
-/// Its uniforms beside the parameters of the model and the strength. @param number of the edit in the chain.
+/// Declarations of its uniforms, except the parameters of the model and the strength. @param number index of the edit
+/// in the chain.
 QString lobeUniforms(const editing::DifferentialEdit& edit, int number);
-/// The text of its function. @param name of it; @param previous the function before it.
+/// The code of its function. @param name of the function; @param previous name of the preceding function.
 QString lobeStage(const QString& name, const QString& previous, const editing::DifferentialEdit& edit, int number);
 void setLobeUniforms(QOpenGLShaderProgram& program, const QString& number, const editing::DifferentialEdit& edit);
 

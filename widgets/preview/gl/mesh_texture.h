@@ -12,14 +12,14 @@
 namespace gonio::widgets {
 
 /// The triangles of a scene's meshes with one hierarchy of bounding volumes, on the graphics card, for
-/// shaders/preview/scene_meshes.glsl: about 130 bytes a triangle.
+/// shaders/preview/scene_meshes.glsl: about 130 bytes per triangle.
 class MeshTexture {
  public:
-  /// What the largest texture that every card has (16384 rows) and its memory bear.
+  /// Limited by the texture height that every card supports (16384 rows) and by memory.
   static constexpr std::size_t maxTriangles = 2'000'000;
 
-  /// Builds and uploads: about 1 s a million triangles. At least one mesh.
-  /// @throws Error where the memory for the bounding volumes is missing.
+  /// Builds the hierarchy and uploads it, in about 1 s per million triangles. Needs at least one mesh.
+  /// @throws Error if there is not enough memory for the bounding volumes.
   MeshTexture(QOpenGLFunctions_4_1_Core& gl, std::span<const MeshShape> meshes);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program);
 

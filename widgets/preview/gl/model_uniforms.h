@@ -10,21 +10,21 @@
 /// Models in the shaders: their functions (shaders/models) and their parameters.
 namespace gonio::widgets {
 
-/// "ggx_anisotropic": its name in the shaders.
+/// Name of a model in the shaders, e.g. "ggx_anisotropic".
 QString modelName(const models::Model& model);
-/// "evaluate_ggx": the function of shaders/models that evaluates a model.
+/// The function of shaders/models that evaluates a model, e.g. "evaluate_ggx".
 QString modelFunction(const models::Model& model);
-/// "models/ggx.glsl": the file that it is in.
+/// The file with this function, e.g. "models/ggx.glsl".
 QString modelFile(const models::Model& model);
 
-/// The parameters of a model as a uniform: packed into vectors of four, so that no component is stored or read twice.
-/// In the shader `name` is an expression for the array of vec3 that the model's function takes.
+/// The parameters of a model as one uniform. They are packed into vectors of four: three components for a colour, one for
+/// any other parameter. In the shader, `name` expands to the array of vec3 that the model's function takes.
 struct ModelUniform {
   QString declaration;  ///< "uniform vec4 packed_edited0[9];"
   QString definition;   ///< "edited0 vec3[18](...)", for a #define
 };
 ModelUniform modelUniform(const models::Model& model, const QString& name);
-/// Sets it in the bound program.
+/// Sets this uniform in the bound program.
 void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
                      const models::ParameterValues& values);
 

@@ -10,12 +10,12 @@
 
 namespace gonio::widgets {
 
-/// Takes noise out of a picture that has few samples, for the eye alone: what is read and measured is never filtered.
-/// Edges of shapes stay, and so do differences that are larger than the noise (shaders/preview/noise_filter.frag). A
-/// picture without noise stays as it is but for rounding. Every call needs the picture's context.
+/// Removes noise from a picture with few samples, for display only: exported and measured values are never filtered.
+/// Preserves edges of shapes and differences larger than the noise (shaders/preview/noise_filter.frag). A picture
+/// without noise does not change, except for rounding. All calls need the picture's context.
 class NoiseFilter {
  public:
-  /// Six passes over the picture: about as long as two samples of a sphere.
+  /// Six passes over the picture, which take as long as about two samples of a sphere.
   void apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resources, const PreviewRenderer& picture);
   /// The filtered picture; nothing before apply().
   ShownPicture shown() const;

@@ -7,16 +7,16 @@
 
 namespace gonio::widgets {
 
-/// A framebuffer whose picture is read into memory. So the window that shows it needs no OpenGL of its own, and never
-/// waits for what is being drawn.
+/// A framebuffer whose picture is read into memory. Therefore the window that shows it needs no OpenGL and never waits
+/// for rendering.
 class PictureReadback {
  public:
   using Gl = QOpenGLFunctions_4_1_Core;
 
-  /// Binds a framebuffer of that size, with undefined content.
-  /// @throws Error when the card has none.
+  /// Binds a framebuffer of the given size, with undefined content.
+  /// @throws Error if the card cannot create it.
   void begin(Gl& gl, const QSize& size);
-  /// Waits until what was drawn since begin() is done. @returns it as opaque sRGB, upright.
+  /// Waits until everything drawn since begin() is finished. @returns the picture as opaque sRGB, upright.
   QImage read(Gl& gl);
   void release(Gl& gl);
 

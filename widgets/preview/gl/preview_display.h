@@ -11,24 +11,24 @@
 
 namespace gonio::widgets {
 
-/// How a picture of radiance becomes one of the screen.
+/// Conversion of radiance to display colours.
 struct DisplaySettings {
   double exposure = 0;  ///< stops
   ToneMap toneMap = ToneMap::filmic;
   QColor backgroundCentre{58, 58, 60}, backgroundEdge{34, 34, 36};
-  bool checker = false;  ///< grey squares instead, which show where the picture lets light through
+  bool checker = false;  ///< draws grey squares instead, which show transparency
 };
 
-/// Puts accumulated pictures on the screen, alone or against each other. The shader holds what the mode calls for.
+/// Displays one accumulated picture, or two in comparison. The shader contains only what the mode needs.
 class PreviewDisplay : protected QOpenGLFunctions_4_1_Core {
  public:
   explicit PreviewDisplay(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {}
   void initialize() { initializeOpenGLFunctions(); }
 
-  /// Draws into the framebuffer that is bound. A picture without a sample so far is left as background.
+  /// Draws to the bound framebuffer. For a picture without samples the background is shown.
   void present(const QSize& viewport, const DisplaySettings& settings, const ShownPicture& picture);
-  /// Two pictures by comparison.mode (split, difference, twoUp; the others show `first` alone).
-  /// @param range the difference of the last colour, > 0.
+  /// Draws two pictures according to comparison.mode (split, difference, twoUp; other modes show `first` alone).
+  /// @param range the difference shown in the last colour of the map, > 0.
   void present(const QSize& viewport, const DisplaySettings& settings, const PreviewComparison& comparison,
                double range, const ShownPicture& first, const ShownPicture& second);
 

@@ -13,32 +13,33 @@
 
 namespace gonio::widgets {
 
-/// Draws one subject in a scene with OpenGL 4.1 core into an accumulation buffer: the twin of
-/// core/rendering/path_tracer.h. Knows no widget: tests drive it with an offscreen surface. The shader of a frame
-/// contains only what the scene and the subject call for. Of several materials in a scene each has a pass of its own,
-/// which draws what is seen of it; light that goes from one of them to another is left out. The setters need no
-/// context; what reads or draws needs the one of initialize().
+/// Renders one subject in a scene with OpenGL 4.1 core to an accumulation buffer: the counterpart of
+/// core/rendering/path_tracer.h. It needs no widget, so tests use an offscreen surface. The shader of a frame contains
+/// only what the scene and the subject need. If a scene has several materials, each has a separate pass that draws its
+/// visible parts; interreflection between them is neglected. The setters need no context; functions that read or draw
+/// need the context of initialize().
 class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
  public:
-  /// Draws the lone sphere in a distant light until it gets another scene.
-  /// @param resources shared by the pictures of one context.
+  /// The initial scene is a sphere in a distant light.
+  /// @param resources shared by all pictures of one context.
   explicit PreviewRenderer(std::shared_ptr<PreviewResources> resources = std::make_shared<PreviewResources>());
   ~PreviewRenderer() override;
 
-  /// @throws Error when the context has no OpenGL 4.1 core functions.
+  /// @throws Error if the context has no OpenGL 4.1 core functions.
   void initialize();
-  /// Frees what belongs to the context; the resources too unless another picture shares them.
+  /// Frees the OpenGL objects, including the resources unless another picture shares them.
   void release();
 
-  /// What it costs comes with the frame: the upload of a new table (about 20 ms for 90 x 90 x 180); the shader of kinds
-  /// of edits and models that were not drawn before; else uniforms, and the small texture of a factor edit's curves.
+  /// The cost is paid in the next frame: the upload of a new table (about 20 ms for 90 x 90 x 180) and the compilation
+  /// of a shader if the kinds of edits and models are new; otherwise only uniforms and the small texture of a factor
+  /// edit's curves.
   void setSubject(const PreviewSubject& subject);
   const PreviewSubject& subject() const { return subject_; }
-  /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
-  /// mirror is dark with sparkles.
+  /// Density of the reflection samples under an environment. An edit that sharpens a highlight needs a new one; with
+  /// the old density the reflection would be dark with bright outliers.
   void setLobe(std::shared_ptr<const TabulatedLobe> lobe);
-  /// A scene of which SceneUniforms::canDraw() says yes, and the plan of its effects.
-  /// @param others what the slots after the first show; the subject where one is empty or missing.
+  /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
+  /// @param others subjects of the slots after the first; empty or missing ones show the first subject.
   void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& others = {});
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
@@ -49,27 +50,27 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   int samples() const { return samples_; }
   void restart() { samples_ = 0; }
 
-  /// Adds `count` samples to every pixel and waits for the result, so that its time can be taken. Drawn in bands of
-  /// some ms, each waited for: what another context draws meanwhile has to wait for no more than one.
-  /// @throws Error with the compiler's log when a shader does not compile.
+  /// Adds `count` samples to every pixel and waits for the result, so that the time can be measured. Draws bands of a
+  /// few ms and waits for each, so that other contexts wait for at most one band.
+  /// @throws Error with the compiler's log if a shader does not compile.
   void accumulate(int count);
-  /// Shows a picture that was traced elsewhere, with its features; its size becomes the picture's.
+  /// Replaces the picture, and its size, by a path-traced one with its features.
   void showTraced(const Film& film);
 
-  /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
+  /// RGBA32F: sum of samples() samples of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
   /// RGBA32F: Film::features. 0 before the first frame.
   GLuint featureTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->textures()[1] : 0; }
   ShownPicture shown() const { return {accumulationTexture(), float(samples_)}; }
-  /// The mean as linear RGB with coverage in alpha: what renderPicture() returns.
+  /// The mean as linear RGB with coverage in alpha, like the result of renderPicture().
   Image readPicture();
 
  private:
-  /// Draws what is seen of one material.
+  /// Draws the visible parts of one material.
   struct Pass {
     const PreviewSubject& subject;
     SubjectTextures& textures;
-    int slots;  ///< bits
+    int slots;  ///< bit mask
   };
   std::vector<Pass> passes();
   void addSamples(const Pass& pass, bool isOnly, int count);

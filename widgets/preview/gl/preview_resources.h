@@ -26,23 +26,23 @@ enum TextureUnit {
   otherAccumulationUnit,
   colourMapUnit,
   factorUnit,
-  firstBlendUnit,  ///< and those after it, one per material
+  firstBlendUnit,  ///< and the following ones, one per material
   endOfBlendUnits = firstBlendUnit + 4,
-  firstDecoderUnit = endOfBlendUnits,  ///< and three after it: the last of the 16 that every card has
-  // Units of the pass that displays pictures and of the decoder are free while a picture is drawn. An RGL file may
-  // stand beside the tables of a blend; its visible normals are in the place of the table.
+  firstDecoderUnit = endOfBlendUnits,  ///< and the three after it; together 16 units, which every card has
+  // The units of the display pass and of the decoder are free while a picture is rendered. An RGL file may occur
+  // together with the tables of a blend; its visible normals use the unit of the table.
   rglRowUnit = accumulationUnit,
   rglColourUnit = otherAccumulationUnit,
   rglDistributionUnit = firstDecoderUnit + 2,
   rglAreaUnit = firstDecoderUnit + 3,
-  baseNodeUnit = firstBlendUnit,  ///< nodes of a table of angles of incidence, which is shown alone too
-  // While a picture is drawn nothing is decoded.
+  baseNodeUnit = firstBlendUnit,  ///< nodes of a table of angles of incidence, which never occurs with a blend
+  // Nothing is decoded while a picture is rendered.
   lobeCellUnit = firstDecoderUnit,
   lobeRowUnit,
   meshUnit = colourMapUnit,
 };
 
-/// A table on the graphics card; freed with its last user, in whose hands the context must be current.
+/// A table on the graphics card. The context must be current when it is destroyed.
 struct TableTexture {
   GLuint name = 0;
   double phiPeriod = 0;
@@ -53,47 +53,47 @@ struct TableTexture {
   ~TableTexture();
 };
 
-/// The tables of a mixture, in the order of the materials; as TableTexture.
+/// The tables of a mixture, in the order of the materials. The context must be current when they are destroyed.
 struct MixtureTextures {
   std::vector<std::unique_ptr<TableTexture>> tables;
 };
 
-/// What all pictures of one OpenGL context share: linked shaders, the textures of the environment and of meshes, tables
-/// that several pictures show. Every call needs that context to be current.
+/// Resources shared by all pictures of one OpenGL context: linked shaders, the textures of the environment and of
+/// meshes, tables. All calls need that context to be current.
 class PreviewResources : protected QOpenGLFunctions_4_1_Core {
  public:
-  /// @throws Error when the context has no OpenGL 4.1 core functions.
+  /// @throws Error if the context has no OpenGL 4.1 core functions.
   void initialize();
   bool isInitialized() const { return initialized_; }
   /// Frees everything that belongs to the context.
   void release();
 
-  /// A fullscreen pass with the given fragment shader, assembled and linked at its first use.
+  /// The program of a fullscreen pass with the given fragment shader, assembled and linked at first use.
   /// @throws Error with the compiler's log.
   QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions = {},
                                 const QStringList& preamble = {});
-  /// Called before a program is compiled: that takes up to a second.
+  /// The listener is called before a program is compiled, which can take a second.
   void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
-  /// Whether programs are linked as withFlatUniforms() makes them. At first it is so under software OpenGL alone. Frees
-  /// all programs.
+  /// Whether programs are transformed by withFlatUniforms(). By default only with software OpenGL. The setter frees all
+  /// programs.
   void setUsesFlatUniforms(bool uses);
-  /// Draws the bound program over the viewport.
+  /// Draws the whole viewport with the bound program.
   void drawFullscreen();
 
-  /// Uploads at the first use (about 20 ms for 90 x 90 x 180). What was decoded from a code that is given, the card
-  /// decodes for itself where it does so and its textures are large enough.
+  /// The texture of a table, uploaded at first use (about 20 ms for 90 x 90 x 180). If a code is given, the card
+  /// decodes it instead, provided that decodesCodes() and the code fits its textures.
   std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const std::shared_ptr<const EnsembleCode>& code = nullptr);
-  /// What is no table: uploads at the first use, whatever the order of the directions (some ms).
+  /// A measurement that is not a table, uploaded at first use (a few ms); shared by all orders of its directions.
   std::shared_ptr<ShaderBase> base(const std::shared_ptr<const Brdf>& base);
-  /// The same of each table of a mixture.
+  /// The textures of all tables of a mixture, uploaded at first use.
   std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
-  /// Whether codes are decoded on the card. At first it is so but under software OpenGL (CodeDecoder::isSoftware()).
+  /// Whether codes are decoded on the card. By default true, except with software OpenGL (CodeDecoder::isSoftware()).
   bool decodesCodes() const { return decodesCodes_; }
   void setDecodesCodes(bool decodes) { decodesCodes_ = decodes; }
-  /// Binds the environment's pictures to their units, uploading them when it is another one than before.
+  /// Binds the environment's pictures to their units; uploads them if the environment changed.
   void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
-  /// Binds a scene's meshes, uploading them when they are others than before.
+  /// Binds a scene's meshes; uploads them if they changed.
   void bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes);
   /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
   void bindColourMap(bool isSigned);

@@ -12,57 +12,59 @@
 
 namespace gonio::widgets {
 
-/// A measurement in its own form, with or without edits: one that the shader knows.
+/// A measurement in its native form, with or without edits, that the shader can evaluate.
 struct EditedMaterial {
   std::shared_ptr<const Brdf> base;  ///< never null; isShownNatively() (widgets/preview/gl/shader_base.h)
   editing::EditList edits = {};
-  std::shared_ptr<const EnsembleCode> code = {};  ///< that a table was decoded from, where there is one
+  std::shared_ptr<const EnsembleCode> code = {};  ///< the code from which a table was decoded, or null
 };
 
 /// A model without a measurement.
 struct ModelAlone {
   const models::Model* model = nullptr;
   models::ParameterValues parameters = {};
-  HalfDifferenceGrid grid = {};  ///< of the table that stands for it where one is needed
+  HalfDifferenceGrid grid = {};  ///< grid of its table, if one is needed
 };
 
-/// Materials that the shader mixes: what `interpolation` gives at the weights, of all but `own` by tables.
+/// Materials mixed by the shader: the result of `interpolation` at the weights, from tables except for `own`.
 struct PreviewBlend {
   std::shared_ptr<const editing::Interpolation> interpolation;
-  /// Of it, kept while the weights change: uploaded once. Four materials at most.
+  /// The mixture of `interpolation`. Kept while the weights change, so it is uploaded once. At most four materials.
   std::shared_ptr<const editing::TransformedMixture> mixture;
   std::vector<double> weights;
-  std::vector<editing::DifferentialEdit> moves = {};  ///< of each material before it is mixed, to one target; or none
-  /// The material of the largest weight in its own form (an RGL or UTIA file without edits), which takes `ownShare` of
-  /// its weight: what it is ahead of the second, so that a change of place is no step, and all of it at weight 1.
+  std::vector<editing::DifferentialEdit> moves = {};  ///< one edit per material, applied before mixing, all to one
+                                                      ///< target; or empty
+  /// The material of the largest weight in its native form (an RGL or UTIA file without edits), which replaces the
+  /// table for `ownShare` of the weight: the difference to the second largest weight. So the transition to another
+  /// material is continuous, and at weight 1 the table is not used.
   std::shared_ptr<const Brdf> own = {};
   std::size_t ownIndex = 0;
   double ownShare = 0;
 };
 
-/// What a picture shows; nothing at first.
+/// The content of a picture; empty by default.
 struct PreviewSubject {
   std::variant<std::monostate, EditedMaterial, ModelAlone, PreviewBlend> shown = {};
   std::shared_ptr<const TabulatedLobe> lobe = {};  ///< density of the reflected samples; null: not known yet
 
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
-  /// Null where no measurement is shown.
+  /// The measurement; null if there is none.
   std::shared_ptr<const Brdf> base() const;
-  /// Whether it is a measurement as it is, without edits that change something; or nothing.
+  /// Whether it is a measurement without edits that have an effect, or empty.
   bool isMeasured() const;
 };
 
-/// A measurement without edits; null: nothing.
+/// A measurement without edits; empty if `base` is null.
 PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedLobe> lobe = {});
 
-/// Whether two subjects look the same for certain: equal values over the same measurement.
+/// Whether two subjects certainly look the same: equal values on the same measurement.
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 
-/// The same as a function: what core/rendering draws for comparison, what metrics judge. Null when it is empty.
+/// The BRDF of a subject, for core/rendering and metrics. Null if the subject is empty.
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject);
 
-/// The same as a table: of a model alone on its grid, of a blend as the interpolation has it. Null when it is empty.
-/// @throws Cancelled.
+/// The table of a subject: a model alone is sampled on its grid, a blend is computed by the interpolation. Null if the
+/// subject is empty. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> subjectTable(const PreviewSubject& subject, const TaskControl& control = {});
 
 }  // namespace gonio::widgets

@@ -11,11 +11,11 @@ namespace gonio::widgets {
 /// An RGL file on the graphics card, for shaders/preview/rgl.glsl: about 1.5 MB for one of the database.
 class RglTextures final : public ShaderBase {
  public:
-  /// Uploads; some ms.
+  /// Uploads the tables, in a few ms.
   RglTextures(QOpenGLFunctions_4_1_Core& gl, std::shared_ptr<const RglBrdf::Tables> tables);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// What the shader is compiled for, beside the order of the directions.
+  /// The definitions of the shader variant, without the order of the directions.
   static QStringList definitions(const RglBrdf& brdf);
 
  private:

@@ -9,10 +9,10 @@
 
 namespace gonio::widgets {
 
-/// A scene as preview/scene.frag draws it: spheres, meshes, rectangles, the lamps last.
+/// A scene for preview/scene.frag: spheres, meshes, rectangles, and lamps last.
 class SceneUniforms {
  public:
-  /// Reflections that the shader follows at most: what a driver compiles and a frame bears.
+  /// Maximum number of reflections in the shader, limited by compile and frame time.
   static constexpr int maxReflections = 8;
   static constexpr std::size_t mostObjects = 24, maxLights = 8;
 
@@ -22,10 +22,10 @@ class SceneUniforms {
   SceneUniforms() = default;
   SceneUniforms(const Scene& scene, const EffectPlan& plan);
 
-  /// What the variant of the shader contains.
+  /// The definitions of the shader variant.
   QStringList definitions() const;
   void set(QOpenGLShaderProgram& program) const;
-  /// Whether the shader looks the environment up.
+  /// Whether the shader reads the environment.
   bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
   /// Whether the shader samples directions of reflection.
   bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
@@ -40,14 +40,14 @@ class SceneUniforms {
   std::vector<glm::vec4> spheres_, colours_;
   std::vector<MeshShape> meshes_;
   std::vector<glm::vec3> centres_, sides_;
-  std::vector<int> blockers_;  ///< bits by object; empty: no shadow is simulated
+  std::vector<int> blockers_;  ///< bit masks of objects; empty: no shadows are simulated
   std::vector<glm::vec3> distantDirections_, distantIrradiances_, pointPositions_, pointIntensities_;
   int lamps_ = 0, reflections_ = 1;
   bool diffuse_ = false, showLamps_ = false, lightLamps_ = false, drawLamps_ = false, lightEnvironment_ = false,
        showEnvironment_ = false, blurBackground_ = false;
 };
 
-/// The plan of a scene of materialsInSlots().
+/// The plan of the effects for a scene with materialsInSlots().
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
                        const EffectOverrides& overrides = {}, const RenderMaterials& others = {});
 

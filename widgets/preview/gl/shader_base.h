@@ -11,31 +11,31 @@
 
 namespace gonio::widgets {
 
-/// A measurement that is no table, on the graphics card. Freed with its last user, in whose hands the context must be
-/// current.
+/// A measurement on the graphics card that is not a table. The context must be current when it is destroyed.
 class ShaderBase {
  public:
   virtual ~ShaderBase() = default;
-  /// Binds textures and sets uniforms of a shader that is compiled with addShaderBase().
+  /// Binds the textures and sets the uniforms of a shader compiled with addShaderBase().
   virtual void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) = 0;
 };
 
-/// Whether shaders/preview evaluates a BRDF in its own form: a table, or one that uploadShaderBase() takes.
+/// Whether shaders/preview evaluates a BRDF in its native form: a table, or a BRDF that uploadShaderBase() accepts.
 bool isShownNatively(const Brdf& base);
 
-/// What the shader is compiled for; nothing for a table, and for factors, which EditChain adds beside those of edits.
+/// Adds the definitions and preamble files of the shader variant; none for a table, nor for factors, which EditChain
+/// adds together with those of edits.
 void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble);
 
-/// Whether a measurement can be shown beside the tables of a blend: its textures and theirs are at most 16.
+/// Whether a measurement can be shown together with the tables of a blend, with at most 16 textures in total.
 bool fitsBesideBlends(const Brdf& base);
 
-/// Some ms. Null for a table and for what the shader does not know.
+/// Uploads a measurement, in a few ms. Null for a table and for a BRDF that the shader cannot evaluate.
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base);
 
-/// What uploadShaderBase() uploads: the same object for a measurement in any order of its directions.
+/// The data that uploadShaderBase() uploads: the same object for all orders of a measurement's directions.
 std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base);
 
-/// What the shader is compiled for where a measurement can be read in any order (shaders/preview/incident_slot.glsl).
+/// The definitions of the shader variant for the order of the directions (shaders/preview/incident_slot.glsl).
 QStringList incidentDefinitions(const Brdf& base);
 
 }  // namespace gonio::widgets

@@ -8,8 +8,8 @@
 
 namespace gonio::widgets {
 
-/// Text of a shader of the tree, e.g. "preview/scene.frag", with its #include "file" lines replaced by those files
-/// (each once). Read from the program's resources, or from the folder named by GONIO_SHADER_DIR while developing.
+/// Source of a shader in shaders/, e.g. "preview/scene.frag", with its #include "file" lines replaced by those files
+/// (each once). Read from the program's resources or, during development, from the folder in GONIO_SHADER_DIR.
 /// @throws gonio::Error naming the missing file.
 QByteArray shaderText(const QString& name);
 

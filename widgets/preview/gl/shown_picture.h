@@ -6,9 +6,9 @@
 
 namespace gonio::widgets {
 
-/// A picture that can be put on the screen.
+/// A picture that can be displayed.
 struct ShownPicture {
-  GLuint texture = 0;  ///< premultiplied linear radiance and coverage, times `samples`; 0: nothing yet
+  GLuint texture = 0;  ///< premultiplied linear radiance and coverage, times `samples`; 0: no picture yet
   float samples = 1;
 };
 

@@ -9,17 +9,17 @@
 
 namespace gonio::widgets {
 
-/// One subject on the graphics card, for shaders/preview/material.glsl and sampling.glsl: what was uploaded stays until
-/// another takes its place.
+/// One subject on the graphics card, for shaders/preview/material.glsl and sampling.glsl. Uploaded data stay until they
+/// are replaced.
 class SubjectTextures {
  public:
-  /// What the shader is compiled for.
+  /// Adds the definitions and preamble files of the shader variant.
   static void addVariant(const PreviewSubject& subject, QStringList& definitions, QStringList& preamble);
-  /// Uploads what is new, binds it to its units, sets the uniforms of a shader of that variant.
-  /// @param drawsDirections whether the shader draws directions of reflection, by the subject's lobe.
+  /// Uploads new data, binds the textures to their units and sets the uniforms of a shader of that variant.
+  /// @param drawsDirections whether the shader samples reflection directions with the subject's lobe.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
             const PreviewSubject& subject, bool drawsDirections);
-  /// In the context of bind(), where there is one.
+  /// @param gl functions of the context of bind(), which must be current; null if there is no context.
   void release(QOpenGLFunctions_4_1_Core* gl);
 
  private:

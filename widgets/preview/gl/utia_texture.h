@@ -11,11 +11,11 @@ namespace gonio::widgets {
 /// A UTIA material on the graphics card, for shaders/preview/utia.glsl: 288 x 288 texels of RGBA32F, 1.3 MB.
 class UtiaTexture final : public ShaderBase {
  public:
-  /// Uploads; about 1 ms.
+  /// Uploads the values, in about 1 ms.
   UtiaTexture(QOpenGLFunctions_4_1_Core& gl, const UtiaBrdf::Values& values);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// What the shader is compiled for, beside the order of the directions.
+  /// The definitions of the shader variant, without the order of the directions.
   static QStringList definitions() { return {"UTIA"}; }
 
  private:
