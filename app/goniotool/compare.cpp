@@ -29,16 +29,17 @@ void writeComparison(const Image& reference, const Image& test, const materials:
 int compare(const CompareArguments& options, const Tool& tool) {
   if (!options.image.empty()) checkPicture(options.image, false);
   options.picture.renderOptions();  // reports a wrong size before the work
-  const materials::Material a = openMaterial(options.reference, tool.control("reading the first"));
-  const materials::Material b = openMaterial(options.test, tool.control("reading the second"));
+  const materials::Material a = openMaterial(options.reference, tool.control("reading the first material"));
+  const materials::Material b = openMaterial(options.test, tool.control("reading the second material"));
   const auto table = a.tabulated(tool.control("tabulating"));
   // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
   const std::shared_ptr<const Brdf> other =
-      b.brdf->isIsotropic() ? b.brdf : b.tabulated(tool.control("averaging the second"));
+      b.brdf->isIsotropic() ? b.brdf : b.tabulated(tool.control("averaging the second material over azimuths"));
   const std::vector<double> errors = metrics::brdfErrors(*table, *other);
   const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
-  const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(), tool.control("rendering the first"));
-  const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second"));
+  const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(),
+                                      tool.control("rendering the first material"));
+  const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second material"));
   const double snr = comparison.signalToNoiseRatio(picture);
   const double psnr = comparison.peakSignalToNoiseRatio(picture);
   const std::vector<double> imageErrors = metrics::imageErrors(comparison.reference(), picture.image);

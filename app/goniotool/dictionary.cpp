@@ -157,7 +157,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");
   command->add_flag("--only-complete", options->onlyComplete,
-                    "Write nothing after an interrupt (the best dictionary so far)");
+                    "Write nothing after an interrupt (write the best dictionary so far)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
 }
 

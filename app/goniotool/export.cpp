@@ -30,7 +30,7 @@ std::string textOf(const exports::MadeExport& made, std::span<const exports::Exp
   std::string text;
   for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
-  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  equal pictures\n";
+  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  pictures are identical\n";
   for (const std::string& warning : made.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
@@ -52,7 +52,7 @@ std::string sceneTargetList() {
 
 exports::ExportOptions exportOptions(const ExportArguments& arguments, const exports::ExportTarget& target) {
   if ((arguments.thetaCount > 0) != (arguments.size > 0))
-    throw UsageError("export: --theta-count and --size belong together");
+    throw UsageError("export: --theta-count and --size must be given together");
   exports::ExportOptions options;
   options.snr = arguments.snr;
   options.samples = arguments.samples;

@@ -142,7 +142,7 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
                              "Replace F1 of the first term (specular strength vs. angle) by that of this material"),
           command.add_option("--swap-f2", options->swapF2,
                              "Replace F2 of the first term (highlight profile) by that of this material"),
-          command.add_flag("--keep-terms", options->keepFurther, "Retain the further terms when F1 or F2 is replaced")};
+          command.add_flag("--keep-terms", options->keepFurther, "Retain the other terms when F1 or F2 is replaced")};
 }
 
 }  // namespace

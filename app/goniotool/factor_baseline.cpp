@@ -20,7 +20,7 @@ std::vector<std::string> baselineIds() {
 
 int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   if (materials::hasSuffixOf(materials::FormatId::pdv, options.out))
-    throw UsageError("factor: " + options.method + " has no file of factors: --out takes a table (.binary)");
+    throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
   if (!options.out.empty()) materials::writableFormat(options.out);
   const auto all = factorization::baselines();
   const factorization::Baseline& baseline =

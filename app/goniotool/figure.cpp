@@ -206,9 +206,10 @@ int runFigure(const FigureArguments& options, const Tool& tool) {
 }
 
 void addContentOptions(CLI::App& command, FigureArguments& options) {
-  command.add_option("--materials", options.materials, "Materials, one a row: files, documents or library:SOURCE/NAME");
+  command.add_option("--materials", options.materials,
+                     "Materials, one per row: files, documents or library:SOURCE/NAME");
   command.add_option("--representations", options.representations,
-                     "Representations, one a column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
+                     "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
   command
       .add_option("--numbers", options.numbers,
                   "Numbers under the pictures: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
@@ -228,8 +229,8 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
 void addPageOptions(CLI::App& command, FigureArguments& options) {
   command.add_option("--columns", options.columns, "Width: one column (84 mm) or two (177 mm) of a page (two)")
       ->check(CLI::IsMember({"one", "two"}));
-  command.add_option("--font", options.font, "Family of the font (Helvetica)");
-  command.add_option("--font-size", options.fontSize, "Size of the font, pt (7 in one column, 8 in two)");
+  command.add_option("--font", options.font, "Font family (Helvetica)");
+  command.add_option("--font-size", options.fontSize, "Font size, pt (7 in one column, 8 in two)");
   command.add_option("--dpi", options.dotsPerInch, "Resolution of PNG files, dots per inch (300)")
       ->check(CLI::Range(36.0, 2400.0));
 }
@@ -250,7 +251,8 @@ void addPictureOptions(CLI::App& command, FigureArguments& options) {
 void addFigure(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<FigureArguments>();
   CLI::App* command = app.add_subcommand(
-      "figure", "Makes a figure for a paper: materials by representations with error maps, insets and numbers");
+      "figure",
+      "Creates a figure for a paper: a grid of materials and representations with error maps, insets and numbers");
   command->add_option("DESCRIPTION", options->description,
                       "File that describes the figure; options replace what it states");
   addContentOptions(*command, *options);
@@ -259,7 +261,7 @@ void addFigure(CLI::App& app, Tool& tool) {
   command->add_option("--out", options->out, "Figures to write: .pdf, .svg or .png; one or several");
   command->add_option("--csv", options->csv, "File for the numbers as CSV");
   command->add_option("--latex", options->latex, "File for the numbers as a LaTeX table");
-  command->add_option("--save", options->save, "File for the description (.json), to make the figure again");
+  command->add_option("--save", options->save, "File for the description (.json), to create the figure again");
   command->callback([options, &tool] { tool.run = [options, &tool] { return runFigure(*options, tool); }; });
 }
 

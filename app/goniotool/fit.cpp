@@ -73,7 +73,8 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   if (!trials.empty()) {
     json["gamma"] = trials[0]["gamma"];
     json["trials"] = trials;
-    heading = "gamma " + number(trials[0]["gamma"].get<double>()) + " matches best in " + comparisonSceneName + "\n";
+    heading = "gamma " + number(trials[0]["gamma"].get<double>()) + " gives the highest rendered SNR in " +
+              comparisonSceneName + "\n";
   } else if (options.metric == metricName(metrics::BrdfMetric::gamma)) {
     json["gamma"] = options.fitOptions().gamma;
   }
@@ -116,7 +117,7 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
 
 void checkGamma(const FitArguments& options) {
   if (options.gamma.empty()) return;
-  if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma is for --metric gamma");
+  if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma needs --metric gamma");
   if (options.gamma == chooseGamma) {
     if (options.all) throw UsageError("fit: --gamma auto chooses for one model; give --model");
     return;
@@ -124,13 +125,13 @@ void checkGamma(const FitArguments& options) {
   char* end = nullptr;
   const double value = std::strtod(options.gamma.c_str(), &end);
   if (*end != 0 || !(value >= metrics::smallestGamma && value <= metrics::largestGamma))
-    throw UsageError("fit: --gamma is a number from 1 to 3, or auto; got '" + options.gamma + "'");
+    throw UsageError("fit: --gamma: expected a number from 1 to 3, or auto; found '" + options.gamma + "'");
 }
 
 int fit(const FitArguments& options, const Tool& tool) {
-  if (options.model.empty() == !options.all) throw UsageError("fit: give one model by --model, or --all");
+  if (options.model.empty() == !options.all) throw UsageError("fit: give one model with --model, or all with --all");
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
-  if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
+  if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort needs --all");
   checkGamma(options);
   if (!options.out.empty()) materials::writableFormat(options.out);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));

@@ -58,7 +58,7 @@ std::vector<std::vector<double>> weightsOf(const InterpolateArguments& options) 
 void checkOptions(const InterpolateArguments& options) {
   const bool weighted = !options.weights.empty();
   if (weighted + (options.steps > 0) + options.atGiven > 1)
-    throw UsageError("interpolate: --at, --weights and --steps exclude one another");
+    throw UsageError("interpolate: --at, --weights and --steps cannot be combined");
   if (!weighted && options.materials.size() != 2)
     throw UsageError("interpolate: found " + std::to_string(options.materials.size()) +
                      " materials, expected --weights with one number each; --at and --steps are for two");
@@ -69,10 +69,10 @@ void checkOptions(const InterpolateArguments& options) {
   }
   if (hasSuffixOf(FormatId::pdv, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::factors)
-      throw UsageError("interpolate: " + options.out + " is a file of factors, which needs --space factors");
+      throw UsageError("interpolate: " + options.out + " is a factor file, which needs --space factors");
   } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
-      throw UsageError("interpolate: " + options.out + " is a file of a code, which needs --space dictionary");
+      throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
   } else if (!isOwnForm(options.out)) {
     materials::writableFormat(options.out);
   }
@@ -169,7 +169,8 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
 /// Of a file that is no table.
 std::string accuracyText(const Json& step) {
   if (!step.contains("snr")) return {};
-  std::string text = step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  equal pictures\n";
+  std::string text =
+      step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  pictures are identical\n";
   for (const Json& loss : step["losses"]) text += "  note: " + loss.get<std::string>() + "\n";
   return text;
 }
@@ -222,14 +223,14 @@ void addInterpolate(CLI::App& app, Tool& tool) {
   auto* at = command->add_option("--at,--t", options->at,
                                  "Position between two materials: 0 is the first, 1 the second (0.5)");
   at->check(CLI::Range(0.0, 1.0));
-  command->add_option("--weights", options->weights, "Weights, one per material, with the sum 1, separated by commas")
+  command->add_option("--weights", options->weights, "Weights, one per material, separated by commas; their sum is 1")
       ->delimiter(',')
       ->expected(1, maxMaterials);
   command
       ->add_option("--steps", options->steps,
                    "Number of files in a series from the first to the second: OUT-0, OUT-1, ...")
       ->check(CLI::Range(2, mostSteps));
-  command->add_option("--space", options->space, "Space of interpolation (linear)")
+  command->add_option("--space", options->space, "Interpolation space (linear)")
       ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
   command->add_option("--model", options->model, "Model of the spaces parameters and differential (ggx)")
       ->check(CLI::IsMember(modelIds()));

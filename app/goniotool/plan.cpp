@@ -38,7 +38,7 @@ struct PlanArguments {
 ForbiddenRegion forbiddenRegion(const std::string& text) {
   ForbiddenRegion region;
   std::set<std::string> seen;
-  const std::string expected = ", expected such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)";
+  const std::string expected = ", expected ranges such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)";
   for (const std::string& part : CLI::detail::split(text, ',')) {
     const auto equals = part.find('='), colon = part.find(':');
     double lowest = 0, highest = 0;
@@ -53,7 +53,7 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
     if (range == ranges.end()) throw UsageError("plan: found --forbid " + text + expected);
     if (!seen.insert(name).second)
       throw UsageError("plan: found " + name + " twice in --forbid " + text +
-                       ", expected one range of each angle; use one --forbid for each box");
+                       ", expected one range per angle; use one --forbid for each region");
     *range->second = {radians(lowest), radians(highest)};
   }
   return region;
@@ -107,7 +107,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   const SelectionOptions chosen = selectionOptions(options);
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
-    throw UsageError("plan: --out " + options.out + " is a name for a basis; use a name such as PLAN.csv");
+    throw UsageError("plan: --out " + options.out + " is the name of a basis file; use a name such as PLAN.csv");
   // Learning takes minutes: what cannot be written is reported before.
   io::checkWritable(basisPath);
   io::checkWritable(options.out);

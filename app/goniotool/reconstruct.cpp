@@ -47,7 +47,7 @@ void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
   if (plan.basisDigest.empty()) return;
   if (const std::string found = basisDigest(basis); found != plan.basisDigest)
     throw Error(basis.string() + ": not the basis of the plan: found the SHA-256 " + found + ".., expected " +
-                plan.basisDigest + "..; plan again, or name a basis by --basis");
+                plan.basisDigest + "..; plan again, or give the basis with --basis");
 }
 
 /// Named, else learned, else the one beside the plan.
@@ -62,8 +62,8 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
   }
   if (!std::filesystem::exists(beside))
     throw Error(beside.string() +
-                ": not found: the basis that goniotool plan writes beside a plan; name another by "
-                "--basis or a training set by --train");
+                ": basis file not found (goniotool plan writes it beside the plan); give another with --basis, or a "
+                "training set with --train");
   checkBasis(beside, plan);
   return materials::readBasis(beside);
 }
@@ -100,7 +100,7 @@ void report(const ReconstructArguments& options, const Reconstruction& found, st
                      std::to_string(found.components) + " components, ridge " + number(found.ridge) + ", " +
                      number(seconds) + " s\n";
   if (std::isfinite(found.leaveOneOutError))
-    text += "a sample is predicted from the others to " + number(found.leaveOneOutError) +
+    text += "leave-one-out error: a sample is predicted from the others to within " + number(found.leaveOneOutError) +
             " of its mapped value (root mean square)\n";
   if (!found.deviation.empty()) {
     const double median = medianOf(found.deviation);

@@ -88,8 +88,9 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
     text += std::string("  samples of ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; in the time of sampling both " + number(100 * cost.equalTimeError) +
-            " %; time to the error of sampling both " + number(cost.equalErrorTime) + " s\n";
+            number(100 * cost.error) + " %; error in the time that sampling both takes " +
+            number(100 * cost.equalTimeError) + " %; time until the error of sampling both " +
+            number(cost.equalErrorTime) + " s\n";
   }
   json["strategies"] = list;
 }

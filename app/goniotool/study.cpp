@@ -103,7 +103,7 @@ class MaterialStudy {
  private:
   void learnComponents(RepresentationChoice& choice) {
     if (options_.componentsFrom.empty())
-      throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
+      throw UsageError("study: no principal components are bundled; give a training set with --components-from FOLDER");
     const auto materials = editing::trainingMaterials(editing::trainingFiles(options_.componentsFrom));
     const dictionary::PcaOptions pca{.maxComponents = *std::ranges::max_element(choice.components)};
     study_.build.components =
@@ -118,7 +118,7 @@ class MaterialStudy {
     if (dictionaries_.size() < 2) return dictionaries_.empty() ? nullptr : dictionaries_.front();
     for (const auto& dictionary : dictionaries_)
       if (!std::ranges::count(dictionary->ensemble.learnedFrom, name)) return dictionary;
-    throw Error(name + ": every dictionary has learned from this material, expected one that has not");
+    throw Error(name + ": every dictionary was trained on this material, expected one that was not");
   }
 
   static std::string hexText(std::uint64_t id) {
@@ -194,8 +194,8 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
       ->add_option("--dictionary", options->dictionaries,
-                   "Dictionary file of the codes (bundled dictionary); of several, each material is encoded in the "
-                   "first that has not learned from it")
+                   "Dictionary file of the codes (bundled dictionary); of several, each material is encoded with the "
+                   "first one that was not trained on it")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
@@ -207,10 +207,10 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::PositiveNumber);
   command->add_option("--size", options->size, "Size of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
-  command->add_flag("--no-times", options->withoutTimes, "Measure no times: the same bits in every run");
+  command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes the same bits");
   command->add_option("--shard", options->shard,
                       "I/N: every Nth material from the Ith; goniotool merge joins the shards");
-  command->add_flag("--resume", options->resume, "Keep results in the folder that come from the same study");
+  command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
                       "Max. frame time of the best representation, ms");
   command->add_option("--min-snr", options->budget.renderedSnr, "Min. rendered SNR of the best representation, dB");

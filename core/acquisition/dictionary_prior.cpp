@@ -162,11 +162,11 @@ CoefficientPrior priorOf(const Dictionary& dictionary, const ProjectedSignals& s
 void checkPriorInput(const Ensemble& ensemble, const TrainingMaterials& materials,
                      const DictionaryPriorOptions& options) {
   if (materials.names.empty()) throw Error("found no training material for the prior, expected at least one");
-  if (ensemble.dictionaries.empty()) throw Error("an ensemble without dictionaries");
-  if (!(materials.grid == ensemble.grid)) throw Error("the materials' grid is not that of the dictionaries");
+  if (ensemble.dictionaries.empty()) throw Error("the ensemble contains no dictionaries");
+  if (!(materials.grid == ensemble.grid)) throw Error("the materials and the dictionaries have different grids");
   if (options.transform != DataTransform::logPlus && options.transform != DataTransform::cosineLog)
     throw Error("found the transform " + std::string(dataTransformNames[std::size_t(options.transform)]) +
-                " for a prior of dictionaries, expected log-plus or cosine-log");
+                " for a dictionary prior, expected log-plus or cosine-log");
   if (options.atoms < 1) throw Error("a prior needs 1 atom or more");
   if (!(options.sharing > 0 && options.sharing <= 1)) throw Error("sharing must be more than 0 and at most 1");
 }

@@ -154,7 +154,7 @@ void checkDictionaryInput(const Ensemble& ensemble, const DictionaryPrior& prior
                 " dictionaries, expected " + std::to_string(ensemble.dictionaries.size()) + " over the same grid");
   for (const CoefficientPrior& one : prior.dictionaries)
     if (std::ranges::any_of(one.indices, [&](std::uint32_t index) { return index >= ensemble.grid.size(); }))
-      throw Error("the prior names an atom that the dictionaries do not have");
+      throw Error("the prior refers to an atom that the dictionaries do not contain");
   if (!(options.noise >= 0 && std::isfinite(options.noise))) throw Error("the noise must be a number, 0 or more");
 }
 

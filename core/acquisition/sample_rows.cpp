@@ -48,7 +48,7 @@ std::uint32_t nodeOf(const HalfDifferenceGrid& grid, const PlannedSample& sample
 
 void checkMeasured(const SamplingPlan& plan, const MeasuredValues& values) {
   const std::size_t count = plan.samples.size();
-  if (count == 0) throw Error("a plan without samples: nothing to reconstruct from");
+  if (count == 0) throw Error("the plan contains no samples to reconstruct from");
   if (values.rgb.size() != count || (!values.noise.empty() && values.noise.size() != count))
     throw Error("found " + std::to_string(values.rgb.size()) + " values for a plan of " + std::to_string(count) +
                 " samples");

@@ -111,8 +111,8 @@ SampleSelection selectOtherwise(const PrincipalComponents& basis, const Selectio
     if (chosen) chosen(result.cells.back());
   }
   if (chosenRows.size() < std::size_t(options.samples))
-    result.warning = "only " + std::to_string(chosenRows.size()) + " cells can be measured, where " +
-                     std::to_string(options.samples) + " were asked for";
+    result.warning = "only " + std::to_string(chosenRows.size()) + " cells can be measured; " +
+                     std::to_string(options.samples) + " samples were requested";
   control.report(1);
   return result;
 }
@@ -125,9 +125,9 @@ bool needsComponents(SelectionMethod method) { return isPursuit(method) || metho
 
 void checkSelection(const PrincipalComponents& basis, const SelectionOptions& options) {
   if (options.samples < 1)
-    throw Error("a selection of " + std::to_string(options.samples) + " samples: expected at least 1");
+    throw Error("found " + std::to_string(options.samples) + " samples to choose, expected at least 1");
   if (options.components < 0)
-    throw Error("a selection over " + std::to_string(options.components) + " components: expected 0 or more");
+    throw Error("found " + std::to_string(options.components) + " components, expected 0 or more");
   if (basis.count() == 0 && needsComponents(options.method))
     throw Error(
         "the training materials are all equal, so they have no principal components and no direction is better than "

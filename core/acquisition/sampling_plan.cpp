@@ -99,7 +99,7 @@ SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32
 std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& directions) {
   if (isBelowHorizon(directions.wi) || isBelowHorizon(directions.wo)) throw Error("a direction lies below the horizon");
   const HalfDifference at = toHalfDifference(directions.wi, directions.wo);
-  if (!at.valid) throw Error("light and viewer stand opposite each other on the horizon");
+  if (!at.valid) throw Error("light and viewer are opposite each other on the horizon, so they have no half vector");
   const HalfDifferenceGrid::Position position = grid.position(at);
   const auto rounded = [](double x, int count) { return std::clamp(int(std::lround(x)), 0, count - 1); };
   // The way round about the half vector is closed: behind the last node comes the first.

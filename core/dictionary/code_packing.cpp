@@ -97,13 +97,13 @@ ChannelCode unpack(Reader& reader, CodePrecision precision, std::size_t cells) {
   if (!std::isfinite(scale) || scale < 0) throw Error("a scale of the code is not a finite positive number");
   channel.highest = reader.read<float>();
   if (!std::isfinite(channel.highest) || channel.highest < 0)
-    throw Error("a highest value of the code is not a finite positive number");
+    throw Error("a maximum of the code is not a finite positive number");
   if (count > reader.left()) throw Error("the code ends within its indices");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t step = reader.readVariable();
-    if (i > 0 && step == 0) throw Error("an index of the code stands twice");
+    if (i > 0 && step == 0) throw Error("an index of the code occurs twice");
     index += step;
     if (index >= cells)
       throw Error("an index of the code is " + std::to_string(index) + ", expected less than " + std::to_string(cells));
@@ -128,7 +128,7 @@ std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precis
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code) {
   Reader reader(bytes);
   for (ChannelCode& channel : code.channels) channel = unpack(reader, precision, code.grid.size());
-  if (reader.left() > 0) throw Error("the code holds " + std::to_string(reader.left()) + " bytes too many");
+  if (reader.left() > 0) throw Error("the code has " + std::to_string(reader.left()) + " extra bytes at the end");
 }
 
 SparseCode truncatedToBytes(const SparseCode& code, std::size_t bytes) {

@@ -72,11 +72,11 @@ std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const
 }
 
 void checkCode(const Ensemble& ensemble, const SparseCode& code) {
-  if (!(code.grid == ensemble.grid)) throw Error("the code's grid is not that of the dictionary");
+  if (!(code.grid == ensemble.grid)) throw Error("the code and the dictionary have different grids");
   const std::size_t cells = ensemble.grid.size();
   for (const ChannelCode& channel : code.channels) {
     if (channel.dictionary < 0 || std::size_t(channel.dictionary) >= ensemble.dictionaries.size())
-      throw Error("the code names dictionary " + std::to_string(channel.dictionary) + ", expected 0 to " +
+      throw Error("the code refers to dictionary " + std::to_string(channel.dictionary) + ", expected 0 to " +
                   std::to_string(int(ensemble.dictionaries.size()) - 1));
     for (const Coefficient<float>& c : channel.coefficients)
       if (c.index >= cells)

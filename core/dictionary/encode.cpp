@@ -193,7 +193,7 @@ EncodedCandidate Encoder::finished(const Attempt& attempt) const {
 
 Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options, const TaskControl& control) const {
   const auto start = std::chrono::steady_clock::now();
-  if (!(table.grid() == ensemble_.grid)) throw Error("the material's grid is not that of the dictionary");
+  if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
   Encoded result;
   std::vector<Attempt> attempts;
   const int trialRounds = std::min(options.trialRefinements, options.refinements);

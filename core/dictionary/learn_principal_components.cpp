@@ -130,7 +130,7 @@ PrincipalComponents learnPrincipalComponents(
       columns.values.resize(missing.size() * 3 * materials);
     }
     if (!(table->grid() == pca.mapping.grid))
-      throw Error("material " + std::to_string(material) + " has another grid than the first");
+      throw Error("material " + std::to_string(material) + " has a different grid from the first");
     appendColumns(*table, pca.mapping, columns, missing);
     control.report(readShare * double(material + 1) / double(materials));
   }

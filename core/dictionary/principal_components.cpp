@@ -21,7 +21,8 @@ void checkGrid(const MappedCells& mapping, const HalfDifferenceGrid& grid) {
   const auto text = [](const HalfDifferenceGrid& g) {
     return std::to_string(g.thetaHCount) + " x " + std::to_string(g.thetaDCount) + " x " + std::to_string(g.phiDCount);
   };
-  throw Error("a table of " + text(grid) + " cells where the principal components have " + text(mapping.grid));
+  throw Error("a table of " + text(grid) + " cells does not match the grid of the principal components, " +
+              text(mapping.grid));
 }
 
 /// Calls work(begin, end, block): `block` the mapped values less the mean of a block of cells, one column a channel.
@@ -106,7 +107,7 @@ ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table,
 std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, const ComponentCode& code,
                                             const TaskControl& control, std::size_t* cappedCount) {
   if (code.components() > pca.count())
-    throw Error("a code of " + std::to_string(code.components()) + " components where there are " +
+    throw Error("a code of " + std::to_string(code.components()) + " components, expected at most " +
                 std::to_string(pca.count()));
   const MappedCells& m = pca.mapping;
   const auto u = pca.svd.u.view().leftCols(code.components());

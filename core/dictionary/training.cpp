@@ -118,7 +118,7 @@ class Training {
 
 TrainingResult train(const TrainingMaterials& materials, const TrainingOptions& options, const TaskControl& control,
                      const TrainingState* resume, const std::function<void(const TrainingState&)>& checkpoint) {
-  if (materials.names.empty()) throw Error("no materials to learn dictionaries from");
+  if (materials.names.empty()) throw Error("found no materials to learn dictionaries from");
   return Training(materials, options, control, checkpoint).run(resume);
 }
 

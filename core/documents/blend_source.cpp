@@ -27,7 +27,7 @@ std::string_view nameOf(InterpolationSpace space) { return interpolationSpaceNam
 
 InterpolationSpace spaceFromJson(const JsonObject& object) {
   const auto found = std::find(interpolationSpaceNames.begin(), interpolationSpaceNames.end(), object.text("space"));
-  if (found == interpolationSpaceNames.end()) object.fail("space", "the name of a space of interpolation");
+  if (found == interpolationSpaceNames.end()) object.fail("space", "the name of an interpolation space");
   return InterpolationSpace(found - interpolationSpaceNames.begin());
 }
 
@@ -107,7 +107,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
                                                        int version, int depth) {
   const JsonObject object(json, where);
   if (depth > maxBlendsInBlends)
-    throw Error(where + ": found more than " + std::to_string(maxBlendsInBlends) + " blends in one another");
+    throw Error(where + ": found more than " + std::to_string(maxBlendsInBlends) + " nested blends");
   auto blend = std::make_shared<BlendSource>();
   blend->space = spaceFromJson(object);
   if (hasModel(blend->space)) blend->model = &modelFromJson(object);
@@ -117,7 +117,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
     blend->weights.push_back(material.number("weight", 0, 1));
     blend->materials.push_back(contentFromJson(material, version, depth));
   }
-  if (materials.empty()) object.fail("materials", "one material at least");
+  if (materials.empty()) object.fail("materials", "at least one material");
   try {
     checkWeights(blend->weights, blend->materials.size());
   } catch (const Error& error) {

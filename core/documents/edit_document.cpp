@@ -56,7 +56,7 @@ Composition compositionFromJson(const JsonObject& object, const models::Model& m
   if (found == compositionIds.end()) object.fail("composition", "additive, log-plus or lobes");
   const auto composition = Composition(found - compositionIds.begin());
   if (composition == Composition::lobes && !model.hasLobes())
-    object.fail("composition", "additive or log-plus: " + std::string(model.spec().id) + " is no sum of lobes");
+    object.fail("composition", "additive or log-plus: " + std::string(model.spec().id) + " is not a sum of lobes");
   return composition;
 }
 
@@ -98,7 +98,7 @@ int readVersion(const JsonObject& root) {
   const nlohmann::json& version = root.member("version", expected);
   if (!version.is_number_integer() || version.get<double>() < 1) root.fail("version", expected);
   if (version.get<double>() > EditDocument::currentVersion)
-    root.fail("version", expected + "; a newer Gonio wrote this document");
+    root.fail("version", expected + "; this document was written by a newer version of Gonio");
   return version.get<int>();
 }
 

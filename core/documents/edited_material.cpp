@@ -32,7 +32,7 @@ EditedMaterial editedMaterial(const std::filesystem::path& path, const TaskContr
   if (edited.base.source.sha256 != document.sourceSha256)
     throw Error(path.string() + ": its source " +
                 (document.blend ? "(" + edited.base.source.description + ")" : edited.base.source.path.string()) +
-                " has SHA-256 " + edited.base.source.sha256 + ", the edits were made on " + document.sourceSha256);
+                " has changed: found SHA-256 " + edited.base.source.sha256 + ", expected " + document.sourceSha256);
   edited.shown = withEdits(edited.base, document.edits, control);
   if (isIdentity(document.edits) && !document.blend) return edited;
   edited.shown.name = path.stem().string();

@@ -44,8 +44,8 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
   // A name that excludes nothing would teach what is to be held out.
   for (const std::string& name : excluded)
     if (std::erase_if(files, [&](const std::string& file) { return std::filesystem::path(file).stem() == name; }) == 0)
-      throw Error("found no material " + name + " to leave out of the training");
-  if (files.empty()) throw Error("no material is left to learn from");
+      throw Error("found no material " + name + " to exclude from the training set");
+  if (files.empty()) throw Error("no material is left in the training set");
   return files;
 }
 
@@ -63,7 +63,7 @@ dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& 
     auto table = openMaterial(files[m]).tabulated();
     if (!(table->grid() == grid))
       throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
-                  " as of all materials of the training");
+                  " as for all materials of the training set");
     return table;
   };
   return materials;

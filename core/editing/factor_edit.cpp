@@ -17,7 +17,8 @@ constexpr std::size_t mostNodes = 4096;
 
 nlohmann::json numbersToJson(const std::vector<double>& numbers) {
   for (const double number : numbers)
-    if (!std::isfinite(number)) throw Error("a factor curve holds a number that is not finite: it cannot be written");
+    if (!std::isfinite(number))
+      throw Error("a factor curve that contains a number that is not finite cannot be written");
   return numbers;
 }
 
@@ -55,7 +56,7 @@ std::vector<double> numbersFromJson(const JsonObject& object, const char* key, s
 std::vector<double> nodesFromJson(const JsonObject& object, const char* key, std::size_t fewest, std::size_t most) {
   const std::vector<double> nodes = numbersFromJson(object, key, fewest, most);
   if (nodes.front() != 0 || std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()) != nodes.end())
-    object.fail(key, "numbers that begin with 0 and rise strictly");
+    object.fail(key, "strictly increasing numbers that start at 0");
   return nodes;
 }
 
@@ -94,8 +95,8 @@ PdvFactors factorsFromJson(const JsonObject& object) {
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t terms = channels[c].is_array() ? channels[c].size() : 0;
     if (terms < 1 || terms > std::size_t(factorization::maxPdvTerms) || terms != channels[0].size())
-      object.fail("channels",
-                  "as many terms in each of the three, from 1 to " + std::to_string(factorization::maxPdvTerms));
+      object.fail("channels", "the same number of terms in each of the three, from 1 to " +
+                                  std::to_string(factorization::maxPdvTerms));
     f.channels[c] = termsFromJson(channels[c], f, object.place("channels") + "[" + std::to_string(c) + "]");
   }
   return f;
@@ -110,7 +111,7 @@ std::size_t bytesOf(const FactorEdit::Curves& curves) {
 }
 
 nlohmann::json toJson(const FactorEdit& edit) {
-  if (!edit.original || !edit.edited) throw Error("an edit of factors without curves cannot be written");
+  if (!edit.original || !edit.edited) throw Error("a factor edit without curves cannot be written");
   return {{"type", "factors"},
           {"original", factorsToJson(*edit.original)},
           {"edited", factorsToJson(*edit.edited)},

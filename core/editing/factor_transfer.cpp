@@ -94,11 +94,10 @@ void carryF3(const FactorEdit& edit, const Change& change, const PdvFactors& tar
 }
 
 void checkAlike(const FactorEdit& edit, const FactorEdit::Curves& target) {
-  if (!edit.original || !edit.edited || !target)
-    throw Error("an edit of factors without curves cannot be carried over");
+  if (!edit.original || !edit.edited || !target) throw Error("a factor edit without curves cannot be transferred");
   for (const FactorEdit::Curves& own : {edit.original, edit.edited})
     if (own->form != target->form || own->transform != target->transform)
-      throw Error("the edit of factors and the material's factors are of different form or transform");
+      throw Error("the factor edit and the material's factors differ in form or transform");
 }
 
 }  // namespace

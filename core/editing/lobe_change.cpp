@@ -65,7 +65,7 @@ std::vector<PartChange> changesOf(std::span<const models::ModelLobe> fitted,
 LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->instantiate(edit.fitted)) {
   if (!edit.model->hasLobes())
     throw Error("the model " + std::string(edit.model->spec().id) +
-                " is no sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
+                " is not a sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
   std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
   const std::vector<PartChange> changes = changesOf(fitted, edited);
   isIsotropic_ = fitted_->isIsotropic();

@@ -150,8 +150,9 @@ ExportTarget blenderTarget() {
               "A Python script that creates a material from a Diffuse and several Glossy nodes, each weighted by the "
               "viewing angle: run it in Blender, or with blender --background --python.",
           .holds =
-              "An approximation by GGX lobes whose colours depend on the viewer alone; isotropic. Blender 3.4 shows "
-              "the stated accuracy; later versions have another masking term, which differs near the horizon.",
+              "An approximation by GGX lobes with colours that depend only on the viewing angle; isotropic. The stated "
+              "accuracy is that of Blender 3.4; later versions use another masking term, which differs near the "
+              "horizon.",
           .suffixes = {"_blender.py"},
           .choosesSnr = true,
           .scene = &blenderSceneFormat(),

@@ -148,8 +148,9 @@ ExportTarget gltfTarget() {
           "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's import. "
           "Extensions for specular, clearcoat, sheen and anisotropy are included where they have an effect.",
       .holds =
-          "An approximation by one highlight, a coat and a sheen; isotropic or with one direction of the grain. "
-          "The prediction is the formula of appendix B; viewers may approximate it.",
+          "An approximation by one highlight, a coat and a sheen; isotropic or with one direction of the grain. The "
+          "stated accuracy is that of the formula in appendix B of the glTF 2.0 specification; viewers may approximate "
+          "it.",
       .suffixes = {".gltf"},
       .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
         return makeSurfaceExport(

@@ -141,7 +141,7 @@ ExportTarget materialXTarget() {
               "closest approximation of a measured material in MaterialX.",
           .holds =
               "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic or with one "
-              "direction of the grain. Multiple scattering is made up for as in MaterialX.",
+              "direction of the grain. Multiple scattering is compensated as in MaterialX.",
           .suffixes = {lobesSuffix},
           .choosesSnr = true,
           .make = makeSchlickLobes};

@@ -102,7 +102,7 @@ ExportTarget principledTarget() {
               "run it in Blender, or with blender --background --python.",
           .holds =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
-              "grain. The prediction is that of Blender 3.4; Blender 4 has another shader of this name.",
+              "grain. The stated accuracy is that of Blender 3.4; in Blender 4 this node is another shader.",
           .suffixes = {principledSuffix},
           .scene = &principledSceneFormat(),
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {

@@ -42,8 +42,8 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
           .label = label,
           .description = description,
           .holds =
-              "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL "
-              "file keeps its own. No transmission.",
+              "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL file "
+              "keeps its own values. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .choosesSize = true,
           .choosesSnr = true};
@@ -54,8 +54,8 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
 ExportTarget mitsubaTarget() {
   ExportTarget mitsuba =
       target("mitsuba", "Mitsuba 3",
-             "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
-             "the spectral ones. Isotropic materials are the mean of both sides of the plane of incidence.");
+             "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for the "
+             "spectral ones. For isotropic materials, both sides of the plane of incidence are averaged.");
   mitsuba.make = makeBsdf<false>;
   mitsuba.scene = &mitsubaSceneFormat();
   return mitsuba;
@@ -64,8 +64,8 @@ ExportTarget mitsubaTarget() {
 ExportTarget pbrtTarget() {
   ExportTarget pbrt = target("pbrt", "pbrt-v4",
                              "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf with the same "
-                             "material. Isotropic materials keep both sides of the plane of incidence: for Mitsuba, "
-                             "export for Mitsuba 3.");
+                             "material. For isotropic materials, both sides of the plane of incidence are stored; for "
+                             "Mitsuba, use the target Mitsuba 3.");
   pbrt.make = makeBsdf<true>;
   pbrt.scene = &pbrtSceneFormat();
   return pbrt;

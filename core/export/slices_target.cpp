@@ -51,7 +51,7 @@ ExportTarget slicesTarget() {
           .description = "A picture of four planes of half-difference space, theta_h by theta_d, for figures.",
           .holds =
               "Values at phi_d of 0, 30, 60 and 90 degrees; of an anisotropic material with the half vector over the "
-              "tangent. No renderer reads them back.",
+              "tangent. No renderer reads this file.",
           .suffixes = {slicesSuffix},
           .make = makeSlices};
 }

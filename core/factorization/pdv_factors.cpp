@@ -38,7 +38,7 @@ PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const
   }
   const std::vector<double>& nodes = axes.deviationNodes;
   if (nodes.size() < 2 || nodes.front() != 0 || !std::is_sorted(nodes.begin(), nodes.end(), std::less_equal<>()))
-    throw Error("the nodes of |Dp| must be at least two, rise strictly and begin with 0");
+    throw Error("|Dp| needs at least two nodes, strictly increasing from 0");
   return axes;
 }
 

@@ -28,7 +28,7 @@ void requireProfile(std::span<const glm::dvec2> profile, int segments) {
                   numberText(profile[i].y) + "), expected finite numbers and a distance that is not negative");
   const bool axisToAxis = profile.front().x == 0 && profile.back().x == 0;
   if (!axisToAxis && profile.front() != profile.back())
-    throw Error("revolution: the profile is open, expected one from axis to axis or around");
+    throw Error("revolution: the profile is open, expected a closed profile or one from axis to axis");
 }
 
 /// Of the polygon that the profile and the axis enclose, positive where it runs upward on the side away from the axis.
@@ -276,7 +276,7 @@ std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
     std::call_once(flags[i], [i] { made[i] = std::make_shared<const TriangleMesh>(meshes[i].second()); });
     return made[i];
   }
-  throw Error("there is no bundled mesh named '" + name + "'; there are " + names);
+  throw Error("there is no bundled mesh named '" + name + "'; the bundled meshes are " + names);
 }
 
 }  // namespace gonio

@@ -41,8 +41,8 @@ void requireUsable(const MeshArrays& arrays) {
   for (std::size_t i = 0; i < arrays.triangles.size(); ++i)
     for (int corner = 0; corner < 3; ++corner)
       if (const std::uint32_t index = arrays.triangles[i][corner]; index >= arrays.positions.size())
-        throw Error("mesh: triangle " + std::to_string(i) + " names vertex " + std::to_string(index) + ", there are " +
-                    std::to_string(arrays.positions.size()) + ", counted from 0");
+        throw Error("mesh: triangle " + std::to_string(i) + " refers to vertex " + std::to_string(index) +
+                    ", but there are only " + std::to_string(arrays.positions.size()) + ", counted from 0");
   if (!arrays.normals.empty() && arrays.normals.size() != 3 * arrays.triangles.size())
     throw Error("mesh: found " + std::to_string(arrays.normals.size()) + " normals, expected three for each of " +
                 std::to_string(arrays.triangles.size()) + " triangles");

@@ -49,7 +49,7 @@ AstmHeader readAstmHeader(std::string_view text) {
     header.variables = line;
     break;
   }
-  if (!header.points || !header.variables) throw FormatMismatch("text without such lines", expectedAstm);
+  if (!header.points || !header.variables) throw FormatMismatch("a text file of another format", expectedAstm);
   return header;
 }
 

@@ -74,7 +74,7 @@ nlohmann::json ContainerReader::description() {
 void ContainerReader::expectLeft(std::uint64_t bytes) const {
   if (left_.size() != bytes)
     fail("the size of the file is " + std::to_string(bytes_.size()) + " bytes, expected " +
-         std::to_string(bytes_.size() - left_.size() + bytes) + " for what it describes");
+         std::to_string(bytes_.size() - left_.size() + bytes) + " according to its description");
 }
 
 void ContainerReader::fail(const std::string& fault) const { throw Error(name_ + " file: " + fault); }

@@ -152,7 +152,7 @@ CsvText readCsvText(std::string_view text, std::span<const std::string_view> nam
     if (isFirst) setNames(csv, namesWithoutHeader, line);
     addRow(csv, line, number);
   }
-  if (csv.names.empty()) throw Error("found no line with the names of columns");
+  if (csv.names.empty()) throw Error("found no header line with column names");
   return csv;
 }
 

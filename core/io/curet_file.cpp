@@ -46,7 +46,7 @@ std::vector<std::vector<double>> rowsOf(const ByteSource& source) {
     const std::size_t columns = rows.empty() ? fields.size() : rows[0].size();
     if (fields.size() != columns || (columns != angles + 1 && columns != angles + 3) ||
         !std::ranges::all_of(fields, [](std::string_view field) { return finiteNumber(field).has_value(); }))
-      throw FormatMismatch("line " + std::to_string(line->number) + ", which is no such row", expectedCuret);
+      throw FormatMismatch("line " + std::to_string(line->number) + ", which has another layout", expectedCuret);
     rows.push_back(finiteNumbers(*line));
   }
   if (rows.size() != measurements)

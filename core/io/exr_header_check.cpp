@@ -155,8 +155,8 @@ bool checkOneHeader(Cursor& cursor, std::size_t fileBytes) {
 void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t mostPixelsPerByte) {
   const std::string size = "found a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1 || width > maxSide || height > maxSide || width * height > maxPixels)
-    throw Error(size + ", expected 1 to " + std::to_string(maxSide) + " a side and at most " +
-                std::to_string(maxPixels) + " in all");
+    throw Error(size + ", expected 1 to " + std::to_string(maxSide) + " per side and at most " +
+                std::to_string(maxPixels) + " in total");
   if (std::size_t(width * height) / mostPixelsPerByte > fileBytes)
     throw Error(size + " in " + std::to_string(fileBytes) + " bytes, expected a longer file");
 }

@@ -68,7 +68,7 @@ class GltfReader {
   }
   JsonObject item(const JsonObject& object, const std::string& key, std::size_t i) const {
     const json& list = object.array(key);
-    if (i >= list.size()) throw Error(object.place(key) + ": there is no number " + std::to_string(i));
+    if (i >= list.size()) throw Error(object.place(key) + ": there is no element " + std::to_string(i));
     return {list[i], object.place(key) + "[" + std::to_string(i) + "]"};
   }
 
@@ -78,7 +78,7 @@ class GltfReader {
       for (const char* packing : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
                                   "KHR_meshopt_compression"})
         if (name == packing)
-          throw Error(std::string("found geometry packed by ") + packing + ", expected it without compression");
+          throw Error(std::string("found geometry compressed with ") + packing + ", expected uncompressed geometry");
   }
 
   /// Each node has one parent, so that a tree is walked once; a circle is found by its depth.
@@ -171,7 +171,7 @@ class GltfReader {
       std::memcpy(&indices[i], accessor.bytes.data() + i * accessor.stride, sizeOf(accessor.type));
       if (indices[i] >= vertices)
         throw Error("accessors[" + std::to_string(number) + "]: found vertex " + std::to_string(indices[i]) +
-                    ", there are " + std::to_string(vertices) + ", counted from 0");
+                    ", but there are only " + std::to_string(vertices) + ", counted from 0");
     }
     return indices;
   }
@@ -188,7 +188,7 @@ class GltfReader {
   Accessor accessorOf(std::size_t number, const std::string& type, std::size_t components) const {
     const JsonObject accessor = item(root_, "accessors", number);
     if (accessor.text("type") != type) accessor.fail("type", type);
-    if (accessor.contains("sparse")) accessor.fail("sparse", "none: sparse accessors are not read");
+    if (accessor.contains("sparse")) accessor.fail("sparse", "none: sparse accessors are not supported");
     const auto componentType = ComponentType(std::size_t(accessor.number("componentType", 0, 1e5)));
     if (componentType != unsignedByte && componentType != unsignedShort && componentType != unsignedInt &&
         componentType != floatingPoint)
@@ -200,12 +200,12 @@ class GltfReader {
                       length = index(view, "byteLength");
     const std::span<const std::byte> buffer = bufferOf(index(view, "buffer"));
     if (begin > buffer.size() || length > buffer.size() - begin)
-      view.fail("byteLength", "at most what its buffer has, " + std::to_string(buffer.size()) + " bytes");
+      view.fail("byteLength", "at most the size of its buffer, " + std::to_string(buffer.size()) + " bytes");
     if (stride < element) view.fail("byteStride", "at least " + std::to_string(element));
     // The last element needs no bytes behind it.
     if (count > 0 &&
         (offset > length || (length - offset) < element || (count - 1) > (length - offset - element) / stride))
-      accessor.fail("count", "as many as its view has bytes for");
+      accessor.fail("count", "at most as many elements as its buffer view contains");
     return {buffer.subspan(begin + (count > 0 ? offset : 0)), count, stride, componentType};
   }
 

@@ -111,7 +111,7 @@ ScatteredSamples readGoniophotometer(const ByteSource& source) {
     const Direction out = directionOf(row[0], row[1], fromBelow);
     const double divisor = isTimesCosine && out.z > horizonTolerance ? out.z : 1;
     const Rgb value = colourOf(header, row) / divisor;
-    if (!std::isfinite(value.x + value.y + value.z)) line->fail("values of which a finite BRDF can be made");
+    if (!std::isfinite(value.x + value.y + value.z)) line->fail("values that give a finite BRDF");
     samples.add({light, out}, value);
   }
   if (samples.values.empty()) throw Error("found no row of reflected light, expected theta, phi and values");

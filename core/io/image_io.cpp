@@ -90,7 +90,7 @@ Image decodeHdr(std::span<const std::byte> bytes) {
 void checkShape(bool matches, int width, int height) {
   if (!matches || width < 1 || height < 1)
     throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                " pixels cannot be written: expected at least one pixel, and as many values as the size says");
+                " pixels cannot be written: expected at least one pixel, and as many values as the size requires");
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void checkShape(bool matches, int width, int height) {
 Image readImage(std::span<const std::byte> bytes) {
   if (isExr(bytes)) return decodeExr(bytes);
   if (isHdr(bytes)) return decodeHdr(bytes);
-  throw Error("found neither the signature of OpenEXR nor that of Radiance HDR, expected one of these pictures");
+  throw Error("found neither the signature of OpenEXR nor that of Radiance HDR, expected one of these formats");
 }
 
 Image readImage(const std::filesystem::path& path) {

@@ -136,7 +136,7 @@ IncidenceTable lightToolsTable(const ScatterHeader& header, const Blocks& blocks
 void expectLightTools(const ByteSource& source) {
   const std::string head = textHead(source, expectedLightTools);
   if (!hasKey(head, "AOI") || !hasKey(head, "ScatterRadial"))
-    throw FormatMismatch("text without these keys", expectedLightTools);
+    throw FormatMismatch("a text file of another format", expectedLightTools);
 }
 
 IncidenceFile readLightTools(const ByteSource& source) {

@@ -138,9 +138,10 @@ std::vector<std::byte> encodeMerl(const TabulatedBrdf& table) {
   const HalfDifferenceGrid& grid = table.grid();
   const std::array<std::int32_t, 3> counts{grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
   if (grid.reciprocal == isWholeCircle(grid))
-    throw Error(std::string("a MERL file of ") + gridName(counts) + " cells is read as " +
-                (grid.reciprocal ? "non-reciprocal, this table is reciprocal" : "reciprocal, this table is not") +
-                "; expected 4 phi_d samples for each theta_d sample exactly where a table is not reciprocal");
+    throw Error(
+        std::string("a MERL file of ") + gridName(counts) + " cells is read as " +
+        (grid.reciprocal ? "non-reciprocal, but this table is reciprocal" : "reciprocal, but this table is not") +
+        "; expected 4 phi_d samples per theta_d sample if and only if the table is not reciprocal");
   const std::size_t cells = grid.size();
   std::vector<std::byte> bytes(merlHeaderBytes + 3 * cells * sizeof(double));
   std::memcpy(bytes.data(), counts.data(), merlHeaderBytes);

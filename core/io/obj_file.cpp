@@ -104,7 +104,7 @@ std::uint32_t index(std::string_view word, std::string_view what, std::size_t be
     throw Error("found " + quoted(word) + ", expected the number of a " + std::string(what));
   const long long counted = value < 0 ? value + static_cast<long long>(before) : value - 1;
   if (error == std::errc::result_out_of_range || counted < 0 || counted >= static_cast<long long>(total))
-    throw Error("found " + std::string(what) + " " + quoted(word) + ", there are " + std::to_string(total) +
+    throw Error("found " + std::string(what) + " " + quoted(word) + ", but there are only " + std::to_string(total) +
                 (value < 0 ? ", " + std::to_string(before) + " before this line" : ", counted from 1"));
   return std::uint32_t(counted);
 }

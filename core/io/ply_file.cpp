@@ -229,7 +229,7 @@ class PlyReader {
     for (std::uint64_t i = 0; i < count; ++i) {
       const double index = numbers_.next(property.type);
       if (!(index >= 0 && index < double(arrays_.positions.size()) && index == std::floor(index)))
-        throw Error("found vertex " + std::to_string(index) + ", there are " +
+        throw Error("found vertex " + std::to_string(index) + ", but there are only " +
                     std::to_string(arrays_.positions.size()) + " before it, counted from 0");
       corners_.push_back(std::uint32_t(index));
       places_.push_back(arrays_.positions[corners_.back()]);

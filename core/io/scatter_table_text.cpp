@@ -48,7 +48,7 @@ std::vector<glm::vec3> ScatterBlock::colours(const ScatterHeader& header) const 
   for (std::size_t channel = 0; channel < header.channels(); ++channel)
     if (counts[channel] == 0)
       throw Error("found no values of channel " + std::to_string(channel + 1) +
-                  " for an angle of incidence, expected them");
+                  " for an angle of incidence, expected values of every channel");
   std::vector<glm::vec3> result;
   result.reserve(header.values());
   for (std::size_t i = 0; i < header.values(); ++i) {

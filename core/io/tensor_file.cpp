@@ -25,7 +25,7 @@ class TensorCursor {
 
   std::span<const std::byte> take(std::uint64_t count, const char* what) {
     if (count > bytes_.size() - position_)
-      throw FormatMismatch("a directory that is cut at byte " + std::to_string(position_), what);
+      throw FormatMismatch("a directory that is truncated at byte " + std::to_string(position_), what);
     const auto taken = bytes_.subspan(position_, count);
     position_ += count;
     return taken;

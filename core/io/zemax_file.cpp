@@ -76,7 +76,7 @@ IncidenceTable zemaxTable(const ZemaxHeader& header, const std::vector<ScatterBl
 void expectZemax(const ByteSource& source) {
   const std::string head = textHead(source, expectedZemax);
   if (!hasKey(head, "AngleOfIncidence") || !hasKey(head, "ScatterRadial"))
-    throw FormatMismatch("text without these keys", expectedZemax);
+    throw FormatMismatch("a text file of another format", expectedZemax);
 }
 
 IncidenceFile readZemax(const ByteSource& source) {
@@ -92,7 +92,7 @@ IncidenceFile readZemax(const ByteSource& source) {
   file.brdf = std::make_shared<const IncidenceTableBrdf>(zemaxTable(header, blocks));
   if (header.rotations.size() > 1)
     file.notes.push_back("mean of " + std::to_string(header.rotations.size()) +
-                         " sample rotations: the material is shown as an isotropic one");
+                         " sample rotations: the material is shown as isotropic");
   return file;
 }
 

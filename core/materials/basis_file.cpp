@@ -81,8 +81,7 @@ MappedCells mappingOf(const Sizes& sizes, io::ContainerReader& file) {
     mapping.weights.push_back(float(cosineWeight(std::max(0.0, pair.wi.z), std::max(0.0, pair.wo.z))));
   }
   if (mapping.cells.size() != sizes.cells)
-    file.fail("found " + std::to_string(mapping.cells.size()) + " cells that count, expected " +
-              std::to_string(sizes.cells));
+    file.fail("found " + std::to_string(mapping.cells.size()) + " used cells, expected " + std::to_string(sizes.cells));
   mapping.reference.resize(sizes.cells);
   file.values(mapping.reference, "reference");
   for (const float reference : mapping.reference)
@@ -110,11 +109,11 @@ Eigen::VectorXf basisColumn(const Sizes& sizes, const std::string& name, io::Con
 
 /// The file has standard deviations: half a precision of variances would reach to one part in 4000 of them only.
 std::vector<float> leftOutOf(const Sizes& sizes, io::ContainerReader& file) {
-  const Eigen::VectorXf deviations = basisColumn(sizes, "what is left out", file);
+  const Eigen::VectorXf deviations = basisColumn(sizes, "the residual standard deviations", file);
   if (deviations.isZero(0)) return {};
   const Eigen::VectorXf variances = deviations.cwiseAbs2();
   if (deviations.minCoeff() < 0 || !variances.allFinite())
-    file.fail("found a standard deviation of what is left out that is negative or too large");
+    file.fail("found a residual standard deviation that is negative or too large");
   return {variances.begin(), variances.end()};
 }
 
@@ -125,7 +124,7 @@ GramSvd svdOf(const Sizes& sizes, io::ContainerReader& file) {
   file.values(svd.singularValues, "singular value");
   for (Eigen::Index k = 0; k < components; ++k)
     if (!(svd.singularValues[k] > 0) || (k > 0 && svd.singularValues[k] > svd.singularValues[k - 1]))
-      file.fail("found singular values that do not descend");
+      file.fail("found singular values that are not in descending order");
   svd.v.resize(Eigen::Index(sizes.signals), components);
   file.values(svd.v, "coefficient");
   svd.u.rows = Eigen::Index(sizes.cells);

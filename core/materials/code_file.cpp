@@ -79,8 +79,7 @@ void expectCode(const io::ByteSource& source) { io::expectSignature(source, code
 
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary) {
   if (code.dictionaryId != dictionary.id)
-    throw Error(
-        "the code needs another dictionary than the bundled or the given one: name it (goniotool decode --dictionary)");
+    throw Error("the code was encoded with another dictionary; decode it with goniotool decode --dictionary");
   dictionary::checkCode(dictionary.ensemble, code.code);
 }
 

@@ -18,7 +18,7 @@ std::vector<std::byte> bundledFile(const MaterialSource& source) {
   const std::string prefix = std::string(libraryScheme).append(rglSource).append("/"), path = source.path.string();
   const auto found = std::ranges::find_if(
       measuredMaterials(), [&](const MeasuredMaterial& measured) { return prefix + measured.name == path; });
-  if (found == measuredMaterials().end()) throw Error(path + ": found a material that is computed, expected a file");
+  if (found == measuredMaterials().end()) throw Error(path + ": this bundled material is computed and has no file");
   return {found->file.begin(), found->file.end()};
 }
 

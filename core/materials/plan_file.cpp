@@ -66,7 +66,7 @@ void refuseRadians(const io::CsvText& csv, const SamplingPlan& plan, const std::
     if (isWhole || std::max(thetaI, thetaO) > halfPi || std::max(std::abs(phiI), std::abs(phiO)) > 2 * pi) return;
   }
   if (halfAnglesAgree(csv, plan)) return;
-  throw Error("every angle is small enough for radians (theta at most 1.57), expected degrees");
+  throw Error("all angles look like radians (theta at most 1.57), expected degrees");
 }
 
 /// The order of measurement of each row: 1 to the number of rows, each once.
@@ -77,7 +77,7 @@ void checkOrder(const io::CsvText& csv, const SamplingPlan& plan) {
     const std::string found = io::lineText(csv.rows[i]) + ": found the order " + std::to_string(order);
     if (order < 1 || std::size_t(order) > lines.size())
       throw Error(found + ", expected 1 to " + std::to_string(lines.size()) +
-                  ", the number of samples; without the column the order is planned anew");
+                  ", the number of samples; without this column, a new order is computed");
     std::size_t& line = lines[std::size_t(order) - 1];
     if (line != 0) throw Error(found + " again, first in line " + std::to_string(line));
     line = csv.rows[i].line;

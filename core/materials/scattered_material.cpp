@@ -82,7 +82,7 @@ std::string factorText(double logarithm) { return io::decimalText(std::exp(std::
 void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points, std::size_t nodes,
               const acquisition::Reconstruction& reconstruction, std::vector<std::string>& notes) {
   const auto count = [](std::size_t number) { return std::to_string(number); };
-  notes.push_back("measured at single directions: " + count(points.used) + " points at " + count(nodes) +
+  notes.push_back("measured at individual directions: " + count(points.used) + " points at " + count(nodes) +
                   " nodes are used; all other values are reconstructed from principal components of the bundled "
                   "materials, isotropic and reciprocal");
   const std::size_t leftOut = samples.values.size() - points.used;
@@ -93,7 +93,7 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
     notes.push_back(count(samples.belowHorizonCount) + " points at or below the horizon were left out");
   if (samples.negativeCount > 0) notes.push_back(count(samples.negativeCount) + " negative values were set to 0");
   if (std::isfinite(reconstruction.leaveOneOutError))
-    notes.push_back("leave-one-out error: a measured value is predicted from the others to a factor of " +
+    notes.push_back("leave-one-out error: a measured value is predicted from the others within a factor of " +
                     factorText(reconstruction.leaveOneOutError) + " (root mean square)");
   else
     notes.push_back("leave-one-out error: unknown, because the points do not predict each other");

@@ -81,7 +81,7 @@ std::vector<const io::CsvText::Row*> rowsOf(const io::CsvText& csv, const Sampli
   for (const auto& sample : plan.samples)
     if (!rows.emplace_back(byIndex[sample.index]))
       missing += (missing.empty() ? "" : ", ") + std::to_string(sample.index);
-  if (!missing.empty()) throw Error("found no row of index " + missing + ", expected one for each sample of the plan");
+  if (!missing.empty()) throw Error("found no row for index " + missing + ", expected one for each sample of the plan");
   return rows;
 }
 

@@ -35,7 +35,7 @@ Choice bestAtom(const AtomSet& atoms, const Eigen::VectorXd& residual, const std
 
 void checkSignal(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal) {
   if (signal.size() != atoms.length())
-    throw Error("a signal of " + std::to_string(signal.size()) + " values where the atoms have " +
+    throw Error("a signal of " + std::to_string(signal.size()) + " values does not match the length of the atoms, " +
                 std::to_string(atoms.length()));
   if (!signal.allFinite()) throw Error("a signal has a value that is not a finite number");
 }

@@ -33,8 +33,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec abcSmoothSpec = {
     .id = "abc-smooth", .name = "ABC smooth",
-    .description = "Scattering of polished surfaces (Rayleigh and Rice), round about the mirror direction on the disk "
-                   "of projected directions. Reciprocal; the amplitude is free, so nothing bounds the energy.",
+    .description = "Scattering of polished surfaces (Rayleigh and Rice), radially symmetric about the mirror direction "
+                   "on the disk of projected directions. Reciprocal; the amplitude is free, so nothing bounds the "
+                   "energy.",
     .formula = "k_d / pi + S F, S = A / (1 + B |i_p + o_p|^2)^C", .reference = abcReference,
     .parameters = parameters};
 // clang-format on

@@ -30,8 +30,8 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec ashikhminPremozeSpec = {
     .id = "ashikhmin-premoze", .name = "Ashikhmin-Premoze",
-    .description = "Any distribution of half vectors, here a Gaussian of slopes, over a denominator that keeps "
-                   "the energy: no masking term is needed. Reciprocal; the albedo of the highlight never exceeds "
+    .description = "Any distribution of half vectors, here a Gaussian of slopes, over a denominator that conserves "
+                   "energy, so that no masking term is needed. Reciprocal; the albedo of the highlight never exceeds "
                    "k_s.",
     .formula = "k_d / pi + k_s p(h) F / (cos theta_i + cos theta_o - cos theta_i cos theta_o), "
                "p = exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (4 pi alpha_x alpha_y)",

@@ -31,8 +31,8 @@ constexpr ParameterSpec parameters[] = {
     fresnelParameter(FresnelChoice::schlick),
     edgeTintParameter(),
     choiceParameter("diffuse-term", "Diffuse term", "R_d",
-                    "Light for the body: only what the highlight leaves, or all of it (fits of Ngan et al. 2005 and "
-                    "Loew et al. 2012).",
+                    "Light that the body receives: only what the highlight leaves, or all of it (fits of Ngan et al. "
+                    "2005 and Loew et al. 2012).",
                     "coupled: 28 k_d / (23 pi) (1 - F_0)(1 - (1 - cos theta_i / 2)^5)(1 - (1 - cos theta_o / 2)^5); "
                     "lambert: k_d / pi",
                     ashikhmin2000, diffuseTerms),
@@ -41,9 +41,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec ashikhminShirleySpec = {
     .id = "ashikhmin-shirley", .name = "Ashikhmin-Shirley",
-    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a body that loses the light "
-                   "of the highlight. Reciprocal; the albedo of the highlight never exceeds k_s and falls toward "
-                   "grazing angles.",
+    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a body that receives only the "
+                   "light that the highlight leaves. Reciprocal; the albedo of the highlight never exceeds k_s and "
+                   "falls toward grazing angles.",
     .formula = "R_d + k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "
                "(cos theta_d max(cos theta_i, cos theta_o)), e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)",
     .reference = ashikhmin2000, .parameters = parameters,

@@ -49,9 +49,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec beardMaxwellSpec = {
     .id = "beard-maxwell", .name = "Beard-Maxwell",
-    .description = "Painted surfaces: facets that reflect and shadow each other, over a volume that scatters. Its scan "
-                   "of the surface is a Beckmann lobe here. Reciprocal; neither the volume nor the facets' shadows "
-                   "bound the energy at grazing angles.",
+    .description = "Painted surfaces: facets that reflect and shadow each other, over a volume that scatters. The "
+                   "measured facet distribution of the original is replaced by a Beckmann lobe. Reciprocal; neither "
+                   "the volume nor the facets' shadows bound the energy at grazing angles.",
     .formula = "k_d / pi + 2 k_v / (pi (cos theta_i + cos theta_o)) + k_s D F SO / (4 cos theta_i cos theta_o)",
     .reference = westlundMeyer, .parameters = parameters};
 // clang-format on

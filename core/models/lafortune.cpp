@@ -31,11 +31,11 @@ constexpr ParameterSpec parameters[] = {
      .formula = "C_xy (i_x o_x + i_y o_y)", .reference = lafortune1997},
     {.id = "c-z", .label = "C z", .symbol = "C_z", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.577,
-     .description = "Weight of the vertical: how far the highlight leans from the normal, together with C xy.",
+     .description = "Weight of the z components: together with C xy, how far the highlight leans from the normal.",
      .formula = "C_z i_z o_z", .reference = lafortune1997},
     exponentParameter("(C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "Scales the highlight with its sharpness; the common size of C xy and C z then has no effect.",
+                    "Scales the highlight with its sharpness; the common scale of C xy and C z then has no effect.",
                     "ngan: (n + 2) / (2 pi max(|C_xy|, C_z)^n); none: 1",
                     "Ngan et al. 2005, Experimental Analysis of BRDF Models", normalisations),
 };

@@ -99,7 +99,7 @@ constexpr ParameterSpec parameters[] = {
                     ParameterRole::other),
            sheenFormula, sheenSources),
     ofLobe(reflectanceParameter("retro", "Retroreflection", "k_r", 0, ParameterRole::highlight,
-                                "Strength and colour of the light reflected back toward the light.",
+                                "Strength and colour of the reflection back toward the light.",
                                 "retro-lobe"),
            retroFormula, retroSources),
     ofLobe(widthParameter("retro-roughness", "Retroreflection, roughness", "alpha_r", 0.3,

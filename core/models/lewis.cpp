@@ -19,7 +19,7 @@ enum Index { diffuse, specular, exponent, lobeKind };
 // clang-format off
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
-    specularParameter(0.1, "k_s N cos^n, at most k_s of the light is sent back", lewis1994),
+    specularParameter(0.1, "k_s N cos^n, at most k_s of the light is reflected", lewis1994),
     exponentParameter("cos^n alpha or cos^n theta_h", lewis1994),
     choiceParameter("lobe", "Lobe", "N cos^n",
                     "Centre of the highlight: the mirror direction (Phong) or the half vector (Blinn).",

@@ -57,7 +57,7 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec rationalSpec = {
     .id = "rational", .name = "Rational function",
-    .description = "A quotient of two polynomials of the half-difference angles. All coefficients are kept positive, a "
+    .description = "A quotient of two polynomials of the half-difference angles. All coefficients are positive: the "
                    "part of the published family that has neither poles nor negative values. Reciprocal; nothing "
                    "bounds the energy.",
     .formula = formulaText, .reference = pacanowski, .parameters = parameters, .family = ModelFamily::series};

@@ -20,7 +20,7 @@ constexpr int bands = 5;
 constexpr std::string_view westin =
     "Westin, Arvo and Torrance 1992, Predicting Reflectance Functions from Complex Surfaces, section 4";
 constexpr std::string_view formulaText =
-    "max(0, sum_m sum_(l >= l') c (w_l w_l' / 2) (y_lm(i) y_l'm(o) + y_l'm(i) y_lm(o) + the same of -m))";
+    "max(0, sum_m sum_(l >= l') c (w_l w_l' / 2) (y_lm(i) y_l'm(o) + y_l'm(i) y_lm(o) + the same for -m))";
 
 /// One coefficient: it ties band `high` of one direction to band `low` of the other, at order m.
 struct Term {
@@ -94,8 +94,8 @@ Specs::Specs() {
            .name = "Spherical harmonics",
            .description =
                "A series of real spherical harmonics of both directions, bands 0 to 4, isotropic. Represents any "
-               "smooth shape, ripples about sharp ones, and is clamped to 0 where it would be negative. Reciprocal; "
-               "nothing bounds the energy.",
+               "smooth shape, shows ripples around sharp ones, and is clamped to 0 where it would be negative. "
+               "Reciprocal; nothing bounds the energy.",
            .formula = formulaText,
            .reference = westin,
            .parameters = parameters,

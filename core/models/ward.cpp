@@ -64,9 +64,9 @@ constexpr ModelSpec wardSpec = {
 
 constexpr ModelSpec wardAnisotropicSpec = {
     .id = "ward-anisotropic", .name = "Ward anisotropic",
-    .description = "A Gaussian of surface slopes with a width along either axis: brushed metal, satin. "
-                   "Reciprocal. Loses light toward grazing angles, then gains it without bound within a fraction "
-                   "of a degree of the horizon.",
+    .description = "A Gaussian of surface slopes with a separate width along each axis: brushed metal, satin. "
+                   "Reciprocal. Loses light toward grazing angles, then gains it without bound within a fraction of a "
+                   "degree of the horizon.",
     .formula = anisotropicFormula,
     .reference = "Ward 1992, Measuring and Modeling Anisotropic Reflection, eq. 5a (h by its components: Walter 2005)",
     .parameters = wardAnisotropicParameters,

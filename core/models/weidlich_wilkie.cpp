@@ -55,7 +55,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "coat-index", .label = "Coat index", .symbol = "eta", .unit = "",
      .softMin = 1, .softMax = 2.5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
      .group = ParameterGroup::layer,
-     .description = "Index of refraction of the coat: bends the light and sets how much is mirrored; 1 is no coat.",
+     .description = "Index of refraction of the coat: sets how much it refracts and reflects; 1 is no coat.",
      .formula = "sin theta_d' = sin theta_d / eta, F_1 exact dielectric", .reference = weidlichWilkie2007},
     {.id = "absorption", .label = "Absorption", .symbol = "sigma d", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 100, .defaultValue = 0.1,

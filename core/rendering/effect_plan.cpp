@@ -42,7 +42,7 @@ EffectDecision emittedLightDecision(const Scene& scene) {
     const Direction toEye = camera.orthographic ? -camera.forward : camera.eye - lamp.centre;
     if (glm::dot(lamp.normal(), toEye) > 0 &&
         support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
-      return {true, true, "the front of " + object.name + " is turned to the camera"};
+      return {true, true, "the front of " + object.name + " faces the camera"};
   }
   return {false, false, "no source faces the camera"};
 }
@@ -136,7 +136,7 @@ void Analysis::decideLights() {
          : !scene_.environment ? "there is no environment"
                                : "the environment is black, or nothing reflects it");
   decide(Effect::areaLightSampling, haveSize,
-         haveSize ? "a lamp that lights a surface has a size" : "no lamp that lights a surface has a size");
+         haveSize ? "an area light illuminates a surface" : "no area light illuminates a surface");
 }
 
 void Analysis::decideShadows() {
@@ -211,11 +211,12 @@ void Analysis::decideInterreflection() {
   if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface sees another");
   std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
   if (plan.reflections == 1)
-    return decide(Effect::interreflection, false,
-                  pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest");
+    return decide(
+        Effect::interreflection, false,
+        pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest first reflection");
   const std::string rest = std::isfinite(plan.remainder)
                                ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
-                                     percent(plan.remainder) + " of the brightest"
+                                     percent(plan.remainder) + " of the brightest first reflection"
                                : "reflections do not die out; limited to " + std::to_string(plan.reflections);
   decide(Effect::interreflection, true, pair + "; " + rest);
 }

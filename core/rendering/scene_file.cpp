@@ -152,10 +152,10 @@ Shape SceneReader::shapeOf(const JsonObject& object) const {
 void SceneReader::readObject(const JsonObject& object) {
   SceneObject result{.name = object.text("name"), .shape = shapeOf(object)};
   if (object.contains("radiance")) {
-    if (!std::holds_alternative<Rectangle>(result.shape)) object.fail("radiance", "none: only a rectangle emits");
+    if (!std::holds_alternative<Rectangle>(result.shape)) object.fail("radiance", "none: only rectangles emit light");
     result.radiance = triple(object, "radiance", 0);
   }
-  const char* expected = "a number of a material from 0, \"each\", or {\"diffuse\": [r, g, b]}";
+  const char* expected = "a material number from 0, \"each\", or {\"diffuse\": [r, g, b]}";
   const nlohmann::json material =
       object.contains("material") ? object.member("material", expected) : nlohmann::json(0u);
   if (material.is_object()) {
@@ -172,7 +172,7 @@ void SceneReader::readObject(const JsonObject& object) {
   }
   if (material != "each") return scene_.objects.push_back(std::move(result));
   auto* sphere = std::get_if<Sphere>(&result.shape);
-  if (!sphere) object.fail("material", "\"each\" for a sphere alone");
+  if (!sphere) object.fail("material", "\"each\" only for a sphere");
   const double spacing = numberOr(object, "spacing", 0, largest, 2.3 * sphere->radius);
   const Direction middle = sphere->centre;
   for (int i = 0; i < materials_; ++i) {

@@ -143,11 +143,11 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
 
 BuiltRepresentation RepresentationBuilder::components(const Representation& representation,
                                                       const TaskControl& control) const {
-  if (!options_.components) throw Error("principal components: found none that were learned");
+  if (!options_.components) throw Error("principal components: none were learned");
   const dictionary::PrincipalComponents& all = *options_.components;
   const int count = int(representation.budget);
   if (count > all.count())
-    throw Error(representation.fullLabel() + ": the training set has only " + std::to_string(all.count()));
+    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(all.count()));
   const auto start = Clock::now();
   const dictionary::ComponentCode encoded = dictionary::encode(all, *subject_.table, count, control);
   const double seconds = secondsSince(start);

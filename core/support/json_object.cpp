@@ -20,7 +20,7 @@ std::string describeJson(const nlohmann::json& value) {
   if (value.is_null()) return "null";
   std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (text.size() > maxDescribed) text = text.substr(0, maxDescribed) + "...";
-  if (value.is_string()) return "the text " + text;
+  if (value.is_string()) return "the string " + text;
   return value.is_number() ? "the number " + text : text;
 }
 
@@ -50,12 +50,12 @@ void JsonObject::expectOnly(std::initializer_list<std::string_view> known) const
   for (const std::string_view name : known) expected += (expected.ends_with("of ") ? "" : ", ") + std::string(name);
   for (const auto& item : value_.items())
     if (std::ranges::find(known, std::string_view(item.key())) == known.end())
-      throw Error(place(item.key()) + ": found a member of this name, expected " + expected);
+      throw Error(place(item.key()) + ": unknown member, expected " + expected);
 }
 
 std::string JsonObject::text(std::string_view key) const {
-  const nlohmann::json& found = member(key, "a text");
-  if (!found.is_string()) fail(key, "a text");
+  const nlohmann::json& found = member(key, "a string");
+  if (!found.is_string()) fail(key, "a string");
   return found.get<std::string>();
 }
 

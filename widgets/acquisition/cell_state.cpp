@@ -39,7 +39,7 @@ QString stateName(CellState state) {
     case CellState::forbidden:
       return CellStateText::tr("out of the rig's reach");
     case CellState::unlearned:
-      return CellStateText::tr("not in all materials");
+      return CellStateText::tr("missing in some materials");
     case CellState::measurable:
       break;
   }

@@ -30,9 +30,12 @@ void CurveEditor::setAxis(const CurveAxis& axis) {
   m_view.axis = axis;
   setAccessibleName(axis.title);
   const QString help = axis.help.isEmpty() ? QString() : axis.help + QLatin1Char('\n');
-  setToolTip(tr("%1\nAcross: %2. Up: %3.\n%4Drag the points (Shift: finely), or a box around several (Shift: adds). "
-                "Escape cancels a drag.\nDouble-click adds a point, Delete removes it.\nTab goes from point to point, "
-                "arrows move them (Shift: finely), Ctrl+A selects all.")
+  setToolTip(tr("%1\n"
+                "Horizontal axis: %2. Vertical axis: %3.\n"
+                "%4Drag points (Shift: fine steps), or drag a box to select several (Shift: adds to the selection). "
+                "Escape cancels a drag.\n"
+                "Double-click adds a point, Delete removes it.\n"
+                "Tab moves from point to point, the arrow keys move a point (Shift: fine steps), Ctrl+A selects all.")
                  .arg(axis.title, axis.label, axis.valueLabel, help));
   setWhatsThis(toolTip());
   layOut();

@@ -17,8 +17,8 @@ CurveLegend::CurveLegend(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setAccessibleName(tr("Legend: %1").arg(names().join(QStringLiteral(", "))));
   setToolTip(
-      tr("Solid: red; long dashes: green; short dashes: blue. The thin line is the mean of the three; its points "
-         "move\nall channels together. Faint: curves of the measurement."));
+      tr("Solid: red; long dashes: green; short dashes: blue. The thin line is the mean of the three; its points move\n"
+         "all channels together. Faint lines: curves of the measurement."));
 }
 
 QStringList CurveLegend::names() const { return {tr("red"), tr("green"), tr("blue"), tr("mean"), tr("as measured")}; }

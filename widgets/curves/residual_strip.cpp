@@ -25,8 +25,9 @@ ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidg
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Residual"));
   setToolTip(tr(
-      "Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\nin "
-      "the norm of the factorisation. More terms lower it; with measured detail kept it stays part of the material."));
+      "Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\n"
+      "in the norm of the factorisation. More terms lower it. If measured detail is kept, the residual remains part of "
+      "the material."));
 }
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }

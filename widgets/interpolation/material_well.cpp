@@ -27,7 +27,7 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
       m_picture(new QWidget),
       m_name(new QLabel),
       m_note(new QLabel),
-      m_current(addButton(tr("Current"), tr("Uses the open material with its present edits"))),
+      m_current(addButton(tr("Current"), tr("Uses the open material with its current edits"))),
       m_file(addButton(tr("File..."), tr("Opens a measured file or a document"))),
       m_clear(addButton({}, {})) {
   m_clear->setIcon(glyphIcon(Glyph::close));
@@ -74,16 +74,16 @@ QToolButton* MaterialWell::addButton(const QString& text, const QString& toolTip
 void MaterialWell::setContent(const WellContent& content) {
   m_content = content;
   setToolTip(content.failed           ? content.toolTip
-             : content.name.isEmpty() ? tr("Drop a material of the library or a file here")
+             : content.name.isEmpty() ? tr("Drop a material from the library or a file here")
                                       : tr("%1\nDrop another one here to replace it").arg(content.toolTip));
   m_clear->setVisible(!content.name.isEmpty() || content.failed || content.removable);
-  m_clear->setToolTip(content.removable ? tr("Removes this place") : tr("Empties this place"));
+  m_clear->setToolTip(content.removable ? tr("Removes this slot") : tr("Empties this slot"));
   const QString what = content.name.isEmpty() ? tr("empty") : content.name;
   setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
   setAccessibleDescription(content.note);
   m_current->setAccessibleName(tr("Material %1: use the open one").arg(m_letter));
   m_file->setAccessibleName(tr("Material %1: from a file").arg(m_letter));
-  m_clear->setAccessibleName(tr("Material %1: empty it").arg(m_letter));
+  m_clear->setAccessibleName(tr("Material %1: empty the slot").arg(m_letter));
   showTexts();
   update();
 }

@@ -103,24 +103,24 @@ QString spaceExplanation(InterpolationSpace space) {
   switch (space) {
     case InterpolationSpace::linear:
       return InterpolationSpaceText::tr(
-          "The BRDF values are mixed. Half of a sharp and half of a wide highlight shows both highlights on top of "
-          "each other, like two coats, and none of medium width. All measured detail stays.");
+          "The BRDF values are mixed. Half of a sharp and half of a wide highlight shows both highlights, like two "
+          "coats, not one of medium width. All measured detail is preserved.");
     case InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
-          "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies "
-          "between a sharp and a wide one. What the model does not explain is lost between the materials.");
+          "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "
+          "sharp and a wide one. Detail that the model does not explain is lost between the ends.");
     case InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
-          "Each material is moved to the mixed parameters of the model by a differential edit, which keeps its "
-          "measured detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
+          "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
+          "detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
     case InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
-          "The factor curves of projected-deviation coordinates are mixed: strength and width of the highlight go "
-          "from one to the other. What the curves do not explain is lost between the materials.");
+          "The factor curves of projected-deviation coordinates are mixed: the strength and width of the highlight "
+          "change gradually. Detail that the curves do not explain is lost between the ends.");
     default:
       return InterpolationSpaceText::tr(
           "Each material is a sum of learned patterns with few coefficients; the coefficients, and with them the "
-          "transformed BRDF values, are mixed. What the codes leave out is lost between the materials.");
+          "transformed BRDF values, are mixed. Detail that the codes omit is lost between the ends.");
   }
 }
 

@@ -78,8 +78,8 @@ void LibrarySelection::editTags(const QStringList& ids) {
   bool accepted = false;
   const QString text = QInputDialog::getText(
       &m_list, tr("Tags"),
-      ids.size() == 1 ? tr("Tags of %1, with commas between them:").arg(m_list.currentIndex().data().toString())
-                      : tr("Tags that all %1 materials have, with commas between them:").arg(ids.size()),
+      ids.size() == 1 ? tr("Tags of %1, separated by commas:").arg(m_list.currentIndex().data().toString())
+                      : tr("Tags common to all %1 materials, separated by commas:").arg(ids.size()),
       QLineEdit::Normal, shared.join(QStringLiteral(", ")), &accepted);
   if (!accepted) return;
   const QStringList wanted = tagsOf(text);

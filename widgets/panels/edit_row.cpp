@@ -97,7 +97,7 @@ void EditRow::show(const EditEntry& entry) {
   m_field->setAccessibleName(tr("Strength of %1").arg(entry.name));
   m_effect->setText(entry.effect);
   m_effect->setVisible(!entry.effect.isEmpty());
-  m_delete->setToolTip(tr("Delete this edit"));
+  m_delete->setToolTip(tr("Deletes this edit"));
   m_delete->setAccessibleName(tr("Delete %1").arg(entry.name));
   for (QWidget* control : std::initializer_list<QWidget*>{m_slider, m_field}) control->setEnabled(entry.enabled);
 }

@@ -117,9 +117,8 @@ void EditStack::buildActions() {
     addAction(action);
     return action;
   };
-  m_rename = add(tr("Rename"), tr("Gives the selected edit a name of your own (F2)"), Qt::Key_F2,
-                 [this] { beginRename(selected()); });
-  m_duplicate = add(tr("Duplicate"), tr("Adds a copy of the selected edit behind it"), {},
+  m_rename = add(tr("Rename"), tr("Renames the selected edit (F2)"), Qt::Key_F2, [this] { beginRename(selected()); });
+  m_duplicate = add(tr("Duplicate"), tr("Adds a copy of the selected edit after it"), {},
                     [this] { Q_EMIT duplicateRequested(selected()); });
   m_up = add(tr("Move up"), tr("Applies the selected edit earlier (Alt+Up)"), QKeySequence(Qt::ALT | Qt::Key_Up),
              [this] { Q_EMIT moveRequested(selected(), selected() - 1); });
@@ -132,7 +131,7 @@ void EditStack::buildActions() {
 
 void EditStack::buildButtons() {
   m_add->setText(tr("Add edit"));
-  m_add->setToolTip(tr("Adds another edit behind the selected one"));
+  m_add->setToolTip(tr("Adds another edit after the selected one"));
   m_add->setMenu(m_addMenu);
   m_add->setPopupMode(QToolButton::InstantPopup);
   auto* buttons = new QHBoxLayout;

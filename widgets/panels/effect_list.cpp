@@ -33,7 +33,7 @@ constexpr EffectText texts[effectCount] = {
     {QT_TRANSLATE_NOOP("EffectList", "Anisotropic frames"),
      QT_TRANSLATE_NOOP("EffectList", "Tangent directions on the surface, which anisotropic materials need")},
     {QT_TRANSLATE_NOOP("EffectList", "Area light sampling"),
-     QT_TRANSLATE_NOOP("EffectList", "Samples points on lamps that have a size, which lowers the noise")},
+     QT_TRANSLATE_NOOP("EffectList", "Samples points on area lights, which lowers the noise")},
 };
 
 QString costText(const EffectCosts& costs, const EffectCost& cost) {
@@ -44,8 +44,8 @@ QString costText(const EffectCosts& costs, const EffectCost& cost) {
 
 QString costToolTip(const EffectCost& cost) {
   return EffectList::tr(
-             "CPU time that the effect adds to the picture: %1 ms, uncertain by %2 ms. The effect changes the picture "
-             "by %3 %; noise alone changes it by %4 %.")
+             "CPU time that the effect adds to the picture: %1 ± %2 ms. The effect changes the picture by %3 %; noise "
+             "alone changes it by %4 %.")
       .arg(1000 * cost.seconds, 0, 'f', 1)
       .arg(1000 * cost.secondsNoise, 0, 'f', 1)
       .arg(100 * cost.difference, 0, 'g', 2)

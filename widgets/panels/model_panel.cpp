@@ -16,7 +16,7 @@ ModelPanel::ModelPanel(QWidget* parent)
       m_models(new ModelBox(this)),
       m_fit(new QPushButton(tr("Fit"), this)),
       m_residual(new QLabel(this)) {
-  m_fit->setToolTip(tr("Fit the model to the measurement (Ctrl+F5)"));
+  m_fit->setToolTip(tr("Fits the model to the measurement (Ctrl+F5)"));
   m_residual->setWordWrap(true);
   m_residual->setForegroundRole(QPalette::PlaceholderText);
   auto* top = new QHBoxLayout;

@@ -27,12 +27,12 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_bar->setTextVisible(false);
   m_bar->setFixedSize(fontMetrics().height() * 8, fontMetrics().height() * 2 / 3);
   m_cancel->setText(tr("Cancel"));
-  m_cancel->setToolTip(tr("Stop this work (Esc)"));
+  m_cancel->setToolTip(tr("Stops this task (Esc)"));
   m_cancel->setAutoRaise(true);
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
   m_pause->setAutoRaise(true);
   m_pause->setCheckable(true);
-  m_pause->setToolTip(tr("Pauses this work so that other work gets the processor; press again to continue"));
+  m_pause->setToolTip(tr("Pauses this task so that others get the processor; press again to continue"));
   connect(m_pause, &QToolButton::clicked, this, &ProgressStrip::pauseRequested);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);
@@ -48,7 +48,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_entries->setAutoRaise(true);
   m_entries->setPopupMode(QToolButton::InstantPopup);
   m_entries->setMenu(new QMenu(m_entries));
-  m_entries->setToolTip(tr("All work in progress; choose one to stop it"));
+  m_entries->setToolTip(tr("All tasks in progress; choose one to stop it"));
   m_noticeTime.setSingleShot(true);
   connect(&m_noticeTime, &QTimer::timeout, m_notice, &QLabel::clear);
   setEntries({});

@@ -116,7 +116,7 @@ void ParameterLine::setDescription(const QString& toolTip, const QString& access
     widget->setToolTip(toolTip);
     widget->setAccessibleName(accessibleName);
   }
-  m_reset->setToolTip(tr("Reset %1 to its fitted value (Backspace, or double-click the label)").arg(accessibleName));
+  m_reset->setToolTip(tr("Resets %1 to its fitted value (Backspace, or double-click the label)").arg(accessibleName));
   m_reset->setAccessibleName(tr("Reset %1").arg(accessibleName));
 }
 

@@ -55,7 +55,7 @@ void ParameterRow::buildChannels() {
   m_disclosure->setCheckable(true);
   m_disclosure->setAutoRaise(true);
   m_disclosure->setIcon(glyphIcon(Glyph::collapsed));
-  m_disclosure->setToolTip(tr("Show the red, green and blue values"));
+  m_disclosure->setToolTip(tr("Shows the red, green and blue values"));
   m_disclosure->setAccessibleName(tr("Channels of %1").arg(fromView(m_spec->label)));
   m_line->setLeading(m_disclosure);
   connect(m_disclosure, &QToolButton::toggled, this, &ParameterRow::setChannelsShown);
@@ -85,7 +85,7 @@ void ParameterRow::buildChannels() {
   if (!isColour(*m_spec)) return;
   m_swatch = new ColourSwatch(this);
   m_swatch->setAccessibleName(tr("Colour of %1").arg(fromView(m_spec->label)));
-  m_swatch->setToolTip(tr("Choose the colour of %1; Pick Screen Color in the dialog takes it from the preview")
+  m_swatch->setToolTip(tr("Opens a dialog for the colour of %1; Pick Screen Color takes a colour from the preview")
                            .arg(fromView(m_spec->label)));
   m_line->setTrailing(m_swatch);
   connect(m_swatch, &ColourSwatch::editingStarted, this, &ParameterRow::editingStarted);

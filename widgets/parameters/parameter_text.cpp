@@ -67,8 +67,8 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
       return ParameterText::tr("%1 to %2").arg(displayNumber(spec, from), displayNumber(spec, to));
     };
     text += line(ParameterText::tr("Unit"), unit);
-    text += line(ParameterText::tr("Slider"), range(spec.softMin, spec.softMax));
-    text += line(ParameterText::tr("Typed"), range(spec.hardMin, spec.hardMax));
+    text += line(ParameterText::tr("Slider range"), range(spec.softMin, spec.softMax));
+    text += line(ParameterText::tr("Allowed range"), range(spec.hardMin, spec.hardMax));
   }
   text += line(ParameterText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
   if (fitted) text += line(ParameterText::tr("Fitted"), displayValue(spec, *fitted));

@@ -7,7 +7,8 @@
 namespace gonio::widgets {
 
 AlbedoPlot::AlbedoPlot(QWidget* parent) : CurveChart(tr("Albedo"), parent) {
-  setAccessibleDescription(tr("Directional albedo against the angle; above 1 a material gains energy."));
+  setAccessibleDescription(
+      tr("Directional albedo vs. the polar angle of the viewer; above 1 a material gains energy."));
 }
 
 ChartAxes AlbedoPlot::axes() const {

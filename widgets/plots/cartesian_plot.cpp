@@ -10,7 +10,7 @@ namespace gonio::widgets {
 using plots::SectionAxis;
 
 CartesianPlot::CartesianPlot(QWidget* parent) : CurveChart(tr("Cartesian"), parent) {
-  setAccessibleDescription(tr("Values over one angle, the other angles fixed."));
+  setAccessibleDescription(tr("BRDF values vs. one angle; the other angles are fixed."));
 }
 
 void CartesianPlot::setSection(const plots::Section& section, PlotSeriesList<plots::Curve> series) {

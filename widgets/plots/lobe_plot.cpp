@@ -22,7 +22,8 @@ constexpr double keyPixels = 20;
 }  // namespace
 
 LobePlot::LobePlot(QWidget* parent) : Plot(tr("3-D lobe"), parent) {
-  setAccessibleDescription(tr("Values over all directions of the viewer as a surface. Drag to turn, wheel to zoom."));
+  setAccessibleDescription(
+      tr("BRDF values over all directions of the viewer as a surface. Drag to rotate, wheel to zoom."));
 }
 
 void LobePlot::setSeries(PlotSeriesList<plots::LobeSurface> series) {

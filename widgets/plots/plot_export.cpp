@@ -57,7 +57,7 @@ void exportPlot(Plot& plot, const QString& path, const QSize& size) {
   else if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
     content = plotAsCsv(plot);
   else
-    throw Error(path.toStdString() + ": the name ends in no format of plots, expected .svg, .png or .csv");
+    throw Error(path.toStdString() + ": not the suffix of a plot format, expected .svg, .png or .csv");
   io::writeFileAtomically(path.toStdString(), content.toStdString());
 }
 

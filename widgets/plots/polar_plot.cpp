@@ -18,7 +18,7 @@ constexpr double polarZoomPerNotch = 1.25, maxPolarZoom = 200;
 }
 
 PolarPlot::PolarPlot(QWidget* parent) : Plot(tr("Polar lobe"), parent) {
-  setAccessibleDescription(tr("Values over the polar angle of the viewer in the plane of incidence."));
+  setAccessibleDescription(tr("BRDF values vs. the polar angle of the viewer in the plane of incidence."));
 }
 
 void PolarPlot::setSeries(PlotSeriesList<plots::Curve> series) {
@@ -82,7 +82,7 @@ plots::CsvTable PolarPlot::table() const {
   table.comments.push_back("values: " + valueForCsv(settings()));
   table.comments.push_back(angleForCsv("theta_i", settings().thetaI));
   table.comments.push_back(
-      "theta_o > 0 lies on the side of the mirror direction, theta_o = -theta_i looks to the light");
+      "theta_o > 0 lies on the side of the mirror direction, theta_o = -theta_i is the direction to the light");
   return table;
 }
 

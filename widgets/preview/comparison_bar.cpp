@@ -51,15 +51,17 @@ QWidget* ComparisonBar::buildModes() {
   layout->addWidget(new QLabel(tr("Compare"), row));
   m_modes = new QButtonGroup(row);
   const std::tuple<CompareMode, QString, QString> modes[] = {
-      {CompareMode::off, tr("Off"), tr("One picture")},
-      {CompareMode::split, tr("Split"), tr("The first left of a bar, the second right of it. Drag the bar.")},
-      {CompareMode::flicker, tr("Flicker"), tr("The first, and the second while \\ or the button is held")},
-      {CompareMode::difference, tr("Difference"), tr("The difference of the luminances in false colour")},
-      {CompareMode::twoUp, tr("Two-up"), tr("Side by side, with one camera")}};
+      {CompareMode::off, tr("Off"), tr("Shows one picture")},
+      {CompareMode::split, tr("Split"),
+       tr("Shows the first side left and the second side right of a bar; drag the bar to move the split")},
+      {CompareMode::flicker, tr("Flicker"),
+       tr("Shows the first side, and the second side while \\ or the button is held")},
+      {CompareMode::difference, tr("Difference"), tr("Shows the luminance difference in false colour")},
+      {CompareMode::twoUp, tr("Two-up"), tr("Shows both sides next to each other, with the same camera")}};
   for (const auto& [mode, text, toolTip] : modes) {
     auto* button = new QToolButton(row);
     button->setText(text);
-    button->setToolTip(mode == CompareMode::off ? toolTip : tr("%1 (C turns it on and off)").arg(toolTip));
+    button->setToolTip(mode == CompareMode::off ? toolTip : tr("%1 (C switches it on and off)").arg(toolTip));
     button->setCheckable(true);
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -92,7 +94,7 @@ QWidget* ComparisonBar::buildSides() {
   }
   auto* swap = new QToolButton(row);
   swap->setText(QStringLiteral("⇄"));
-  swap->setToolTip(tr("Exchange the sides"));
+  swap->setToolTip(tr("Exchanges the sides"));
   swap->setAccessibleName(tr("Exchange the sides"));
   swap->setAutoRaise(true);
   swap->setFocusPolicy(Qt::StrongFocus);
@@ -119,7 +121,7 @@ QWidget* ComparisonBar::buildDifference() {
     m_comparison.range = 0;
     emitComparison();
   });
-  m_automatic = new QCheckBox(tr("Automatic range to"), row);
+  m_automatic = new QCheckBox(tr("Automatic maximum"), row);
   m_automatic->setToolTip(tr("Sets the scale to the next round number above 99.5 % of the differences"));
   connect(m_automatic, &QCheckBox::clicked, this, [this](bool automatic) {
     m_comparison.range = automatic ? 0 : m_range->value();
@@ -127,7 +129,7 @@ QWidget* ComparisonBar::buildDifference() {
   });
   m_range = new NumberField(row);
   m_range->setAccessibleName(tr("Scale maximum"));
-  m_range->setToolTip(tr("Difference that the last colour shows; lower it to see small differences"));
+  m_range->setToolTip(tr("Luminance difference at the maximum of the colour scale; lower it to see small differences"));
   m_range->setRange(smallestRange, largestRange);
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     m_comparison.range = range;

@@ -30,7 +30,7 @@ FalseColourLegend::FalseColourLegend(QWidget* parent) : QWidget(parent) {
 void FalseColourLegend::setDifference(DifferenceKind kind, double range) {
   m_kind = kind;
   m_range = range;
-  setAccessibleName(tr("%1: the last colour is %2").arg(differenceTitle(kind), differenceNumber(kind, range)));
+  setAccessibleName(tr("%1; scale maximum: %2").arg(differenceTitle(kind), differenceNumber(kind, range)));
   update();
 }
 

@@ -20,7 +20,7 @@ PictureDrawer::PictureDrawer()
       display_(resources_) {}
 
 void PictureDrawer::initialize() {
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
   for (Side& side : sides_) side.picture.initialize();
   display_.initialize();
 }

@@ -30,9 +30,10 @@ class PictureThread::Worker : public QObject {
   void initialize() {
     m_drawer.setCompileListener([this] { postToOwner([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
     m_broken = TaskFailure::of([this] {
-      if (!m_context->create()) throw Error("the graphics driver gives no OpenGL context");
+      if (!m_context->create()) throw Error("the graphics driver cannot create an OpenGL context");
       makeCurrent();
-      if (!m_gl.initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+      if (!m_gl.initializeOpenGLFunctions())
+        throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
       postToOwner([graphics = graphics(), software = CodeDecoder::isSoftware(m_gl)](PictureThread& owner) {
         Q_EMIT owner.started(graphics, software);
       });

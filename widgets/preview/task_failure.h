@@ -24,7 +24,7 @@ class TaskFailure {
     } catch (const Cancelled&) {
       return {};
     } catch (const std::bad_alloc&) {
-      return tr("There is not enough memory for this.");
+      return tr("Not enough memory. Close other windows or programs and try again.");
     } catch (const std::exception& exception) {
       return QString::fromUtf8(exception.what());
     }

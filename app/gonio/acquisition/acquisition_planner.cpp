@@ -50,14 +50,14 @@ void AcquisitionPlanner::learn(const QStringList& ids) {
   m_basis.reset();
   m_learned.clear();
   m_tasks.run<Basis>(
-      {tr("Learning %n materials", nullptr, int(ids.size())), m_taskKey},
+      {tr("Learning from %n materials", nullptr, int(ids.size())), m_taskKey},
       [ids](const TaskControl& control) { return learnBasis(ids, control); },
       [this, ids](const Basis& basis) {
         m_basis = basis;
         m_learned = ids;
         choose();
       },
-      failure(tr("Cannot learn the training set")), [this] { Q_EMIT stopped(); });
+      failure(tr("Cannot learn from the training set")), [this] { Q_EMIT stopped(); });
   Q_EMIT learning();
 }
 

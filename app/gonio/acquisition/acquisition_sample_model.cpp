@@ -89,7 +89,7 @@ QVariant AcquisitionSampleModel::data(const QModelIndex& index, int role) const 
 QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   const std::pair<QString, QString> titles[] = {
-      {tr("#"), tr("Number in the order of choice: the first ones matter most")},
+      {tr("#"), tr("Rank in the order of selection; the first samples contribute most")},
       {tr("θi °"), tr("Polar angle of the light, degrees")},
       {tr("φi °"), tr("Azimuth of the light, degrees")},
       {tr("θo °"), tr("Polar angle of the viewer, degrees")},
@@ -97,7 +97,7 @@ QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orienta
       {tr("θh °"), tr("Half angle: between half vector and normal, degrees")},
       {tr("θd °"), tr("Difference angle: half of that between light and viewer, degrees")},
       {tr("φd °"), tr("Azimuth of the light about the half vector, degrees")},
-      {tr("order"), tr("Position in an order of measurement along a short path of the arms")},
+      {tr("order"), tr("Position in a measurement order that shortens the path of the arms")},
       {tr("R 1/sr"), tr("Measured BRDF value, linear red, 1/sr")},
       {tr("G 1/sr"), tr("Measured BRDF value, linear green, 1/sr")},
       {tr("B 1/sr"), tr("Measured BRDF value, linear blue, 1/sr")}};

@@ -215,7 +215,7 @@ void AcquisitionSession::open(Document& document, const QString& folder) {
   m_tasks.run<LoadedMaterialPtr>(
       {tr("Opening %1").arg(name), openKey},
       [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
-        if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be made");
+        if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be created");
         const std::string path = freePath(folder, name).toStdString();
         materials::writeMaterial(*table, path);
         return loadMaterial(path, control);

@@ -23,7 +23,7 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
   using Step = AcquisitionSession::Step;
   switch (session.step()) {
     case Step::learning:
-      return Text::tr("Learning the training set...");
+      return Text::tr("Learning from the training set...");
     case Step::choosing:
       return Text::tr("Choosing directions: %1 of %2").arg(planner.directions().size()).arg(planner.settings().samples);
     case Step::reconstructing:
@@ -39,7 +39,9 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
   if (session.referenceReader().isReading()) return Text::tr("Preparing %1...").arg(session.referenceReader().name());
   if (session.values().rgb.empty()) return Text::tr("Save the plan, measure, then paste or open the values.");
   if (session.isReferenceLearned() && session.result())
-    return Text::tr("%1 is in the training set, so its error is too small. Press Start to leave it out.")
+    return Text::tr(
+               "%1 is in the training set, so the error is lower than for a new material. Press Start to exclude "
+               "it.")
         .arg(session.referenceReader().name());
   if (!session.result()) return Text::tr("Stopped before the material was reconstructed. Press Start to try again.");
   return Text::tr("Values: %1").arg(session.valuesName());

@@ -24,7 +24,8 @@ SamplesPage::SamplesPage(const AcquisitionSession& session, const AcquisitionCon
              [&files] { files.askForPlanFile(); });
   m_openPlan =
       button(tr("Open Plan..."),
-             tr("Uses the directions of a saved plan instead of choosing new ones; the training set is still learned"),
+             tr("Uses the directions of a saved plan instead of choosing new ones; the reconstruction still uses the "
+                "training set"),
              [&files] { files.askForPlan(); });
   QPushButton* paste = button(tr("Pas&te Values"),
                               tr("Pastes measured values from a spreadsheet or comma-separated text: a header, then "

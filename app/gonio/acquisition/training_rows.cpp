@@ -16,9 +16,11 @@ TrainingRows::TrainingRows(QFormLayout& form)
     : QObject(&form),
       m_box(rowBox(tr(
           "Training set: the reconstruction uses the principal components of these materials.\n"
-          "Near-measured copies cover more materials than the measured ones alone; they take about a minute at first.\n"
-          "\"Materials shown in the library\": those that match its search, also of a folder."))),
-      m_leaveOut(new QCheckBox(tr("Leave out the measured material"))),
+          "Near-measured copies cover more materials than the measured ones alone; preparing them takes about a minute "
+          "the first time.\n"
+          "\"Materials shown in the library\": those that match the current search; they may be from a library "
+          "folder."))),
+      m_leaveOut(new QCheckBox(tr("Exclude the measured material"))),
       m_facts(new QLabel) {
   build(form);
   connect(m_box, &QComboBox::activated, this, &TrainingRows::activated);
@@ -28,13 +30,12 @@ TrainingRows::TrainingRows(QFormLayout& form)
 void TrainingRows::build(QFormLayout& form) {
   form.addRow(rowHeading(tr("Training set")));
   m_box->addItems({tr("Measured materials"), tr("Near-measured copies of MERL"), tr("Published fits"),
-                   tr("Measured and near-measured"), tr("Materials shown in the library"), QString(),
-                   tr("A folder of files...")});
+                   tr("Measured and near-measured"), tr("Materials shown in the library"), QString(), tr("Folder...")});
   hideItem(*m_box, otherSet, true);
   form.addRow(tr("Materia&ls"), m_box);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
-         "too small for a new material."));
+         "lower than for a new material."));
   m_leaveOut->setChecked(true);
   form.addRow(m_leaveOut);
   m_facts->setForegroundRole(QPalette::PlaceholderText);
@@ -52,7 +53,7 @@ void TrainingRows::activated(int index) {
 }
 
 void TrainingRows::askForFolder() {
-  auto* dialog = new QFileDialog(m_box, tr("Folder of the Training Set"));
+  auto* dialog = new QFileDialog(m_box, tr("Training Set Folder"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
@@ -105,7 +106,7 @@ void TrainingRows::refresh() {
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
   QString facts = count < 2 ? tr("%n materials: too few for a training set", nullptr, count)
                             : tr("%n materials, three signals each", nullptr, count);
-  if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n left out", nullptr, left);
+  if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n excluded", nullptr, left);
   m_facts->setText(facts);
 }
 

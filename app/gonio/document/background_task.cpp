@@ -63,7 +63,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
       outcome = Outcome::cancelled;
     } catch (const std::bad_alloc&) {
       outcome = Outcome::failed;
-      error = tr("There is not enough memory for this.");
+      error = tr("Not enough memory. Close other windows or programs and try again.");
     } catch (const std::exception& exception) {
       outcome = Outcome::failed;
       error = QString::fromUtf8(exception.what());

@@ -97,13 +97,13 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->bytes());
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
-                                              : MaterialCodeText::tr("none: equal values");
+                                              : MaterialCodeText::tr("none (identical values)");
   return {{MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
            MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
                                 "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
                                 "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},
           {MaterialCodeText::tr("Size"),
-           MaterialCodeText::tr("%1 kB; the table has %2 MB")
+           MaterialCodeText::tr("%1 kB; table: %2 MB")
                .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
                .arg(tableBytes * 1e-6, 0, 'f', 1),
            MaterialCodeText::tr("Size of the code's file with values in half precision. The dictionary comes with "

@@ -119,9 +119,9 @@ void BatchDialog::showFiles() {
   QStringList names;
   for (qsizetype i = 0; i < std::min(qsizetype(mostNames), m_ids.size()); ++i)
     names << fileNames(target(), request(i).name);
-  if (m_ids.size() > mostNames) names << tr("and those of %1 more").arg(m_ids.size() - mostNames);
+  if (m_ids.size() > mostNames) names << tr("and the files of %1 more materials").arg(m_ids.size() - mostNames);
   QString text = names.join(QStringLiteral(", "));
-  if (!hasFolder) text = tr("Choose a folder that exists.");
+  if (!hasFolder) text = tr("This folder does not exist. Choose an existing folder.");
   if (blocked) text = tr("Existing files: %1").arg(there.mid(0, mostNames).join(QStringLiteral(", ")));
   if (blocked && there.size() > mostNames) text += tr(" and %1 more").arg(there.size() - mostNames);
   m_files->setText(text);

@@ -87,7 +87,7 @@ QWidget* ImageDialog::choiceRow() {
   auto* preview = new QRadioButton(tr("The &preview as shown (%1 x %2 pixels)")
                                        .arg(int(m_parts.preview.width() * ratio))
                                        .arg(int(m_parts.preview.height() * ratio)));
-  preview->setToolTip(tr("Saves the preview with its present samples; a comparison shows both materials"));
+  preview->setToolTip(tr("Saves the preview with its current samples; a comparison shows both materials"));
   m_labels = new QCheckBox(tr("Add &names and numbers"));
   m_labels->setToolTip(
       tr("Adds the names of the materials, the colour scale of a difference and the SNR to a comparison picture"));
@@ -209,7 +209,7 @@ void ImageDialog::showChoices() {
 void ImageDialog::startEstimate() {
   const Document& document = m_parts.document;
   m_parts.tasks.run<PictureEstimate>(
-      {.title = tr("Estimating the time of a picture"), .key = estimateKey, .live = true},
+      {.title = tr("Estimating the rendering time"), .key = estimateKey, .live = true},
       [picture = request(), base = document.base(), edits = document.edits()](const TaskControl& control) {
         const PicturePlan planned = planPicture(picture, editing::applyEdits(base, edits));
         return estimatePicture(planned.scene, planned.materials, planned.plan, picture.width, picture.height, control);

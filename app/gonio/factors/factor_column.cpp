@@ -51,8 +51,9 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .symbol = FactorColumnText::tr("|Δp|"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr(
-                  "Dotted lines: ends of the disk of directions for the θR under the pointer in F1, toward the near "
-                  "horizon\n(behind the mirror direction) and toward the far one."),
+                  "Dotted lines: edges of the unit disk of directions for the θR under the pointer in F1, at the near "
+                  "horizon\n"
+                  "(behind the mirror direction) and at the far horizon."),
               .tick = 0.25,
               .squareRoot = true};
     default:
@@ -104,10 +105,10 @@ constexpr Button buttons[] = {
      QT_TRANSLATE_NOOP("FactorColumn", "Scales the curves of all terms by 1 / 1.1")},
     {FactorOperation::tiltUp, QT_TRANSLATE_NOOP("FactorColumn", "Tilt up"),
      QT_TRANSLATE_NOOP("FactorColumn",
-                       "Turns the curves about their middle: -10 % at the left end, +10 % at the right")},
+                       "Tilts the curves about their midpoint: -10 % at the left end, +10 % at the right")},
     {FactorOperation::tiltDown, QT_TRANSLATE_NOOP("FactorColumn", "Tilt down"),
      QT_TRANSLATE_NOOP("FactorColumn",
-                       "Turns the curves about their middle: +10 % at the left end, -10 % at the right")},
+                       "Tilts the curves about their midpoint: +10 % at the left end, -10 % at the right")},
     {FactorOperation::smooth, QT_TRANSLATE_NOOP("FactorColumn", "Smooth"),
      QT_TRANSLATE_NOOP("FactorColumn", "Averages neighbouring nodes of the curves")},
     {FactorOperation::reset, QT_TRANSLATE_NOOP("FactorColumn", "Reset"),

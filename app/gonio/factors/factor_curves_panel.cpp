@@ -68,15 +68,15 @@ void FactorCurvesPanel::buildControls() {
   m_form->addItems({tr("Two curves: F1 F2"), tr("Three curves: F1 F2 F3")});
   m_form->setAccessibleName(tr("Form of the factors"));
   m_form->setToolTip(
-      tr("Two curves describe round highlights; three add the variation with the azimuth about the mirror "
-         "direction.\nA change factorises the measurement again and deletes the edits of its curves."));
+      tr("Two curves describe round highlights; three add the variation with the azimuth about the mirror direction.\n"
+         "Changing it factorises the measurement again and deletes the edits of its curves."));
   m_logarithmic->setToolTip(tr("Switches the value axis between logarithmic, over four decades, and linear from 0"));
   m_keepDetail->setToolTip(
       tr("On: adds the change of the curves to the measurement, which retains the detail that they do not "
          "explain.\nOff: shows the curves alone."));
   m_keepDetail->setChecked(true);
   m_factorise->setToolTip(tr("Computes the factor curves of the open material"));
-  m_save->setToolTip(tr("Saves the present curves as a file (.pdv) that opens as a material"));
+  m_save->setToolTip(tr("Saves the current curves as a file (.pdv) that opens as a material"));
   m_resetAll->setToolTip(tr("Restores all curves of the measurement, with its detail"));
   auto* top = new widgets::FlowLayout;
   for (QWidget* widget :

@@ -99,7 +99,7 @@ void FactorTermsView::refresh() {
   m_slider->setEnabled(m_measured != nullptr);
   if (m_measured) {
     const auto at = std::size_t(terms() - 1);
-    m_text->setText(tr("Error %1 %, %2 kB, %3 ns per evaluation (measured here)")
+    m_text->setText(tr("Error %1 %, %2 kB, %3 ns per evaluation (on this machine)")
                         .arg(100 * m_measured->residual(terms()), 0, 'f', 1)
                         .arg(double(m_measured->bytes[at]) / 1000, 0, 'f', 1)
                         .arg(m_measured->nanoseconds[at], 0, 'f', 0));

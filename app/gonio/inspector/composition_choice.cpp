@@ -22,8 +22,8 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
                         tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: a ratio at the highlight"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::lobes),
-                        tr("Each lobe carries the ratio of measurement and fit along as it widens (GGX, layered lobes, "
-                           "models with a grain)"),
+                        tr("The ratio of measurement to fit moves with each lobe as it widens (GGX, layered lobes, "
+                           "anisotropic models)"),
                         Qt::ToolTipRole);
   m_choice->setToolTip(
       tr("Method that applies the change of the model to the measurement.\nLobes preserves the character of a "

@@ -193,7 +193,7 @@ void Inspector::showModel() {
 QString Inspector::noSlidersText() const {
   if (!m_document.material()) return tr("Open a material to edit it.");
   if (m_controller.isFitting()) return tr("Fitting... sliders will appear shortly.");
-  return tr("No edit of a model. Choose a model above or add an edit to change its parameters.");
+  return tr("There is no model edit. Choose a model above or add an edit to change its parameters.");
 }
 
 void Inspector::showValues() {
@@ -236,7 +236,7 @@ void Inspector::showEdits() {
     QString tip = curves ? tr("A change of the factor curves (Factor curves dock)")
                          : tr("A change of the parameters of %1 (sliders)")
                                .arg(widgets::fromView(std::get<DifferentialEdit>(edit.content).model->spec().name));
-    if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt changes nothing yet.");
+    if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt has no effect yet.");
     entries.push_back(
         {editName(edits, i), tip, edit.strength, edit.enabled, QString::fromStdString(edit.name), energyText(i)});
   }

@@ -49,8 +49,9 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
   m_slider->setTickPosition(QSlider::TicksBelow);
   m_slider->setAccessibleName(tr("Coefficients per channel"));
   m_slider->setToolTip(
-      tr("Number of dictionary atoms that represent each colour channel; more lower the error and need more bytes and "
-         "time.\n262 needs as many bytes as the factors of Bagher et al. 2016."));
+      tr("Number of dictionary atoms that represent each colour channel; more atoms lower the error but need more "
+         "bytes and time.\n"
+         "262 coefficients need as many bytes as the factors of Bagher et al. 2016."));
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000")));
   m_count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_show->setToolTip(

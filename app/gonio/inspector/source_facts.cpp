@@ -55,8 +55,8 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
   const QString gridExplanation = SourceFactsText::tr("Half-difference grid: theta_h, theta_d, phi_d.");
   const QString errorExplanation = SourceFactsText::tr(
-                                       "Rendered signal-to-noise ratio of the table against %1 in the scene %2;\nat 30 "
-                                       "dB the difference is about 3 % of the picture.")
+                                       "Rendered signal-to-noise ratio of the table against %1 in the scene %2;\n"
+                                       "30 dB is a root mean square error of about 3 %.")
                                        .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
   if (!own)
     return {SourceFactsText::tr("Table for fits"),
@@ -69,7 +69,7 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
                      SourceFactsText::tr("Form in which the material is shown and edited, and its size in memory.") +
                          ' ' + gridExplanation};
   if (!loaded.isSampled()) {
-    fact.toolTip += '\n' + SourceFactsText::tr("The material is this table: nothing was sampled.");
+    fact.toolTip += '\n' + SourceFactsText::tr("The material itself is this table; it was not resampled.");
     return fact;
   }
   fact.value += '\n' + errorText(loaded, snr, measuring);

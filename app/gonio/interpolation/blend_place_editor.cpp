@@ -26,7 +26,8 @@ BlendPlaceEditor::BlendPlaceEditor(QWidget* parent)
 }
 
 QWidget* BlendPlaceEditor::buildLine() {
-  const QString toolTip = tr("t: 0 is A alone, 1 is B alone. Shift: fine, Ctrl: snap; arithmetic works in the field.");
+  const QString toolTip =
+      tr("t: 0 is A alone, 1 is B alone. Shift: fine, Ctrl: snap; the field accepts arithmetic, such as 1/3.");
   m_slider->setRange(0, 1, models::ParameterScale::linear);
   m_slider->setReference(0.5);
   m_slider->setAccessibleName(tr("t, from A to B"));

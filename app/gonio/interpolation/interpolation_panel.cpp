@@ -58,7 +58,7 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->addItem(widgets::spaceName(space), int(space));
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
-  m_spaceBox->setAccessibleName(tr("Space of interpolation"));
+  m_spaceBox->setAccessibleName(tr("Interpolation space"));
   m_show->setToolTip(tr("Shows the blend in the preview while it changes; off shows the open material"));
   m_show->setChecked(true);
   m_keep->setToolTip(
@@ -159,7 +159,7 @@ void InterpolationPanel::setSpace(Space space) {
 void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
-    text += '\n' + tr("Between the ends, the preview blends tables of the materials that have another form.");
+    text += '\n' + tr("Between the ends, the preview blends tables sampled from materials that are not tables.");
   m_placeEditor->setExplanation(text);
 }
 
@@ -237,7 +237,7 @@ void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m
 
 void InterpolationPanel::keep() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
-  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Choose a material for every place first."));
+  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Choose a material for every slot first."));
   auto source = std::make_shared<editing::BlendSource>();
   source->space = m_space;
   source->model = blend->model;

@@ -169,7 +169,7 @@ void LibraryController::listFolder() {
       {.title = tr("Listing %1").arg(m_title), .key = folderKey, .quiet = true},
       [folder = m_folder, own = m_ownFolder](const TaskControl& control) {
         if (!folder.isEmpty()) return materialsIn(folder, {}, control);
-        std::vector<widgets::LibraryItem> items = materialsIn(own, tr("Own materials"), control);
+        std::vector<widgets::LibraryItem> items = materialsIn(own, tr("User materials"), control);
         std::ranges::move(bundledItems(), std::back_inserter(items));
         return items;
       },

@@ -93,10 +93,10 @@ void PlotControls::addKinds() {
   m_kinds->setAccessibleName(tr("Kind of plot"));
   const std::pair<QString, QString> kinds[] = {
       {tr("Polar"), tr("The lobe in the plane of incidence")},
-      {tr("Cartesian"), tr("Values over θh, θd or θo")},
-      {tr("Slice"), tr("Values over θh and θd in false colour")},
-      {tr("Albedo"), tr("Fraction of the light that is reflected, over the angle of incidence")},
-      {tr("3-D lobe"), tr("Values over all directions of the viewer as a surface that can be turned")}};
+      {tr("Cartesian"), tr("BRDF values vs. θh, θd or θo")},
+      {tr("Slice"), tr("BRDF values over θh and θd in false colour")},
+      {tr("Albedo"), tr("Fraction of the light that is reflected vs. the angle of incidence")},
+      {tr("3-D lobe"), tr("BRDF values over all directions of the viewer as a surface that can be rotated")}};
   for (const auto& [name, toolTip] : kinds) m_kinds->setTabToolTip(m_kinds->addTab(name), toolTip);
   connect(m_kinds, &QTabBar::currentChanged, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.kind = PlotKind(index); }); });
@@ -133,13 +133,13 @@ QWidget* PlotControls::addNumber(const QString& label, const QString& toolTip, d
 }
 
 void PlotControls::addSections() {
-  m_axis = comboBox({tr("over θh"), tr("over θd"), tr("over θo")}, tr("Axis"),
+  m_axis = comboBox({tr("vs. θh"), tr("vs. θd"), tr("vs. θo")}, tr("Axis"),
                     tr("θh: half vector from the normal; θd: half the angle between light and viewer; θo: viewer"));
   connect(m_axis, &QComboBox::activated, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.axis = SectionAxis(index); }); });
   m_axisRow = addLabelled({}, m_axis);
-  m_spacing = comboBox({tr("θh even"), tr("θh as MERL")}, tr("Spacing of θh"),
-                       tr("Spacing of the θh axis: even in degrees, or by the square root as in MERL files, which "
+  m_spacing = comboBox({tr("θh linear"), tr("θh as in MERL")}, tr("Spacing of θh"),
+                       tr("Spacing of the θh axis: linear in degrees, or by the square root as in MERL files, which "
                           "magnifies the highlight"));
   connect(m_spacing, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.spacing = plots::ThetaHSpacing(index); });
@@ -155,7 +155,7 @@ void PlotControls::addSections() {
 void PlotControls::addIncidence() {
   const QString toolTip = tr(
       "Angle of incidence: between the direction to the light and the normal. Drag it in the plot, or Ctrl + drag on "
-      "the sphere of the preview: there it is the angle under which the point is seen.");
+      "the sphere of the preview: there it is the angle from which the point is viewed.");
   m_thetaISlider = new widgets::ParameterSlider;
   m_thetaISlider->setRange(0, widgets::maxThetaI, models::ParameterScale::angle);
   m_thetaISlider->setFixedWidth(fontMetrics().height() * 8);
@@ -175,7 +175,7 @@ void PlotControls::addIncidence() {
   QWidget* row = addLabelled(tr("θi"), m_thetaISlider);
   row->layout()->addWidget(m_thetaI);
   auto* pick = new QCheckBox(tr("Pick on sphere"));
-  pick->setToolTip(tr("Pick the angle on the sphere of the preview (there also Ctrl + drag)"));
+  pick->setToolTip(tr("Picks the angle on the sphere of the preview (or Ctrl + drag there)"));
   connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
   addLabelled({}, pick);
 }
@@ -200,7 +200,7 @@ void PlotControls::addValues() {
   m_cosineRow = addLabelled({}, m_cosine);
   m_logarithmic = new QCheckBox(tr("Logarithmic"));
   m_logarithmic->setObjectName("logarithmic");
-  m_logarithmic->setToolTip(tr("Logarithmic axis of values, for each kind of plot"));
+  m_logarithmic->setToolTip(tr("Logarithmic value axis; a separate setting for each kind of plot"));
   connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
     change([on](PlotChoices& choices) { choices.logarithmic[std::size_t(choices.kind)] = on; });
   });
@@ -210,7 +210,7 @@ void PlotControls::addValues() {
 void PlotControls::addExport() {
   m_export = new QToolButton;
   m_export->setText(tr("Export"));
-  m_export->setToolTip(tr("Write this plot as a file"));
+  m_export->setToolTip(tr("Writes this plot to a file"));
   m_export->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(m_export);
   const std::pair<QString, const char*> formats[] = {

@@ -103,7 +103,7 @@ void PlotsPanel::clear() {
   for (widgets::Plot* plot : m_plots) {
     plot->setSource(material ? QString::fromStdString(material->material.name) : QString());
     plot->setHint(material ? tr("Computing the plot...")
-                           : tr("Open a material to see it plotted: measured, fitted and edited."));
+                           : tr("Open a material to plot its measured, fitted and edited values."));
   }
 }
 

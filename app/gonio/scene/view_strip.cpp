@@ -72,7 +72,8 @@ void ViewStrip::build() {
   m_shapes->addItem(tr("Mesh or scene..."), file);
   m_shapes->setToolTip(tr("Shape or scene that shows the material"));
   m_lights->setToolTip(
-      tr("Light of the scene; a choice stays when the scene changes. Shift + right drag turns the environment."));
+      tr("Light of the scene; a chosen light stays when the scene changes. Shift + right drag rotates the "
+         "environment."));
   m_lights->setIconSize(iconSize);
   m_backgrounds->addItem(tr("Plain"));
   m_backgrounds->addItem(tr("Checker"));
@@ -136,7 +137,7 @@ void ViewStrip::fillLights() {
   for (int i = 0; i < m_lights->count(); ++i) icons[present[i]] = m_lights->itemIcon(i);
   m_lights->clear();
   for (const QString& name : wanted) {
-    const QString text = name == own           ? tr("As the scene")
+    const QString text = name == own           ? tr("From scene")
                          : name == directional ? tr("Directional")
                          : name == file        ? tr("Picture (HDR, EXR)...")
                          : name.contains('/')  ? name.section('/', -1)

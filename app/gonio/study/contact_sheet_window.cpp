@@ -71,7 +71,7 @@ void ContactSheetWindow::build() {
   m_count->setValue(firstCount);
   m_maps = new QCheckBox(tr("Error &maps"));
   m_maps->setChecked(true);
-  m_maps->setToolTip(tr("Shows the absolute difference of luminance from the material, all on one scale"));
+  m_maps->setToolTip(tr("Shows the absolute luminance difference from the material, on one scale for all pictures"));
   auto* size = new QSlider(Qt::Horizontal);
   size->setRange(smallestTile, largestTile);
   size->setValue(firstTile);
@@ -79,7 +79,7 @@ void ContactSheetWindow::build() {
   size->setAccessibleName(tr("Picture size"));
   size->setToolTip(size->accessibleName());
   m_compare = new QPushButton(tr("&Compare in the Preview"));
-  m_compare->setToolTip(tr("Select two pictures by clicks, or with the arrow keys and Space"));
+  m_compare->setToolTip(tr("Select two pictures by clicking, or with the arrow keys and Space"));
   m_save = new QPushButton(tr("&Save Picture..."));
   auto* label = new QLabel(tr("&Best"));
   label->setBuddy(m_count);

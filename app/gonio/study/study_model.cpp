@@ -185,7 +185,8 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(metric.name), widgets::fromView(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),
         tr("Time of one frame in the reference renderer on the CPU, not in the preview"),
-        tr("Size of the file; for a table in memory, for a fit of its parameters. Dictionaries are not counted."),
+        tr("Size of the file; of a table: its size in memory; of a fit: the size of its parameters. Dictionaries are "
+           "not counted."),
         tr("Time to compute the representation from the table, seconds")};
     return tips[section];
   }

@@ -130,8 +130,8 @@ QVariant StudySummaryModel::headerData(int section, Qt::Orientation orientation,
         tr("Median of the rendered SNR over the materials. Larger is better."),
         tr("Smallest rendered SNR of all materials. Larger is better."),
         tr("The material with the smallest rendered SNR"),
-        tr("Median size over the materials: of the file; for a table in memory, for a fit of its parameters. "
-           "Dictionaries are not counted."),
+        tr("Median size over the materials: size of the file; of a table: its size in memory; of a fit: the size of "
+           "its parameters. Dictionaries are not counted."),
         tr("Median over the materials: processor time of one evaluation on one thread, in batches"),
         tr("Median over the materials: time of one frame in the reference renderer on the CPU"),
         tr("Median over the materials: time to compute the representation from the table, seconds")};

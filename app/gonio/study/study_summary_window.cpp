@@ -198,7 +198,7 @@ void StudySummaryWindow::refresh() {
   m_measure->setText(running ? tr("S&top") : m_model.isEmpty() ? tr("&Measure") : tr("&Measure the Rest"));
   m_measure->setEnabled(running || nextMaterial());
   m_measure->setToolTip(running ? tr("Stops measuring; finished results stay (Escape)")
-                                : tr("Measures the representations that are missing, in the background"));
+                                : tr("Measures the missing representations in the background"));
   m_copy->setEnabled(!m_model.isEmpty());
   for (QCheckBox* box : m_families) box->setEnabled(!running);
   m_empty->setVisible(m_model.rowCount() == 0);

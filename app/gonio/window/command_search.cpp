@@ -66,7 +66,7 @@ CommandSearch::CommandSearch(QWidget* window, std::vector<SearchEntry> others)
   std::ranges::move(others, std::back_inserter(m_entries));
   m_text->setPlaceholderText(tr("Search commands, materials, parameters, scenes"));
   m_text->setAccessibleName(tr("Search commands, materials, parameters, scenes"));
-  m_list->setAccessibleName(tr("Found"));
+  m_list->setAccessibleName(tr("Search results"));
   m_list->setFocusPolicy(Qt::NoFocus);
   m_text->installEventFilter(this);
   auto* layout = new QVBoxLayout(this);

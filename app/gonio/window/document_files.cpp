@@ -106,7 +106,7 @@ bool DocumentFiles::mayStopExports() {
   if (!m_parts.tasks.isWritingFiles()) return true;
   QMessageBox box(QMessageBox::Question, tr("Exports in progress"), tr("Files are still being exported."),
                   QMessageBox::Cancel, m_window);
-  box.setInformativeText(tr("If you close now, the files that are not complete are not written."));
+  box.setInformativeText(tr("If you close now, incomplete exports are discarded."));
   QPushButton* stop = box.addButton(tr("Stop the Exports and Close"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
@@ -118,7 +118,8 @@ void DocumentFiles::askAboutChangedSource(const QString& text) {
       new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
   box->setTextFormat(Qt::PlainText);
   box->setInformativeText(
-      tr("The edits were made on other values; applied to the changed file, they may count twice or look different."));
+      tr("The edits were made for the previous values. Applied to the changed file, they may look different, or count "
+         "twice if the file already contains them."));
   const QPushButton* with = box->addButton(tr("Apply the &Edits"), QMessageBox::AcceptRole);
   const QPushButton* without = box->addButton(tr("Open &Without Edits"), QMessageBox::AcceptRole);
   box->setDefaultButton(QMessageBox::Cancel);
@@ -214,7 +215,7 @@ void DocumentFiles::saveBeside(const FileSave& save) {
 void DocumentFiles::offerRecovery() {
   const QString folder = Autosave::defaultDataFolder();
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
-    const QString what = work.originalPath.isEmpty() ? tr("an unsaved document") : work.originalPath;
+    const QString what = work.originalPath.isEmpty() ? tr("an untitled document") : work.originalPath;
     const auto answer =
         QMessageBox::question(m_window, tr("Recover unsaved work"),
                               tr("Gonio did not exit cleanly. Recover the unsaved changes to %1?").arg(what),

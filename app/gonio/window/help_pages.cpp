@@ -30,10 +30,10 @@ QString row(const QString& left, const QString& right) {
 /// What the mouse and single widgets do: nothing that an action shows.
 QString gestures() {
   return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (directional light: move the light)")) +
-         row(HelpPagesText::tr("Right drag in the preview"), HelpPagesText::tr("orbit; a click: a menu")) +
+         row(HelpPagesText::tr("Right drag in the preview"), HelpPagesText::tr("orbit; a right click opens the menu")) +
          row(HelpPagesText::tr("Middle drag, Shift + drag in the preview"), HelpPagesText::tr("pan")) +
          row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom to the pointer")) +
-         row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("turn the environment")) +
+         row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("rotate the environment")) +
          row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the object, reset the view")) +
          row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("fine steps, snap")) +
          row(HelpPagesText::tr("Double-click on a label or slider"), HelpPagesText::tr("reset the parameter")) +
@@ -61,7 +61,8 @@ QString factorFormulae() {
            formula(HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
            HelpPagesText::tr("Without the measured detail:"),
            formula(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
-           HelpPagesText::tr("The disk of directions ends, behind the mirror direction and at its farthest, at"),
+           HelpPagesText::tr("The edge of the unit disk of directions, behind the mirror direction and on the far "
+                             "side:"),
            formula(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
       .arg(HelpPagesText::tr(
           "Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));
@@ -109,7 +110,7 @@ QString aboutPage() {
                           HelpPagesText::tr("Licences"),
                           HelpPagesText::tr("The modelling library (core) and goniotool: Apache-2.0."),
                           HelpPagesText::tr("This editor: GPL-3.0-or-later. It comes with no warranty."),
-                          HelpPagesText::tr("Third parties"));
+                          HelpPagesText::tr("Third-party software"));
   const std::pair<const char*, const char*> parties[] = {{"Qt 6", "LGPL-3.0-only"},
                                                          {"Eigen", "MPL-2.0"},
                                                          {"GLM", "MIT"},
@@ -127,15 +128,15 @@ QString aboutPage() {
   page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
               .arg(HelpPagesText::tr("Data"),
                    HelpPagesText::tr(
-                       "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
-                       "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
-                       "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
-                       "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
-                       "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
-                       "Shifted Gamma micro-facet distribution, 2012). Copies and fits stand for materials of the MERL "
-                       "database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, 2003), which "
-                       "is not included. The bundled dictionary is learned from the near-measured copies. The scenes "
-                       "and environments are made by the project itself."));
+                       "The bundled library contains measured materials of the RGL database (Dupuy and Jakob, An "
+                       "Adaptive Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), "
+                       "near-measured copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, "
+                       "Neural BRDF Representation and Importance Sampling, 2021; MIT) and published SGD fits of the "
+                       "MERL materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using "
+                       "a Shifted Gamma micro-facet distribution, 2012). The copies and fits represent materials of "
+                       "the MERL database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, "
+                       "2003), which is not included. The bundled dictionary is learned from the near-measured copies. "
+                       "The scenes and environments were made for Gonio."));
   return page;
 }
 

@@ -35,9 +35,9 @@ void LightMenu::add(const QString& text, const QString& name, const QKeySequence
 
 void LightMenu::addOwn() {
   QAction* own =
-      m_group->addAction(addAction(tr("As the S&cene"), &m_environment, &EnvironmentController::openScenesOwn));
+      m_group->addAction(addAction(tr("From S&cene"), &m_environment, &EnvironmentController::openScenesOwn));
   own->setCheckable(true);
-  own->setToolTip(tr("Uses the light of the scene; the lights below stay when the scene changes."));
+  own->setToolTip(tr("Uses the light of the scene; a light chosen below stays when the scene changes."));
   connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isScenesOwn()); });
 }
 

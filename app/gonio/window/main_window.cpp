@@ -174,7 +174,7 @@ void MainWindow::connectDocument() {
           [this](const QString& path) { m_status->showNotice(tr("Saved %1").arg(path)); });
   const auto tellLostNotes = [this] {
     if (const QString& failure = m_parts.libraryStore.failure(); !failure.isEmpty())
-      m_status->showNotice(tr("Notes on materials cannot be saved: %1").arg(failure));
+      m_status->showNotice(tr("Favourites, ratings and tags cannot be saved: %1").arg(failure));
   };
   tellLostNotes();
   connect(&m_parts.library.model(), &widgets::LibraryModel::notesChanged, this, tellLostNotes);

@@ -82,7 +82,7 @@ void MaterialMenu::addCancel(const Parts& parts) {
                                 if (comparison.isReplaced()) return comparison.dismissStandIn();
                                 tasks.cancelTopmost();
                               });
-  cancel->setToolTip(tr("Returns to the material, or else stops the newest work in progress"));
+  cancel->setToolTip(tr("Shows the material again, or stops the most recent task"));
   const auto update = [&tasks = parts.tasks, &comparison = parts.comparison, cancel] {
     const auto task = tasks.topmost();
     cancel->setEnabled(comparison.isReplaced() || (task && !task->quiet));

@@ -47,7 +47,7 @@ class ViewStripTest : public QObject {
   /// What is chosen is shown, and the strip shows what is: also what was changed elsewhere.
   void shapesAndLights() {
     QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));
-    QCOMPARE(strip_->lights().currentText(), QString("As the scene"));
+    QCOMPARE(strip_->lights().currentText(), QString("From scene"));
     choose(strip_->shapes(), "Cloth");
     QTRY_COMPARE(preview_->content().scene().name, std::string("cloth"));
     QCOMPARE(strip_->shapes().currentText(), QString("Cloth"));
@@ -57,7 +57,7 @@ class ViewStripTest : public QObject {
     choose(strip_->lights(), "Directional");
     QTRY_VERIFY(!preview_->content().scene().environment);
     QCOMPARE(strip_->lights().currentText(), QString("Directional"));
-    choose(strip_->lights(), "As the scene");
+    choose(strip_->lights(), "From scene");
     QCOMPARE(environment_->name(), QString("studio"));
     scene_->open("sphere-distant-light");
     QTRY_COMPARE(strip_->shapes().currentText(), QString("Sphere distant light"));
@@ -113,7 +113,7 @@ class ViewStripTest : public QObject {
     QCOMPARE(scene.count(), 1);
     QCOMPARE(environment.count(), 1);
     QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));
-    QCOMPARE(strip_->lights().currentText(), QString("As the scene"));
+    QCOMPARE(strip_->lights().currentText(), QString("From scene"));
   }
 
  private:

@@ -149,7 +149,7 @@ class GoniotoolShardsTest : public QObject {
       QVERIFY(one.json["records"][0] == both.json["records"][std::size_t(i)]);
     }
     const ToolResult none = codes("none", {materials_[1]}, {"second.dictionary", "second.dictionary"});
-    QVERIFY(none.code == 1 && none.error.contains("m1: every dictionary has learned"));
+    QVERIFY(none.code == 1 && none.error.contains("m1: every dictionary was trained"));
   }
 
   void foldersAreTheirMaterials() {

@@ -239,7 +239,7 @@ class ReconstructionTest : public QObject {
     MeasuredValues fewer = values_;
     fewer.rgb.pop_back();
     QVERIFY(test::contains(errorOf(fewer), "values for a plan of"));
-    QVERIFY(test::contains(test::errorOf([&] { reconstruct(basis_, {}, {}); }), "without samples"));
+    QVERIFY(test::contains(test::errorOf([&] { reconstruct(basis_, {}, {}); }), "contains no samples"));
     QVERIFY(!errorOf(values_, ridgeOf(-1)).empty());
     QVERIFY(!errorOf(values_, ridgeOf(std::nan(""))).empty());
     QVERIFY(!errorOf(values_, ridgeOf(1, -1)).empty());

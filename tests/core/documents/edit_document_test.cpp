@@ -93,7 +93,7 @@ class EditDocumentTest : public QObject {
     json["version"] = 4;
     QVERIFY(differential(documentFromJson(json), lobes).composition == Composition::additive);
     QVERIFY(contains(errorWith("/edits/0/composition", "sum"), "additive, log-plus or lobes"));
-    QVERIFY(contains(errorWith("/edits/0/composition", "lobes"), "is no sum of lobes"));
+    QVERIFY(contains(errorWith("/edits/0/composition", "lobes"), "is not a sum of lobes"));
   }
 
   /// Written where they change something; documents of version 5 have none.
@@ -139,16 +139,16 @@ class EditDocumentTest : public QObject {
       if (!all) qWarning("%s", error.c_str());
       return all;
     };
-    QVERIFY(tells(errorWith("/format", "other"), "format", "the text \"other\""));
+    QVERIFY(tells(errorWith("/format", "other"), "format", "the string \"other\""));
     QVERIFY(tells(errorWith("/version", 7), "version", "the number 7"));
     QVERIFY(contains(errorWith("/version", 7), "newer"));
     QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
     QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
     QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));
-    QVERIFY(tells(errorWith("/source/sha256", "ABC"), "source.sha256", "the text \"ABC\""));
+    QVERIFY(tells(errorWith("/source/sha256", "ABC"), "source.sha256", "the string \"ABC\""));
     QVERIFY(tells(errorWith("/edits", 3), "edits", "the number 3"));
-    QVERIFY(tells(errorWith("/edits/0", "x"), "edits[0]", "the text \"x\""));
-    QVERIFY(tells(errorWith("/edits/1/type", "factor"), "edits[1].type", "the text \"factor\""));
+    QVERIFY(tells(errorWith("/edits/0", "x"), "edits[0]", "the string \"x\""));
+    QVERIFY(tells(errorWith("/edits/1/type", "factor"), "edits[1].type", "the string \"factor\""));
     QVERIFY(tells(errorWith("/edits/0/strength", 1.5), "edits[0].strength", "the number 1.5"));
     QVERIFY(tells(errorWith("/edits/0/enabled", 1), "edits[0].enabled", "the number 1"));
     QVERIFY(tells(errorWith("/edits/0/name", 1), "edits[0].name", "the number 1"));

@@ -184,7 +184,7 @@ class TriangleMeshTest : public QObject {
     QCOMPARE(refusal(arrays), "mesh: vertex 5 is at (1, nan, 1), expected finite numbers");
     arrays = cubeArrays();
     arrays.triangles[7][2] = 8;
-    QCOMPARE(refusal(arrays), "mesh: triangle 7 names vertex 8, there are 8, counted from 0");
+    QCOMPARE(refusal(arrays), "mesh: triangle 7 refers to vertex 8, but there are only 8, counted from 0");
     arrays = cubeArrays();
     arrays.normals.resize(12);
     QCOMPARE(refusal(arrays), "mesh: found 12 normals, expected three for each of 12 triangles");

@@ -55,7 +55,7 @@ class CsvTextTest : public QObject {
     QCOMPARE(errorOf([&] { csv.neededColumn("size"); }),
              std::string("line 1: found the columns name, value, expected one named size"));
     QCOMPARE(errorOf([] { io::readCsvText("a,b\n1\n"); }), std::string("line 2: found 1 columns, expected 2: a, b"));
-    QVERIFY(contains(errorOf([] { io::readCsvText("# only\n"); }), "no line with the names"));
+    QVERIFY(contains(errorOf([] { io::readCsvText("# only\n"); }), "no header line with column names"));
     QVERIFY(contains(errorOf([] { io::readText(outputPath("io/no_such_table.csv")); }), "cannot be opened"));
   }
 };

@@ -135,12 +135,12 @@ class MeshFileTest : public QObject {
     const auto refused = [&](std::string_view what, std::string_view by) {
       return refusal(replaced(glb, what, by), ".glb");
     };
-    QVERIFY(test::contains(refused(R"("indices":2)", R"("indices":7)"), "accessors: there is no number 7"));
+    QVERIFY(test::contains(refused(R"("indices":2)", R"("indices":7)"), "accessors: there is no element 7"));
     QVERIFY(
         test::contains(refused(R"("count":3,"type":"SCALAR")", R"("count":9,"type":"SCALAR")"), "accessors[2].count"));
-    QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no number 9"));
+    QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no element 9"));
     QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "in a cycle"));
-    QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no number 6"));
+    QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no element 6"));
     QVERIFY(test::contains(test::errorOf([] { readMesh("vase.stl"); }), "vase.stl: found the suffix '.stl'"));
     QVERIFY(test::contains(test::errorOf([] { readMesh("/nowhere/vase.ply"); }), "/nowhere/vase.ply"));
   }

@@ -136,7 +136,7 @@ class BasisFileTest : public QObject {
     bad = good;
     const double negative = -1;
     std::memcpy(bad.data() + numbers, &negative, 8);
-    QVERIFY(test::contains(errorOf(bad), "singular values that do not descend"));
+    QVERIFY(test::contains(errorOf(bad), "singular values that are not in descending order"));
     bad = good;
     const float below = -1;
     std::memcpy(bad.data() + numbers - leftOut - 8 * cells, &below, 4);
@@ -148,14 +148,14 @@ class BasisFileTest : public QObject {
     QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));
     for (const float scale : {-1.0f, 1e30f}) {
       std::memcpy(bad.data() + numbers - leftOut, &scale, 4);
-      QVERIFY(test::contains(errorOf(bad), "left out that is negative or too large"));
+      QVERIFY(test::contains(errorOf(bad), "a residual standard deviation that is negative or too large"));
     }
     bad = good;
     bad[numbers - 1] = std::byte(0x7e);
-    QVERIFY(test::contains(errorOf(bad), "what is left out with an entry that is not finite"));
+    QVERIFY(test::contains(errorOf(bad), "the residual standard deviations with an entry that is not finite"));
     const std::size_t bits = (basis_.mapping.grid.size() + 7) / 8;
     bad[numbers - leftOut - 8 * cells - bits] ^= std::byte(1);
-    QVERIFY(test::contains(errorOf(bad), "cells that count, expected"));
+    QVERIFY(test::contains(errorOf(bad), "used cells, expected"));
     const auto path = test::writeFile("basis/bad.basis", bad);
     QVERIFY(test::contains(test::errorOf([&] { readBasis(path); }), "bad.basis: "));
   }

@@ -158,8 +158,8 @@ class DictionaryFileTest : public QObject {
     QVERIFY(material.code && material.code->channels[2].coefficients.size() == 2);
     QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, materials::readCode(path).code)));
     materials::writeCode(code, dictionary->id + 1, path);
-    QVERIFY(
-        contains(errorOf([&] { materials::readMaterial(path); }), "bundled.code: the code needs another dictionary"));
+    QVERIFY(contains(errorOf([&] { materials::readMaterial(path); }),
+                     "bundled.code: the code was encoded with another dictionary"));
   }
 };
 

@@ -141,16 +141,16 @@ class MaterialFormatsTest : public QObject {
   void refusedFileStatesWhatEachFormatFound() {
     const auto path = writeFile("materials/notes.txt", bytesOf("these are only words.\n"));
     const std::string error = errorOf([&] { materials::readMaterial(path); });
-    QVERIFY2(contains(error, "notes.txt: this file could not be read:") &&
-                 contains(error, "\n  MERL: found axis counts") && contains(error, "\n  RGL: found") &&
-                 contains(error, "expected the signature 'tensor_file'") &&
-                 contains(error, "\n  PDV factors: not a PDV file (signature missing)") &&
-                 contains(error, "\n  UTIA: found 22 bytes; expected 1990656 bytes") &&
-                 contains(error, "\n  Zemax: found text without these keys; expected the keys AngleOfIncidence") &&
-                 contains(error, "\n  LightTools: found") && contains(error, "\n  ASTM: found") &&
-                 contains(error, "\n  pgII: found a first line that does not begin with #") &&
-                 contains(error, "\n  CUReT: found line 1"),
-             error.c_str());
+    QVERIFY2(
+        contains(error, "notes.txt: this file could not be read:") && contains(error, "\n  MERL: found axis counts") &&
+            contains(error, "\n  RGL: found") && contains(error, "expected the signature 'tensor_file'") &&
+            contains(error, "\n  PDV factors: not a PDV file (signature missing)") &&
+            contains(error, "\n  UTIA: found 22 bytes; expected 1990656 bytes") &&
+            contains(error, "\n  Zemax: found a text file of another format; expected the keys AngleOfIncidence") &&
+            contains(error, "\n  LightTools: found") && contains(error, "\n  ASTM: found") &&
+            contains(error, "\n  pgII: found a first line that does not begin with #") &&
+            contains(error, "\n  CUReT: found line 1"),
+        error.c_str());
   }
 
   /// What is wrong comes first, in one line.

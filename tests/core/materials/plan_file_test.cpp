@@ -137,8 +137,8 @@ class PlanFileTest : public QObject {
   }
 
   void errorsNameTheLine() {
-    VERIFY_PLAN_ERROR("", "no line with the names");
-    VERIFY_PLAN_ERROR("# only\n", "no line with the names");
+    VERIFY_PLAN_ERROR("", "no header line with column names");
+    VERIFY_PLAN_ERROR("# only\n", "no header line with column names");
     VERIFY_PLAN_ERROR(names, "no samples");
     VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o\n1,2,3,4\n",
                       "line 1: found the columns index, theta_i, phi_i, theta_o");

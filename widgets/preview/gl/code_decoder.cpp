@@ -128,7 +128,7 @@ class Passes {
     gl_.glDrawBuffers(count, targets.data());
     gl_.glViewport(0, 0, width, height);
     if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw Error("the graphics driver does not render to float textures");
+      throw Error("the graphics driver cannot render to floating-point textures");
   }
 
   Gl& gl_;

@@ -19,7 +19,7 @@ void PictureReadback::begin(Gl& gl, const QSize& size) {
   gl.glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width(), size.height());
   gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours_);
   if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw Error("the graphics driver has no framebuffer of the preview's size");
+    throw Error("the graphics driver cannot create a framebuffer of the preview's size");
   size_ = size;
 }
 

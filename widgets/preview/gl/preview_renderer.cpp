@@ -36,7 +36,7 @@ PreviewRenderer::~PreviewRenderer() = default;
 
 void PreviewRenderer::initialize() {
   if (!resources_->isInitialized()) resources_->initialize();
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
 }
 
 void PreviewRenderer::release() {

@@ -30,7 +30,7 @@ std::unique_ptr<QOpenGLShaderProgram> linked(const PassShaders& shaders, const Q
   auto program = std::make_unique<QOpenGLShaderProgram>();
   if (!link(*program, shaders))
     throw Error("shader " + name.toStdString() +
-                " was refused by the graphics driver: " + program->log().toStdString());
+                " could not be compiled by the graphics driver: " + program->log().toStdString());
   return program;
 }
 
@@ -42,7 +42,7 @@ TableTexture::~TableTexture() {
 }
 
 void PreviewResources::initialize() {
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
   glGenVertexArrays(1, &vertexArray_);
   usesFlatUniforms_ = CodeDecoder::isSoftware(*this);
   decodesCodes_ = !usesFlatUniforms_;
