@@ -50,8 +50,8 @@ enum class PdvWeights {
   uniform,  ///< 1 for all cells (Tongbuasirilai et al. 2019); dense nodes at grazing angles dominate
   /// cos theta_i cos theta_o times the projected solid angles of light and viewer times (d rho / d y)^(1/2), plus 2e-5
   /// of the mean weight in all cells. With power 2 instead of 1/2 it would be the squared error of rho cos theta_i cos
-  /// theta_o to first order, where highlights dominate; with power 0 highlights overshoot (docs/factors.md compares
-  /// them).
+  /// theta_o to first order, where highlights dominate; with power 0 highlights overshoot (docs/results/factors.md
+  /// compares them).
   projectedSolidAngle
 };
 

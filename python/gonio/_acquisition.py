@@ -103,8 +103,8 @@ def bundled_basis(progress: Progress = None) -> Basis:
 
 def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 1024,
                 progress: Progress = None) -> Basis:
-    """Computes the principal components of a training set, on the grid of MERL tables. About 1 s and 13 MB of memory per
-    material.
+    """Computes the principal components of a training set, on the grid of MERL tables. Takes about 1 s and 13 MB of
+    memory per material.
 
     Args:
         sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
@@ -191,7 +191,7 @@ class Plan:
         return self._handle.method
 
     def save(self, path: PathLike) -> None:
-        """Writes the plan as CSV (docs/acquisition.md); an existing file is replaced in one step. Raises Error if it
+        """Writes the plan as CSV (docs/formats.md); an existing file is replaced in one step. Raises Error if it
         cannot be written."""
         self._handle.save(os.fspath(path))
 
@@ -200,8 +200,8 @@ class Plan:
         self._handle.save_values(readings.values, readings.noise, os.fspath(path))
 
     def open_values(self, path: PathLike) -> Readings:
-        """Reads the values measured at the directions of this plan from a CSV (docs/acquisition.md). Raises Error with the
-        file and the line."""
+        """Reads the values measured at the directions of this plan from a CSV file (docs/formats.md). Raises Error with
+        the file and the line."""
         return Readings(*self._handle.read_values(os.fspath(path)))
 
 
@@ -241,7 +241,7 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
 
 def open_plan(path: PathLike) -> Plan:
-    """Reads a plan from a CSV (docs/acquisition.md). Raises Error with the file and the line."""
+    """Reads a plan from a CSV file (docs/formats.md). Raises Error with the file and the line."""
     return Plan.__new__(Plan)._set(_core.read_plan(os.fspath(path)))
 
 

@@ -86,7 +86,7 @@ class Material:
 
     @property
     def is_isotropic(self) -> bool:
-        """Whether the BRDF depends on the azimuths only by phi_i - phi_o."""
+        """Whether the BRDF depends on the azimuths only through phi_i - phi_o."""
         return self._handle.is_isotropic
 
     @property
@@ -112,7 +112,7 @@ class Material:
         a reciprocal table and 2 pi for others. Invalid cells are 0.
 
         Raises:
-            Error: The material is no table; see tabulated().
+            Error: The material is not a table; see tabulated().
         """
         return self._table()[0]
 
@@ -121,7 +121,7 @@ class Material:
         """Which cells of `values` are valid: measured and above the horizon. A read-only view of shape (n_h, n_d, n_phi).
 
         Raises:
-            Error: The material is no table; see tabulated().
+            Error: The material is not a table; see tabulated().
         """
         return self._table()[1]
 
@@ -247,10 +247,10 @@ class Material:
             progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Returns:
-            What the file cannot hold, one sentence each; usually an empty list.
+            What the file cannot represent, one sentence each; usually an empty list.
 
         Raises:
-            Error: The suffix is unknown, the format cannot hold the material, or the file cannot be written.
+            Error: The suffix is unknown, the format cannot represent the material, or the file cannot be written.
         """
         return self._handle.save(os.fspath(path), progress)
 
@@ -354,7 +354,7 @@ class Check:
 
 def check(material: Material, progress: Progress = None) -> list[Check]:
     """Tests the plausibility of a material over a fixed set of directions: reciprocity, energy, negative and non-finite
-    values. About 0.1 s.
+    values. Takes about 0.1 s.
 
     Args:
         material: The material to test.

@@ -142,7 +142,7 @@ class Metric:
 
 
 def metrics() -> dict[str, Metric]:
-    """All metrics, a dict by id (docs/command-line.md, Metrics)."""
+    """All metrics, a dict by id ([metrics](command-line.md#metrics))."""
     return {row[0]: Metric(*row) for row in _core.metrics()}
 
 
@@ -181,15 +181,15 @@ def _fit(row: dict[str, Any]) -> Fit:
 
 def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: float = 2.0,
         max_polar_angle: float = math.radians(85), progress: Progress = None) -> Fit:
-    """Fits a model to a material by minimising a metric over the valid cells. Under 3 s for a table, twice that for
-    anisotropic data.
+    """Fits a model to a material by minimising a metric over the valid cells. Takes less than 3 s for a table, and
+    twice as long for anisotropic data.
 
     Linear parameters are solved in closed form (variable projection), the others by bounded least squares from several
     starts. The result is deterministic.
 
     Args:
-        material: The material to fit. One that is not a table is sampled as one first (1 s); an anisotropic one is fitted
-            over all azimuths.
+        material: The material to fit. A material that is not a table is sampled as a table first (1 s); an anisotropic one is
+            fitted over all azimuths.
         model: Id of a model (gonio.models()).
         metric: Id of the metric that is minimised (gonio.metrics()).
         gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
@@ -205,7 +205,8 @@ def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: floa
 def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log", gamma: float = 2.0,
             max_polar_angle: float = math.radians(85), size: int = 128, samples: int = 32,
             progress: Progress = None) -> list[Fit]:
-    """Fits several models and sorts the fits by their error, smallest first. About a minute for all models on 2 cores.
+    """Fits several models and sorts the fits by their error, smallest first. Takes about a minute for all models
+    on 2 cores.
 
     Args:
         material: The material to fit.
@@ -224,10 +225,10 @@ def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log",
 def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, Value]] = None,
          controls: Optional[Mapping[str, Value]] = None, composition: str = "", strength: float = 1.0,
          progress: Progress = None) -> Material:
-    """A differential edit: the change from the fitted model to the edited model is applied to the measurement, which keeps
-    the detail that the model does not explain (Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling
-    and Acquisition, section 4.4.1). The edited table of a table takes 0.5 s; other materials apply the edit when they are
-    evaluated.
+    """Edits a material differentially: the change from the fitted model to the edited model is applied to the measurement, so
+    that the detail that the model does not explain is preserved (Tongbuasirilai 2023, Data-Driven Approaches for Sparse
+    Reflectance Modeling and Acquisition, section 4.4.1). A table is edited at once, in 0.5 s; for other materials, the edit
+    is computed when they are evaluated.
 
     An edit that changes nothing returns the same values bit for bit. The result can be edited again; Material.save() writes
     all edits to a .gonio document.
@@ -235,11 +236,11 @@ def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, 
     Args:
         material: The material to edit.
         model: A fit of the material, or the id of a model, which is then fitted first.
-        set: New values of parameters by name; parameters that are not named keep their fitted values. None: no change.
+        set: New values of parameters by name; other parameters have their fitted values. None: no change.
         controls: Values of gonio.artist_controls() by name, such as {"roughness": 2} for twice the roughness. None: no change.
         composition: How the change is combined with the measurement: "additive" (the difference is added, as published),
-            "log-plus" (about a ratio in the highlight) or "lobes" (each lobe keeps its ratio of measurement and fit; for
-            models that are sums of lobes). "": the default of the model.
+            "log-plus" (close to a ratio in the highlight) or "lobes" (the ratio of measurement and fit moves with each lobe;
+            for models that are sums of lobes). "": the default of the model.
         strength: Fraction of the change that is applied, 0 to 1.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 

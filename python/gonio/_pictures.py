@@ -101,7 +101,7 @@ class Comparison:
 
 def compare(reference: Material, other: Material, max_polar_angle: float = math.radians(85), size: int = 256, samples: int = 64,
             pictures: bool = False, progress: Progress = None) -> Comparison:
-    """Computes every metric between two materials and between their pictures. Some seconds.
+    """Computes every metric between two materials and between their pictures. Takes some seconds.
 
     Args:
         reference: The reference.
@@ -180,7 +180,7 @@ class Target:
     description: str
     """What is written, and how to use it."""
     holds: str
-    """What the files can hold and what they cannot."""
+    """What the files can and cannot represent."""
     has_scenes: bool
     """Whether a scene can be written with the material."""
 
@@ -204,14 +204,14 @@ class Export:
     facts: dict[str, Any] = field(repr=False)
     """Further properties of the export, by name, which depend on the target."""
     warnings: list[str]
-    """What the files do not hold, one sentence each."""
+    """What the files do not represent, one sentence each."""
     material: Material = field(repr=False)
     """The exported material as the renderer shows it, by the formula of the target."""
 
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
            scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None) -> Export:
-    """Writes a material, with its edits, as files for a renderer. Some seconds.
+    """Writes a material, with its edits, as files for a renderer. Takes some seconds.
 
     Args:
         material: The material to export.

@@ -127,10 +127,10 @@ class Factors:
 
 def factorize(material: Material, terms: int = 10, form: str = "3d", transform: str = "log-plus",
               deviation_nodes: Sequence[float] = (), progress: Progress = None) -> Factors:
-    """Factorises a material into curves over projected-deviation coordinates. About 1 s for ten terms.
+    """Factorises a material into curves over projected-deviation coordinates. Takes about 1 s for ten terms.
 
     Args:
-        material: The material to factorise. One that is not a table is sampled as one first (1 s).
+        material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
         terms: Number of terms (products of curves) per channel, 1 to 20. The first terms do not depend on the number.
         form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019, and 2023, eq.
             4.25).
@@ -168,10 +168,11 @@ def baselines() -> dict[str, str]:
 
 
 def factorize_baseline(material: Material, method: str, bytes: int = 44680, progress: Progress = None) -> BaselineFactors:
-    """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Up to a minute.
+    """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Takes up to a
+    minute.
 
     Args:
-        material: The material to factorise. One that is not a table is sampled as one first (1 s).
+        material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
         method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd" or "nmf"
             ([command line](command-line.md#baselines)).
         bytes: Max size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
@@ -319,10 +320,10 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
            transforms: Sequence[str] = ("log-plus", "cosine-log"), gamma: float = 2.0,
            relative_error: Optional[float] = None, max_bytes: Optional[int] = None,
            rendered_snr: Optional[float] = None, progress: Progress = None) -> Code:
-    """Encodes a material as a sparse code. About 1 s; a minute if `rendered_snr` is given.
+    """Encodes a material as a sparse code. Takes about 1 s, or a minute if `rendered_snr` is given.
 
     Args:
-        material: The material to encode. One that is not a table is sampled as one first (1 s).
+        material: The material to encode. A material that is not a table is sampled as a table first (1 s).
         coefficients: Max number of coefficients per channel.
         dictionary: The ensemble of dictionaries; None: the bundled one.
         transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
@@ -367,15 +368,16 @@ class Interpolation:
     """Materials prepared for blending: fits, factorisations and codes are made once, so that each blend is fast.
 
     A blend is computed in one of five spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" mixes the
-    parameters of a fitted model, without the measured detail; "differential" moves each material by a differential edit, which
-    keeps its detail (Tongbuasirilai and Unger 2016); "factors" mixes factor curves; "dictionary" mixes sparse codes.
+    parameters of a fitted model, without the measured detail; "differential" edits each material toward the mixed parameters,
+    so that its detail is preserved (Tongbuasirilai and Unger 2016); "factors" mixes factor curves; "dictionary" mixes sparse
+    codes.
     """
 
     __slots__ = ("_handle", "_names")
 
     def __init__(self, materials: Sequence[Material], space: str = "linear", model: str = "ggx", terms: int = 10,
                  coefficients: int = 1024, dictionary: Optional[Dictionary] = None, progress: Progress = None) -> None:
-        """Prepares materials, about 1 s each; no time in the space "linear".
+        """Prepares materials. Takes about 1 s per material; the space "linear" needs no preparation.
 
         Args:
             materials: Two or more materials.

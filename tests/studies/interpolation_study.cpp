@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// gonio_studies interpolation: the table of docs/interpolation.md. Half way between two GGX materials of different
-// roughness (or colour) the truth is known. For each space: the rendered SNR of what it gives against the material
-// whose roughness is the geometric mean, and against the GGX material that comes nearest, with that one's roughness.
+// gonio_studies interpolation: the table of docs/results/interpolation.md. Half way between two GGX materials of
+// different roughness (or colour) the truth is known. For each space: the rendered SNR of what it gives against the
+// material whose roughness is the geometric mean, and against the GGX material that comes nearest, with that one's
+// roughness.
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// gonio_studies pdv MERL_FILE ...: three tables of docs/factors.md. Noise at equal samples: the standard deviation of
-// the light that the material sends to a viewer under the studio environment, relative to its mean and averaged over
-// viewers, for directions drawn by four densities. Factor measurement: SNR of pictures and of reflectances predicted
-// from two curves, over four pairs of axes, each at the best of several fixed angles. And where in |Dp| and theta_h the
-// highlight has fallen to half, in the plane of incidence toward the viewer.
+// gonio_studies pdv MERL_FILE ...: three tables of docs/results/factors.md. Noise at equal samples: the standard
+// deviation of the light that the material sends to a viewer under the studio environment, relative to its mean and
+// averaged over viewers, for directions drawn by four densities. Factor measurement: SNR of pictures and of
+// reflectances predicted from two curves, over four pairs of axes, each at the best of several fixed angles. And
+// where in |Dp| and theta_h the highlight has fallen to half, in the plane of incidence toward the viewer.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

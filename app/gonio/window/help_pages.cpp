@@ -125,18 +125,19 @@ QString aboutPage() {
                                                          {"Imath", "BSD-3-Clause"},
                                                          {"QCustomPlot", "GPL-3.0-or-later"}};
   for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
-  page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
-              .arg(HelpPagesText::tr("Data"),
-                   HelpPagesText::tr(
-                       "The bundled library contains measured materials of the RGL database (Dupuy and Jakob, An "
-                       "Adaptive Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), "
-                       "near-measured copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, "
-                       "Neural BRDF Representation and Importance Sampling, 2021; MIT) and published SGD fits of the "
-                       "MERL materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using "
-                       "a Shifted Gamma micro-facet distribution, 2012). The copies and fits represent materials of "
-                       "the MERL database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, "
-                       "2003), which is not included. The bundled dictionary is learned from the near-measured copies. "
-                       "The scenes and environments were made for Gonio."));
+  page +=
+      QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+          .arg(HelpPagesText::tr("Data"),
+               HelpPagesText::tr(
+                   "The bundled library contains measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
+                   "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
+                   "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
+                   "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
+                   "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
+                   "Shifted Gamma micro-facet distribution, 2012). The fits and most of the copies represent "
+                   "materials of the MERL database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance "
+                   "Model, 2003), which is not included. The bundled dictionary was learned from the near-measured "
+                   "copies. The scenes and environments were made for Gonio."));
   return page;
 }
 
