@@ -16,7 +16,8 @@ constexpr std::size_t steps = 2000;
 constexpr double evenShare = 1.0 / 3;
 constexpr int viewers = 30, azimuths = 8;
 
-/// Mean of ln(1 + rho) over viewers, azimuths that are on the disk, and channels, at one deviation.
+/// Sum of ln(1 + rho) over viewers, azimuths on the disk, and channels, at one deviation. A sum, not a mean: deviations
+/// with few valid pairs get few nodes.
 double energyAt(const Brdf& brdf, double deviation) {
   std::vector<DirectionPair> pairs;
   for (int i = 0; i < viewers; ++i) {
