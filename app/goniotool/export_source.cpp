@@ -11,7 +11,7 @@ namespace gonio::tool {
 
 OpenedSource openForExport(const std::string& argument, const TaskControl& control) {
   editing::EditedMaterial edited = editing::openWithEdits(argument, control);
-  OpenedSource opened{.base = edited.base, .edits = edited.edits, .files = filesOf(argument)};
+  OpenedSource opened{.base = edited.base, .edits = edited.edits, .files = editing::filesOf(argument)};
   opened.material = exports::exportSource(edited.shown.name, edited.base, edited.shown.brdf, edited.edits);
   return opened;
 }

@@ -11,6 +11,7 @@
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/documents/open_material.h"
 #include "core/figures/figure_formats.h"
 #include "core/figures/figure_number.h"
 #include "core/figures/figure_tables.h"
@@ -104,7 +105,7 @@ std::vector<std::string> outputsOf(const FigureArguments& options) {
 void checkOutputs(const FigureArguments& options, const FigureDescription& figure, const Tool& tool) {
   std::vector<fs::path> read;
   for (const std::string& source : figureSources(figure))
-    for (const fs::path& file : filesOf(source)) read.push_back(file);
+    for (const fs::path& file : editing::filesOf(source)) read.push_back(file);
   for (const std::string& name : options.out) figureFormatOf(name);
   std::set<fs::path> names;
   for (const std::string& name : outputsOf(options)) {
@@ -135,13 +136,13 @@ class FigureFiles {
 
 Json recordsJson(const FigureDescription& figure, const FigureMeasurement& measurement) {
   Json records = Json::array();
-  for (const FigureRow& row : measurement.rows)
-    for (std::size_t cell = 0; cell < row.cells.size(); ++cell) {
+  for (std::size_t row = 0; row < measurement.rows.size(); ++row)
+    for (std::size_t cell = 0; cell < figure.representations.size(); ++cell) {
       Json numbers = Json::object();
-      for (std::size_t i = 0; i < figure.numbers.size(); ++i)
-        numbers[figure.numbers[i]] = decibelsJson(row.cells[cell].numbers[i]);
+      for (const std::string& id : figure.numbers)
+        numbers[id] = decibelsJson(measurement.rows[row].cells[cell]->value(id));
       const FigureRepresentation& shown = figure.representations[cell];
-      records.push_back({{"material", row.name},
+      records.push_back({{"material", rowLabel(figure, measurement, row)},
                          {"representation", shown.representation.id},
                          {"label", shown.shownLabel()},
                          {"budget", shown.representation.budget},
@@ -152,13 +153,14 @@ Json recordsJson(const FigureDescription& figure, const FigureMeasurement& measu
 
 std::string recordsText(const FigureDescription& figure, const FigureMeasurement& measurement) {
   std::string text;
-  for (const FigureRow& row : measurement.rows) {
-    text += row.name + "\n";
-    for (std::size_t cell = 0; cell < row.cells.size(); ++cell) {
+  for (std::size_t row = 0; row < measurement.rows.size(); ++row) {
+    text += rowLabel(figure, measurement, row) + "\n";
+    for (std::size_t cell = 0; cell < figure.representations.size(); ++cell) {
       text += "  " + figure.representations[cell].shownLabel();
       for (std::size_t i = 0; i < figure.numbers.size(); ++i) {
         const FigureNumber& number = figureNumber(figure.numbers[i]);
-        text += (i ? ", " : ": ") + number.name + " " + valueText(number, row.cells[cell].numbers[i]);
+        text += (i ? ", " : ": ") + number.name + " " +
+                valueText(number, measurement.rows[row].cells[cell]->value(number.id));
       }
       text += "\n";
     }
@@ -195,7 +197,7 @@ int runFigure(const FigureArguments& options, const Tool& tool) {
   std::string text;
   if (measurement) {
     json.update({{"records", recordsJson(figure, *measurement)},
-                 {"errorMaximum", measurement->errorMaximum},
+                 {"errorMaximum", errorMaximum(figure, *measurement)},
                  {"seconds", measurement->seconds}});
     text = recordsText(figure, *measurement);
   }

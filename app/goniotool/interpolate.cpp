@@ -110,7 +110,8 @@ std::string fileOf(const InterpolateArguments& options, std::size_t step) {
 
 void checkSeries(const InterpolateArguments& options) {
   std::vector<std::filesystem::path> read;
-  for (const std::string& material : options.materials) std::ranges::copy(filesOf(material), std::back_inserter(read));
+  for (const std::string& material : options.materials)
+    std::ranges::copy(editing::filesOf(material), std::back_inserter(read));
   for (int step = 0; step < options.steps; ++step) checkOutput(fileOf(options, std::size_t(step)), read);
 }
 

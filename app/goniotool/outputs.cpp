@@ -6,8 +6,7 @@
 #include <array>
 #include <filesystem>
 
-#include "app/goniotool/materials.h"
-#include "core/documents/blend_source.h"
+#include "core/documents/open_material.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::tool {
@@ -24,19 +23,6 @@ bool isOutput(const CLI::Option& option) {
 
 }  // namespace
 
-std::vector<fs::path> filesOf(const std::string& argument) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(argument, ignored)) return {};
-  std::vector<fs::path> files{argument};
-  if (!isDocument(argument)) return files;
-  try {
-    const editing::EditDocument document = editing::resolved(editing::readDocument(argument), argument);
-    std::ranges::copy(editing::sourceFiles(document), std::back_inserter(files));
-  } catch (const Error&) {  // the command itself refuses it
-  }
-  return files;
-}
-
 void checkOutput(const fs::path& out, std::span<const fs::path> files) {
   if (io::isOneOf(out, files))
     throw Error(out.string() + ": the command reads this file, expected another name (or --force)");
@@ -49,7 +35,7 @@ void checkOutputs(const CLI::App& command) {
       if (isOutput(*option))
         written.emplace_back(argument);
       else
-        std::ranges::copy(filesOf(argument), std::back_inserter(read));
+        std::ranges::copy(editing::filesOf(argument), std::back_inserter(read));
     }
   for (const fs::path& out : written) checkOutput(out, read);
 }

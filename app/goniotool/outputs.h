@@ -16,9 +16,6 @@ namespace gonio::tool {
 /// @throws Error naming the file.
 void checkOutputs(const CLI::App& command);
 
-/// The files of an argument: the file itself and, for a document, the files that it edits, including those of its
-/// blends.
-std::vector<std::filesystem::path> filesOf(const std::string& argument);
 /// For commands that construct the names of their outputs. @throws Error with the file name if it is one of `files`.
 void checkOutput(const std::filesystem::path& out, std::span<const std::filesystem::path> files);
 

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/documents/edited_material.h"
 
@@ -16,5 +18,9 @@ bool isDocument(const std::string& path);
 EditedMaterial openWithEdits(const std::string& path, const TaskControl& control = {});
 /// The material with its edits applied.
 materials::Material openMaterial(const std::string& path, const TaskControl& control = {});
+
+/// The files of a material: the file itself and, for a document, the files that it edits, including those of its
+/// blends. Empty if there is no such file, as for bundled materials.
+std::vector<std::filesystem::path> filesOf(const std::string& path);
 
 }  // namespace gonio::editing

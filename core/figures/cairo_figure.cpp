@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <span>
 
@@ -132,6 +133,15 @@ void draw(cairo_surface_t* surface, const FigureDrawing& drawing, double scale) 
   check(cairo_status(cairo.get()));
 }
 
+Surface drawnSurface(const FigureDrawing& drawing, double dotsPerInch) {
+  const double scale = dotsPerInch / millimetresPerInch;
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(std::ceil(drawing.width * scale)),
+                                             int(std::ceil(drawing.height * scale))));
+  check(cairo_surface_status(surface.get()));
+  draw(surface.get(), drawing, scale);
+  return surface;
+}
+
 }  // namespace
 
 TextWidth cairoTextWidth(const std::string& font) {
@@ -165,14 +175,26 @@ std::vector<std::byte> figurePdf(const FigureDrawing& drawing) {
 }
 
 std::vector<std::byte> figurePng(const FigureDrawing& drawing, double dotsPerInch) {
-  const double scale = dotsPerInch / millimetresPerInch;
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(std::ceil(drawing.width * scale)),
-                                                   int(std::ceil(drawing.height * scale))));
-  check(cairo_surface_status(surface.get()));
-  draw(surface.get(), drawing, scale);
+  const Surface surface = drawnSurface(drawing, dotsPerInch);
   std::vector<std::byte> bytes;
   check(cairo_surface_write_to_png_stream(surface.get(), collect, &bytes));
   return bytes;
+}
+
+Raster figureRaster(const FigureDrawing& drawing, double dotsPerInch) {
+  const Surface surface = drawnSurface(drawing, dotsPerInch);
+  cairo_surface_flush(surface.get());
+  Raster raster{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
+  raster.rgba.reserve(4 * std::size_t(raster.width) * std::size_t(raster.height));
+  const unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  for (int y = 0; y < raster.height; ++y)
+    for (int x = 0; x < raster.width; ++x) {
+      std::uint32_t pixel = 0;
+      std::memcpy(&pixel, data + std::ptrdiff_t(y) * cairo_image_surface_get_stride(surface.get()) + 4 * x, 4);
+      for (const int shift : {16, 8, 0}) raster.rgba.push_back(std::uint8_t(pixel >> shift));
+      raster.rgba.push_back(255);
+    }
+  return raster;
 }
 
 }  // namespace gonio::figures

@@ -18,7 +18,8 @@ TextWidth cairoTextWidth(const std::string& font);
 /// @throws Error that states cairo's reason.
 std::vector<std::byte> figurePdf(const FigureDrawing& drawing);
 
-/// A drawing as PNG. @param dotsPerInch resolution. @throws as figurePdf().
+/// A drawing as PNG, or its pixels. @param dotsPerInch resolution. @throws as figurePdf().
 std::vector<std::byte> figurePng(const FigureDrawing& drawing, double dotsPerInch);
+Raster figureRaster(const FigureDrawing& drawing, double dotsPerInch);
 
 }  // namespace gonio::figures

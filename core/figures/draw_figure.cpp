@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/figures/figure_layout.h"
 #include "core/figures/figure_number.h"
 #include "core/rendering/error_maps.h"
 #include "core/rendering/false_colour.h"
@@ -16,7 +15,8 @@ namespace gonio::figures {
 namespace {
 
 constexpr const char* insetColour = "#e8590c";
-constexpr double insetLine = 0.25;  ///< mm
+constexpr double insetLine = 0.25;          ///< mm
+constexpr std::uint8_t missingGrey = 0xe4;  ///< of cells that are not measured
 
 /// Straight colours on white.
 void putOnPaper(Raster& raster) {
@@ -28,6 +28,8 @@ void putOnPaper(Raster& raster) {
   }
 }
 
+Raster missingPicture() { return {1, 1, {missingGrey, missingGrey, missingGrey, 255}}; }
+
 Raster colourBar() {
   constexpr int length = 256;
   Raster bar{.width = length, .height = 1, .rgba = {}};
@@ -38,12 +40,15 @@ Raster colourBar() {
   return bar;
 }
 
-FigureTexts textsOf(const FigureDescription& description, const FigureMeasurement& measurement) {
+FigureTexts textsOf(const FigureDescription& description, const FigureMeasurement& measurement, double maximum) {
   FigureTexts texts;
-  for (const FigureRow& row : measurement.rows) texts.rowNames.push_back(row.name);
+  for (std::size_t row = 0; row < measurement.rows.size(); ++row)
+    texts.rowNames.push_back(rowLabel(description, measurement, row));
   char text[64];
-  std::snprintf(text, sizeof text, "%.3g", measurement.errorMaximum);
-  texts.errorScale = std::string(text) + " luminance error (linear)";
+  std::snprintf(text, sizeof text, "%.3g", maximum);
+  // The end of the scale is not known before the first measurement.
+  const bool isKnown = maximum > 0 || measurement.missingCells() == 0;
+  texts.errorScale = (isKnown ? std::string(text) + " " : std::string()) + "luminance error (linear)";
   if (description.inset) {
     // The inset has half of the picture's width beside an error map.
     const double magnification = (description.errorMaps ? 0.5 : 1) / description.inset->size;
@@ -58,7 +63,8 @@ class FigurePainter {
   FigurePainter(const FigureDescription& description, const FigureMeasurement& measurement, const TextWidth& width)
       : description_(description),
         measurement_(measurement),
-        texts_(textsOf(description, measurement)),
+        errorMaximum_(errorMaximum(description, measurement)),
+        texts_(textsOf(description, measurement, errorMaximum_)),
         layout_(layOutFigure(description, texts_, width)) {
     drawing_.width = layout_.width;
     drawing_.height = layout_.height;
@@ -90,24 +96,27 @@ class FigurePainter {
     paintLabel(layout_.rowLabels[row], true);
     const FigureRow& shown = measurement_.rows[row];
     const std::vector<CellLayout>& cells = layout_.cells[row];
-    paintPicture(cells[0], shown.reference);
+    paintPicture(cells[0], shown.reference.get());
     for (std::size_t i = 0; i < description_.numbers.size(); ++i)
       addText(cells[0].numberLines[i], figureNumber(description_.numbers[i]).name, TextAnchor::middle);
     for (std::size_t cell = 0; cell < shown.cells.size(); ++cell) {
-      paintPicture(cells[1 + cell], shown.cells[cell].picture);
-      paintErrorMap(cells[1 + cell], shown.reference, shown.cells[cell].picture);
-      paintNumbers(cells[1 + cell], shown, cell);
+      const FigureCell* const measured = shown.cells[cell].get();
+      paintPicture(cells[1 + cell], measured ? &measured->picture : nullptr);
+      paintErrorMap(cells[1 + cell], shown.reference.get(), measured);
+      if (measured) paintNumbers(cells[1 + cell], shown, cell);
     }
   }
 
-  void paintPicture(const CellLayout& cell, const Image& picture) {
-    Raster raster = displayedOnPaper(picture, description_.pictures);
+  /// @param picture null if it is not rendered yet.
+  void paintPicture(const CellLayout& cell, const Image* picture) {
+    Raster raster = picture ? displayedOnPaper(*picture, description_.pictures) : missingPicture();
+    const int size = picture ? picture->width : description_.pictures.size;
+    const InsetPixels shown = description_.inset ? insetPixels(*description_.inset, size) : InsetPixels{};
     Raster inset;
-    if (cell.inset) inset = cutOut(raster, insetPixels(*description_.inset, raster.width));
-    const double pixel = cell.picture.width / raster.width;
+    if (cell.inset) inset = picture ? cutOut(raster, shown) : missingPicture();
     add(PictureItem{cell.picture, std::move(raster)});
     if (!cell.inset) return;
-    const InsetPixels shown = insetPixels(*description_.inset, picture.width);
+    const double pixel = cell.picture.width / size;
     add(FrameItem{{cell.picture.x + shown.left * pixel, cell.picture.y + shown.top * pixel, shown.side * pixel,
                    shown.side * pixel},
                   insetColour,
@@ -116,17 +125,22 @@ class FigurePainter {
     add(FrameItem{*cell.inset, insetColour, insetLine});
   }
 
-  void paintErrorMap(const CellLayout& cell, const Image& reference, const Image& picture) {
+  /// @param measured null if the cell is not measured yet.
+  void paintErrorMap(const CellLayout& cell, const Image* reference, const FigureCell* measured) {
     if (!cell.errorMap) return;
-    Raster map{picture.width, picture.height, errorMap(reference, picture, measurement_.errorMaximum)};
+    Raster map = missingPicture();
+    if (reference && measured)
+      map = {reference->width, reference->height, errorMap(*reference, measured->picture, errorMaximum_)};
     putOnPaper(map);
     add(PictureItem{*cell.errorMap, std::move(map)});
   }
 
   void paintNumbers(const CellLayout& cell, const FigureRow& row, std::size_t index) {
-    for (std::size_t i = 0; i < description_.numbers.size(); ++i)
-      addText(cell.numberLines[i], valueText(figureNumber(description_.numbers[i]), row.cells[index].numbers[i]),
-              TextAnchor::middle, isBest(description_, row, index, i));
+    for (std::size_t i = 0; i < description_.numbers.size(); ++i) {
+      const std::string& id = description_.numbers[i];
+      addText(cell.numberLines[i], valueText(figureNumber(id), row.cells[index]->value(id)), TextAnchor::middle,
+              isBest(description_, row, index, i));
+    }
   }
 
   void paintLegend(const LegendLayout& legend) {
@@ -140,6 +154,7 @@ class FigurePainter {
 
   const FigureDescription& description_;
   const FigureMeasurement& measurement_;
+  const double errorMaximum_;
   FigureTexts texts_;
   FigureLayout layout_;
   FigureDrawing drawing_;
@@ -172,11 +187,16 @@ Raster cutOut(const Raster& raster, const InsetPixels& pixels) {
 
 bool isBest(const FigureDescription& description, const FigureRow& row, std::size_t cell, std::size_t number) {
   const FigureNumber& kind = figureNumber(description.numbers[number]);
-  const double value = row.cells[cell].numbers[number];
+  const double value = row.cells[cell]->value(kind.id);
   if (!kind.isError || row.cells.size() < 2 || std::isnan(value)) return false;
-  return std::ranges::none_of(row.cells, [&](const FigureCell& other) {
-    return kind.better == Better::higher ? other.numbers[number] > value : other.numbers[number] < value;
+  return std::ranges::none_of(row.cells, [&](const auto& other) {
+    return other && (kind.better == Better::higher ? other->value(kind.id) > value : other->value(kind.id) < value);
   });
+}
+
+FigureLayout figureLayout(const FigureDescription& description, const FigureMeasurement& measurement,
+                          const TextWidth& width) {
+  return layOutFigure(description, textsOf(description, measurement, errorMaximum(description, measurement)), width);
 }
 
 FigureDrawing drawFigure(const FigureDescription& description, const FigureMeasurement& measurement,

@@ -3,11 +3,18 @@
 #pragma once
 
 #include "core/figures/figure_drawing.h"
+#include "core/figures/figure_layout.h"
 #include "core/figures/figure_measurement.h"
 
 namespace gonio::figures {
 
-/// Draws the page of a figure. The best error of each material is bold if there are several representations.
+/// Computes the layout of a figure. @param width measures text widths in the description's font. @throws as
+/// layOutFigure().
+FigureLayout figureLayout(const FigureDescription& description, const FigureMeasurement& measurement,
+                          const TextWidth& width);
+
+/// Draws the page of a figure. The best error of each material is bold if there are several representations. Cells that
+/// are not measured are grey. @param measurement of the same description, from measureFigure() or knownPart().
 /// @param width measures text widths in the description's font. @throws as layOutFigure().
 FigureDrawing drawFigure(const FigureDescription& description, const FigureMeasurement& measurement,
                          const TextWidth& width);
@@ -25,7 +32,7 @@ Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures);
 Raster cutOut(const Raster& raster, const InsetPixels& pixels);
 
 /// Whether a cell has the best value of a number in its row. False for rows of one cell, numbers that are not errors
-/// (FigureNumber::isError) and NaN.
+/// (FigureNumber::isError) and NaN. Precondition: the cell is measured.
 bool isBest(const FigureDescription& description, const FigureRow& row, std::size_t cell, std::size_t number);
 
 }  // namespace gonio::figures

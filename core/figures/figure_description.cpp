@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "core/documents/open_material.h"
 #include "core/figures/figure_number.h"
+#include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/io/json_text.h"
 #include "core/rendering/environment_file.h"
@@ -20,9 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view formatName = "gonio figure";
-constexpr std::size_t maxMaterials = 50, maxRepresentations = 12, maxNumbers = 8;
-constexpr double minInsetSize = 0.01, minFontSize = 4, maxFontSize = 24, maxExposure = 30;
-constexpr int maxPictureSize = 2048, maxSamples = 1 << 20;
 
 std::string textOr(const JsonObject& object, std::string_view key, const std::string& otherwise) {
   return object.contains(key) ? object.text(key) : otherwise;
@@ -90,9 +89,9 @@ FigurePictures picturesFrom(const JsonObject& object) {
   FigurePictures pictures;
   pictures.scene = textOr(object, "scene", "");
   pictures.environment = textOr(object, "environment", "");
-  pictures.size = integerOr(object, "size", 1, maxPictureSize, pictures.size);
-  pictures.samples = integerOr(object, "samples", 1, maxSamples, pictures.samples);
-  pictures.exposure = numberOr(object, "exposure", -maxExposure, maxExposure, 0);
+  pictures.size = integerOr(object, "size", 1, FigurePictures::maxSize, pictures.size);
+  pictures.samples = integerOr(object, "samples", 1, FigurePictures::maxSamples, pictures.samples);
+  pictures.exposure = numberOr(object, "exposure", -FigurePictures::maxExposure, FigurePictures::maxExposure, 0);
   pictures.toneMap = ToneMap(choiceOr(object, "toneMap", toneMapName(ToneMap::clamp), toneMapName(ToneMap::filmic), 0));
   return pictures;
 }
@@ -100,7 +99,7 @@ FigurePictures picturesFrom(const JsonObject& object) {
 FigureInset insetFrom(const JsonObject& object) {
   object.expectOnly({"x", "y", "size"});
   FigureInset inset;
-  inset.size = object.number("size", minInsetSize, 1);
+  inset.size = object.number("size", FigureInset::minSize, 1);
   inset.x = object.number("x", 0, 1 - inset.size);
   inset.y = object.number("y", 0, 1 - inset.size);
   return inset;
@@ -178,24 +177,27 @@ FigureDescription figureFromJson(const nlohmann::json& json) {
   description.width = FigureWidth(
       choiceOr(root, "columns", figureWidthId(FigureWidth::oneColumn), figureWidthId(FigureWidth::twoColumns), 1));
   description.font = textOr(root, "font", description.font);
-  description.fontSize = numberOr(root, "fontSize", minFontSize, maxFontSize, 0);
-  eachOf(root, "materials", maxMaterials, [&](const nlohmann::json& one, const std::string& where) {
+  description.fontSize = numberOr(root, "fontSize", FigureDescription::minFontSize, FigureDescription::maxFontSize, 0);
+  eachOf(root, "materials", FigureDescription::maxMaterials, [&](const nlohmann::json& one, const std::string& where) {
     description.materials.push_back(materialFrom(one, where));
   });
-  eachOf(root, "representations", maxRepresentations, [&](const nlohmann::json& one, const std::string& where) {
-    description.representations.push_back(representationFrom(one, where));
-  });
+  eachOf(root, "representations", FigureDescription::maxRepresentations,
+         [&](const nlohmann::json& one, const std::string& where) {
+           description.representations.push_back(representationFrom(one, where));
+         });
   if (root.contains("pictures")) description.pictures = picturesFrom(root.object("pictures"));
   if (root.contains("numbers")) {
     description.numbers.clear();
     if (!root.array("numbers").empty())
-      eachOf(root, "numbers", maxNumbers, [&](const nlohmann::json& one, const std::string& where) {
+      eachOf(root, "numbers", FigureDescription::maxNumbers, [&](const nlohmann::json& one, const std::string& where) {
         description.numbers.push_back(numberFrom(one, where));
       });
   }
   if (root.contains("inset")) description.inset = insetFrom(root.object("inset"));
   if (root.contains("errorMaps")) description.errorMaps = root.flag("errorMaps");
-  if (root.contains("errorMaximum")) description.errorMaximum = root.number("errorMaximum", 1e-9, 1e9);
+  if (root.contains("errorMaximum"))
+    description.errorMaximum =
+        root.number("errorMaximum", FigureDescription::minErrorMaximum, FigureDescription::maxErrorMaximum);
   return description;
 }
 
@@ -225,6 +227,12 @@ std::vector<std::string> figureSources(const FigureDescription& description) {
   std::vector<std::string> sources;
   eachPath(copy, [&](const std::string& name) { sources.push_back(name); });
   return sources;
+}
+
+void checkFigureOutput(const FigureDescription& description, const fs::path& path) {
+  for (const std::string& source : figureSources(description))
+    if (io::isOneOf(path, editing::filesOf(source)))
+      throw Error(path.string() + ": the figure is made from this file, expected another name");
 }
 
 Scene figureScene(const FigurePictures& pictures) {

@@ -35,6 +35,8 @@ struct FigureRepresentation {
 
 /// A square part of every picture that is magnified; in fractions of the picture's side, from the top left.
 struct FigureInset {
+  static constexpr double minSize = 0.01;
+
   double x = 0.35, y = 0.15, size = 0.25;
 
   bool operator==(const FigureInset&) const = default;
@@ -42,6 +44,9 @@ struct FigureInset {
 
 /// How the pictures, which are square, are rendered and displayed.
 struct FigurePictures {
+  static constexpr int maxSize = 2048, maxSamples = 1 << 20;
+  static constexpr double maxExposure = 30;
+
   std::string scene;        ///< as for openScene(); empty: comparisonScene()
   std::string environment;  ///< as for openEnvironment(); empty: the scene's own
   int size = 256;           ///< pixels per side
@@ -64,6 +69,9 @@ struct FigurePictures {
 /// Only format, version, materials and representations are required.
 struct FigureDescription {
   static constexpr int currentVersion = 1;
+  static constexpr std::size_t maxMaterials = 50, maxRepresentations = 12, maxNumbers = 8;
+  static constexpr double minFontSize = 4, maxFontSize = 24;  ///< pt
+  static constexpr double minErrorMaximum = 1e-9, maxErrorMaximum = 1e9;
 
   std::string title;
   FigureWidth width = FigureWidth::twoColumns;
@@ -96,6 +104,9 @@ std::string figureDescriptionText(const FigureDescription& description, const st
 
 /// Paths of the files that a figure uses, as in the description, without bundled ones.
 std::vector<std::string> figureSources(const FigureDescription& description);
+/// Checks that an output file does not overwrite a source of the figure. Reads the documents among the sources.
+/// @throws Error that names the file if it is a source, or a file that a document among the sources edits.
+void checkFigureOutput(const FigureDescription& description, const std::filesystem::path& path);
 
 /// The scene with its environment replaced if the pictures name one. @throws Error if scene or environment cannot be
 /// opened.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "core/documents/open_material.h"
 #include "core/figures/figure_number.h"
@@ -14,13 +15,13 @@ namespace gonio::figures {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Fraction of a material's progress that reading takes.
 constexpr double readingShare = 0.1;
 
-std::vector<const FigureNumber*> numbersOf(const FigureDescription& description) {
-  std::vector<const FigureNumber*> numbers;
-  for (const std::string& id : description.numbers) numbers.push_back(&figureNumber(id));
-  return numbers;
+bool showsTimes(const FigureDescription& description) {
+  return std::ranges::any_of(description.numbers, [](const std::string& id) { return figureNumber(id).isTimed; });
 }
 
 study::StudyOptions studyOptions(const FigureDescription& description) {
@@ -29,58 +30,149 @@ study::StudyOptions studyOptions(const FigureDescription& description) {
   options.picture.width = options.picture.height = pictures.size;
   options.picture.samples = pictures.samples;
   options.scene = figureScene(pictures);
-  const auto numbers = numbersOf(description);
-  options.timed = std::ranges::any_of(numbers, [](const FigureNumber* number) { return number->isTimed; });
+  options.timed = showsTimes(description);
   return options;
 }
 
-FigureRow measureRow(const FigureMaterial& shown, const FigureDescription& description, study::StudyOptions options,
-                     const TaskControl& control) {
-  const materials::Material material = editing::openMaterial(shown.path, control.between(0, 0.5 * readingShare));
-  const auto table = material.tabulated(control.between(0.5 * readingShare, readingShare));
-  FigureRow row{.name = shown.label.empty() ? material.name : shown.label, .reference = {}, .cells = {}};
-  const auto numbers = numbersOf(description);
-  options.referenceRendered = [&](const Image& picture) { row.reference = picture; };
-  options.measured = [&](const study::StudiedRepresentation& studied) {
-    FigureCell& cell = row.cells.emplace_back();
-    cell.picture = studied.picture;
-    for (const FigureNumber* number : numbers) cell.numbers.push_back(number->value(studied, row.reference));
-  };
-  std::vector<study::Representation> representations;
-  for (const FigureRepresentation& one : description.representations) representations.push_back(one.representation);
-  study::runStudy({table, material.brdf}, representations, options, control.between(readingShare, 1));
-  if (row.cells.size() < representations.size()) throw Cancelled();
-  return row;
+std::map<std::string, fs::file_time_type> fileTimesOf(const FigureDescription& description) {
+  std::map<std::string, fs::file_time_type> times;
+  for (const std::string& source : figureSources(description)) {
+    std::error_code ignored;  // reading the file reports the error
+    times[source] = fs::last_write_time(source, ignored);
+  }
+  return times;
 }
 
-double commonErrorMaximum(const std::vector<FigureRow>& rows) {
-  double maximum = 0;
-  for (const FigureRow& row : rows) {
-    std::vector<Image> pictures;
-    for (const FigureCell& cell : row.cells) pictures.push_back(cell.picture);
-    maximum = std::max(maximum, errorRange(row.reference, pictures));
+std::string nameOfPath(const std::string& path) {
+  return path.starts_with("library:") ? path.substr(path.rfind('/') + 1) : fs::path(path).stem().string();
+}
+
+FigureCell measuredCell(const study::StudiedRepresentation& studied, const Image& reference, bool timed) {
+  FigureCell cell{.representation = studied.record.representation, .picture = studied.picture, .isTimed = timed};
+  for (const FigureNumber& number : figureNumbers())
+    cell.values.push_back(number.isTimed && !timed ? std::numeric_limits<double>::quiet_NaN()
+                                                   : number.value(studied, reference));
+  return cell;
+}
+
+/// The representations of a row that are not measured, without duplicates.
+std::vector<study::Representation> missingOf(const FigureRow& row, const FigureDescription& description) {
+  std::vector<study::Representation> missing;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const study::Representation& one = description.representations[i].representation;
+    if (!row.cells[i] && std::ranges::find(missing, one) == missing.end()) missing.push_back(one);
   }
-  return maximum;
+  return missing;
+}
+
+/// Measures the missing cells of a row.
+void completeRow(FigureRow& row, const FigureDescription& description, study::StudyOptions options,
+                 const std::function<void()>& measured, const TaskControl& control) {
+  const materials::Material material = editing::openMaterial(row.path, control.between(0, 0.5 * readingShare));
+  const auto table = material.tabulated(control.between(0.5 * readingShare, readingShare));
+  row.name = material.name;
+  options.referenceRendered = [&](const Image& picture) { row.reference = std::make_shared<const Image>(picture); };
+  options.measured = [&](const study::StudiedRepresentation& studied) {
+    const auto cell = std::make_shared<const FigureCell>(measuredCell(studied, *row.reference, options.timed));
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      if (!row.cells[i] && description.representations[i].representation == cell->representation) row.cells[i] = cell;
+    if (measured) measured();
+  };
+  study::runStudy({table, material.brdf}, missingOf(row, description), options, control.between(readingShare, 1));
+  if (!row.isComplete()) throw Cancelled();
 }
 
 }  // namespace
 
-FigureMeasurement measureFigure(const FigureDescription& description, const TaskControl& control) {
+double FigureCell::value(std::string_view number) const {
+  return values[std::size_t(&figureNumber(number) - figureNumbers().data())];
+}
+
+bool FigureRow::isComplete() const {
+  return reference && std::ranges::none_of(cells, [](const auto& cell) { return cell == nullptr; });
+}
+
+std::size_t FigureMeasurement::missingCells() const {
+  std::size_t missing = 0;
+  for (const FigureRow& row : rows) missing += std::size_t(std::ranges::count(row.cells, nullptr));
+  return missing;
+}
+
+bool rendersTheSame(FigurePictures a, FigurePictures b) {
+  a.exposure = b.exposure;
+  a.toneMap = b.toneMap;
+  return a == b;
+}
+
+FigureMeasurement knownPart(const FigureDescription& description, const FigureMeasurement& known) {
+  FigureMeasurement part{.pictures = description.pictures, .fileTimes = fileTimesOf(description)};
+  const auto timeOf = [](const FigureMeasurement& measurement, const std::string& path) {
+    const auto found = measurement.fileTimes.find(path);
+    return found == measurement.fileTimes.end() ? fs::file_time_type::min() : found->second;
+  };
+  const auto unchanged = [&](const std::string& path) { return timeOf(part, path) == timeOf(known, path); };
+  const bool samePictures = rendersTheSame(description.pictures, known.pictures) &&
+                            unchanged(description.pictures.scene) && unchanged(description.pictures.environment);
+  const bool timed = showsTimes(description);
+  for (const FigureMaterial& material : description.materials) {
+    FigureRow& row = part.rows.emplace_back();
+    row.path = material.path;
+    row.name = nameOfPath(material.path);
+    row.cells.resize(description.representations.size());
+    const auto found = std::ranges::find(known.rows, material.path, &FigureRow::path);
+    if (!samePictures || found == known.rows.end() || !unchanged(material.path)) continue;
+    row.name = found->name;
+    row.reference = found->reference;
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      for (const auto& cell : found->cells)
+        if (cell && cell->representation == description.representations[i].representation && (cell->isTimed || !timed))
+          row.cells[i] = cell;
+  }
+  return part;
+}
+
+FigureMeasurement measureFigure(const FigureDescription& description, const TaskControl& control,
+                                const MeasureFigureOptions& options) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   checkFigure(description);
-  const study::StudyOptions options = studyOptions(description);
-  FigureMeasurement measurement;
-  const double fraction = 1 / double(description.materials.size());
-  for (const FigureMaterial& material : description.materials) {
-    const double begin = fraction * double(measurement.rows.size());
-    measurement.rows.push_back(
-        measureRow(material, description, options, control.between(begin, std::min(1.0, begin + fraction))));
+  const study::StudyOptions study = studyOptions(description);
+  FigureMeasurement measurement = knownPart(description, options.known);
+  const auto incomplete =
+      std::ranges::count_if(measurement.rows, [](const FigureRow& row) { return !row.isComplete(); });
+  const double fraction = 1 / double(std::max<std::ptrdiff_t>(1, incomplete));
+  double begin = 0;
+  for (FigureRow& row : measurement.rows) {
+    if (row.isComplete()) continue;
+    const double end = std::min(1.0, begin + fraction);
+    completeRow(
+        row, description, study,
+        [&] {
+          if (options.measured) options.measured(measurement);
+        },
+        control.between(begin, end));
+    begin = end;
   }
-  measurement.errorMaximum =
-      description.errorMaximum ? *description.errorMaximum : commonErrorMaximum(measurement.rows);
+  control.report(1);
   measurement.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return measurement;
+}
+
+std::string rowLabel(const FigureDescription& description, const FigureMeasurement& measurement, std::size_t row) {
+  const std::string& label = description.materials[row].label;
+  return label.empty() ? measurement.rows[row].name : label;
+}
+
+double errorMaximum(const FigureDescription& description, const FigureMeasurement& measurement) {
+  if (description.errorMaximum) return *description.errorMaximum;
+  double maximum = 0;
+  for (const FigureRow& row : measurement.rows) {
+    std::vector<Image> pictures;
+    for (const auto& cell : row.cells)
+      if (cell) pictures.push_back(cell->picture);
+    if (row.reference && !pictures.empty()) maximum = std::max(maximum, errorRange(*row.reference, pictures));
+  }
+  return maximum;
 }
 
 }  // namespace gonio::figures

@@ -23,10 +23,10 @@ std::string latexNumber(const FigureNumber& number, double value) {
 }
 
 std::string latexRow(const FigureDescription& description, const FigureRow& row, std::size_t cell) {
-  std::string line =
-      (cell == 0 ? latexText(row.name) : "") + " & " + latexText(description.representations[cell].shownLabel());
+  std::string line = " & " + latexText(description.representations[cell].shownLabel());
   for (std::size_t i = 0; i < description.numbers.size(); ++i) {
-    const std::string text = latexNumber(figureNumber(description.numbers[i]), row.cells[cell].numbers[i]);
+    const std::string& id = description.numbers[i];
+    const std::string text = latexNumber(figureNumber(id), row.cells[cell]->value(id));
     line += " & " + (isBest(description, row, cell, i) ? "{\\boldmath\\textbf{" + text + "}}" : text);
   }
   return line + " \\\\\n";
@@ -47,14 +47,15 @@ plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeas
   plots::CsvColumn materials{"material", {}}, ids{"representation", {}}, labels{"label", {}}, budgets{"budget", {}};
   std::vector<plots::CsvColumn> numbers;
   for (const std::string& id : description.numbers) numbers.push_back({figureNumber(id).title(), {}});
-  for (const FigureRow& row : measurement.rows)
-    for (std::size_t cell = 0; cell < row.cells.size(); ++cell) {
+  for (std::size_t row = 0; row < measurement.rows.size(); ++row)
+    for (std::size_t cell = 0; cell < measurement.rows[row].cells.size(); ++cell) {
       const FigureRepresentation& shown = description.representations[cell];
-      materials.texts.push_back(row.name);
+      materials.texts.push_back(rowLabel(description, measurement, row));
       ids.texts.push_back(shown.representation.id);
       labels.texts.push_back(shown.shownLabel());
       budgets.values.push_back(shown.representation.budget);
-      for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i].values.push_back(row.cells[cell].numbers[i]);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i].values.push_back(measurement.rows[row].cells[cell]->value(description.numbers[i]));
     }
   table.columns = {materials, ids, labels, budgets};
   for (plots::CsvColumn& column : numbers) table.columns.push_back(std::move(column));
@@ -67,9 +68,11 @@ std::string figureLatex(const FigureDescription& description, const FigureMeasur
                      std::string(description.numbers.size(), 'r') + "}\n\\toprule\nMaterial & Representation";
   for (const std::string& id : description.numbers) text += " & " + latexText(figureNumber(id).title());
   text += " \\\\\n";
-  for (const FigureRow& row : measurement.rows) {
+  for (std::size_t row = 0; row < measurement.rows.size(); ++row) {
     text += "\\midrule\n";
-    for (std::size_t cell = 0; cell < row.cells.size(); ++cell) text += latexRow(description, row, cell);
+    for (std::size_t cell = 0; cell < measurement.rows[row].cells.size(); ++cell)
+      text += (cell == 0 ? latexText(rowLabel(description, measurement, row)) : "") +
+              latexRow(description, measurement.rows[row], cell);
   }
   return text + "\\bottomrule\n\\end{tabular}\n";
 }

@@ -10,6 +10,8 @@
 
 namespace gonio::figures {
 
+// All functions require complete measurements.
+
 /// A CSV table with one row per material and representation, in the order of the figure: material, representation,
 /// label, budget, and the numbers in full precision without prefixes ("size [B]").
 plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement);

@@ -17,36 +17,40 @@
 
 namespace gonio::app {
 
-ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent) : QDialog(parent) {
-  setWindowTitle(tr("Compare with Another Material"));
+ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent)
+    : QDialog(parent), m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+  setPurpose(tr("Compare with Another Material"), tr("&Compare"));
   const int em = fontMetrics().height();
   resize(em * 34, em * 30);
   auto* view = new widgets::LibraryView(&library, this);
   view->selection().setSingle();
   view->setEmptyText(tr("There are no materials in this folder."));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("&Compare"));
-  QPushButton* file = buttons->addButton(tr("From a &File..."), QDialogButtonBox::ActionRole);
+  QPushButton* file = m_buttons->addButton(tr("From a &File..."), QDialogButtonBox::ActionRole);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(view, 1);
-  layout->addWidget(buttons);
+  layout->addWidget(m_buttons);
   const auto choose = [this](const QString& id) {
     accept();
     Q_EMIT chosen(id);
   };
   connect(&view->selection(), &widgets::LibrarySelection::openRequested, this, choose);
   connect(&view->selection(), &widgets::LibrarySelection::referenceRequested, this, choose);
-  connect(buttons, &QDialogButtonBox::accepted, this, [=] {
+  connect(m_buttons, &QDialogButtonBox::accepted, this, [=] {
     const QModelIndex index = view->list()->currentIndex();
     if (index.isValid()) choose(index.data(widgets::LibraryModel::IdRole).toString());
   });
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(file, &QPushButton::clicked, this, &ReferenceDialog::chooseFile);
+}
+
+void ReferenceDialog::setPurpose(const QString& title, const QString& button) {
+  setWindowTitle(title);
+  m_buttons->button(QDialogButtonBox::Ok)->setText(button);
 }
 
 void ReferenceDialog::chooseFile() {
   const QString purpose = QStringLiteral("open");
-  auto* dialog = new QFileDialog(this, tr("Compare with a File"), widgets::dialogFolder(purpose),
+  auto* dialog = new QFileDialog(this, windowTitle(), widgets::dialogFolder(purpose),
                                  tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
   dialog->setFileMode(QFileDialog::ExistingFile);
   widgets::openFileDialog(dialog, [this, purpose](const QString& path) {

@@ -12,9 +12,10 @@ namespace gonio::app {
 
 using widgets::CompareMode;
 
-AnalyseMenu::AnalyseMenu(const Document& document, ComparisonController& comparison, DockLayout& docks,
+AnalyseMenu::AnalyseMenu(const FigureDialog::Parts& figures, ComparisonController& comparison, DockLayout& docks,
                          StudyPanel& study, QWidget* window)
     : QMenu(tr("&Analyse"), window) {
+  const Document& document = figures.document;
   addComparison(comparison);
   QAction* measure =
       addAction(tr("&Measure Representations"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M), this, [&docks, &study] {
@@ -25,6 +26,23 @@ AnalyseMenu::AnalyseMenu(const Document& document, ComparisonController& compari
   const auto enable = [&document, measure] { measure->setEnabled(document.material() != nullptr); };
   connect(&document, &Document::materialChanged, this, enable);
   enable();
+  addFigure(figures, window);
+}
+
+void AnalyseMenu::addFigure(const FigureDialog::Parts& figures, QWidget* window) {
+  QAction* action =
+      addAction(tr("F&igure..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), this, [this, figures, window] {
+        if (!m_figure) {
+          m_figure = new FigureDialog(figures, window);
+          m_figure->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        m_figure->show();
+        m_figure->raise();
+        m_figure->activateWindow();
+      });
+  action->setToolTip(
+      tr("Makes a figure for a paper: a grid of materials and representations with error maps, insets and "
+         "numbers"));
 }
 
 void AnalyseMenu::addComparison(ComparisonController& comparison) {

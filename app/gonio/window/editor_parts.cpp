@@ -185,6 +185,10 @@ bool EditorParts::isSettled() const {
          (!preview.content().hasMaterial() || preview.converged());
 }
 
+FigureDialog::Parts EditorParts::figureParts() {
+  return {document, exports, tasks, settings, library.model(), [this] { return libraryView.selection().ids(); }};
+}
+
 void EditorParts::restoreSettings() {
   inspector.restoreState(settings);
   plots.restoreState(settings);

@@ -9,6 +9,7 @@
 #include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/export_controller.h"
+#include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/library/library_store.h"
 #include "app/gonio/scene/environment_controller.h"
@@ -42,6 +43,7 @@ struct EditorParts {
 
   /// Whether everything requested is displayed.
   bool isSettled() const;
+  FigureDialog::Parts figureParts();
   void restoreSettings();
   void saveSettings();
 

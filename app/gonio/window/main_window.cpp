@@ -146,7 +146,7 @@ void MainWindow::addMenus() {
   auto* material = new MaterialMenu(
       {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this);
   menuBar()->addMenu(material);
-  menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
+  menuBar()->addMenu(new AnalyseMenu(p.figureParts(), p.comparison, *m_docks, p.study, this));
   menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files, *this); }));
   connect(material, &MaterialMenu::saveRequested, &m_files, &DocumentFiles::saveBeside);
   connect(&p.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::saveBeside);
@@ -275,7 +275,7 @@ void MainWindow::connectRequests() {
 
 void MainWindow::chooseMaterial(const QString& title, const std::function<void(const QString&)>& chosen) {
   auto* dialog = new ReferenceDialog(m_parts.library.model(), this);
-  if (!title.isEmpty()) dialog->setWindowTitle(title);
+  if (!title.isEmpty()) dialog->setPurpose(title, tr("&Choose"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ReferenceDialog::chosen, this, chosen);
   dialog->open();

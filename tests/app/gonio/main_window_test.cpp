@@ -82,6 +82,28 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// At most one figure dialog; the search also finds it by its purpose.
+  void figuresFromTheMenu() {
+    auto* window = new MainWindow;
+    window->show();
+    window->parts().document.setMaterial(greyMaterial());
+    {
+      const CommandSearch search(window);
+      search.findChild<QLineEdit*>()->setText("figure paper");
+      QCOMPARE(search.list()->count(), 1);
+      QVERIFY(search.list()->item(0)->text().startsWith("Analyse > Figure "));
+    }
+    for (const NamedAction& named : allActions(window))
+      if (named.path == "Analyse > Figure")
+        for (int times = 0; times < 2; ++times) named.action->trigger();
+    const auto dialogs = window->findChildren<FigureDialog*>();
+    QCOMPARE(dialogs.size(), qsizetype(1));
+    QVERIFY(dialogs[0]->isVisible());
+    // It fits a small screen.
+    QVERIFY(dialogs[0]->minimumSizeHint().width() <= 1240 && dialogs[0]->minimumSizeHint().height() <= 720);
+    delete window;
+  }
+
   /// Panels that hear of being hidden stop their tasks, so no part of the window goes after the tasks.
   void noPartOutlivesTheTasks() {
     auto* window = new MainWindow;

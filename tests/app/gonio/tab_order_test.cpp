@@ -12,6 +12,7 @@
 #include "app/gonio/export/batch_dialog.h"
 #include "app/gonio/export/export_dialog.h"
 #include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/plots/plots_panel.h"
@@ -172,6 +173,9 @@ class TabOrderTest : public QObject {
     StudySummaryWindow study(parts.tasks, {"library:sgd/brass", "library:sgd/chrome"}, m_window);
     show(study);
     VERIFY_FOLLOWS_THE_EYE(study);
+    FigureDialog figure(parts.figureParts(), m_window);
+    show(figure);
+    VERIFY_FOLLOWS_THE_EYE(figure);
   }
 };
 

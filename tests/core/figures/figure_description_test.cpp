@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/documents/edit_document.h"
 #include "core/figures/figure_number.h"
 #include "core/io/atomic_file.h"
 #include "core/support/error.h"
@@ -128,6 +129,26 @@ class FigureDescriptionTest : public QObject {
     io::writeFileAtomically(path, text);
     QVERIFY(readFigureDescription(path) == figure);
     QCOMPARE(figureSources(figure).size(), std::size_t(3));
+  }
+
+  /// Also the measured file of a document among the materials, and other spellings of a path.
+  void outputsAreNoSources() {
+    FigureDescription figure = test::smallFigure();
+    const fs::path table = folder() / "table.binary", document = folder() / "edited.gonio";
+    io::writeFileAtomically(table, std::string("x"));
+    editing::EditDocument edited;
+    edited.sourcePath = table.string();
+    edited.sourceSha256 = std::string(64, 'a');
+    editing::writeDocument(edited, document);
+    figure.materials = {{document.string(), ""}};
+    for (const fs::path& taken : {document, table, folder() / "." / "table.binary"}) try {
+        checkFigureOutput(figure, taken);
+        QFAIL("accepted");
+      } catch (const Error& error) {
+        QCOMPARE(std::string(error.what()),
+                 taken.string() + ": the figure is made from this file, expected another name");
+      }
+    checkFigureOutput(figure, folder() / "figure.pdf");
   }
 
   void numbersHaveDifferentNames() {

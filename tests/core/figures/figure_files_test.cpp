@@ -83,7 +83,7 @@ class FigureFilesTest : public QObject {
     const auto pictures = itemsOf<PictureItem>(drawFigure(figure, measurement, halfWidth));
     QCOMPARE(pictures.size(), std::size_t(2 * (2 + 2 * 3) + 1));
     for (std::size_t row = 0; row < 2; ++row) {
-      const Image& reference = measurement.rows[row].reference;
+      const Image& reference = *measurement.rows[row].reference;
       const Raster whole = displayedOnPaper(reference, figure.pictures);
       QVERIFY(pictures[8 * row].raster.rgba == whole.rgba);
       // Pixels 4 to 7 across and 8 to 11 down, as they are.
@@ -97,8 +97,37 @@ class FigureFilesTest : public QObject {
                      whole.rgba[std::size_t(4 * (16 * (8 + y) + 4 + x) + c)]);
       for (std::size_t cell = 0; cell < 2; ++cell)
         QVERIFY(pictures[8 * row + 4 + 3 * cell].raster.rgba ==
-                errorMap(reference, measurement.rows[row].cells[cell].picture, measurement.errorMaximum));
+                errorMap(reference, measurement.rows[row].cells[cell]->picture, errorMaximum(figure, measurement)));
     }
+  }
+
+  /// The page before the measurement: grey pictures at the same positions, no numbers, the frames of the insets.
+  void whatIsMissingIsGrey() {
+    const FigureDescription figure = figureWithInsets();
+    const FigureMeasurement measurement = test::madeUpMeasurement(figure);
+    const FigureDrawing whole = drawFigure(figure, measurement, halfWidth);
+    const FigureDrawing empty = drawFigure(figure, knownPart(figure, {}), halfWidth);
+    const auto pictures = itemsOf<PictureItem>(empty), measured = itemsOf<PictureItem>(whole);
+    QCOMPARE(pictures.size(), measured.size());
+    for (std::size_t i = 0; i + 1 < pictures.size(); ++i) {
+      QVERIFY(pictures[i].place == measured[i].place);
+      QVERIFY(pictures[i].raster.rgba == (std::vector<std::uint8_t>{228, 228, 228, 255}));
+    }
+    const auto frames = itemsOf<FrameItem>(empty), expected = itemsOf<FrameItem>(whole);
+    QVERIFY(std::ranges::equal(frames, expected, {}, &FrameItem::place, &FrameItem::place));
+    const auto texts = itemsOf<TextItem>(empty);
+    QVERIFY(std::ranges::find(texts, std::string("SNR"), &TextItem::text) != texts.end());
+    QVERIFY(std::ranges::none_of(texts, [](const TextItem& item) { return item.text.ends_with(" dB"); }));
+    QVERIFY(std::ranges::find(texts, std::string("luminance error (linear)"), &TextItem::text) != texts.end());
+  }
+
+  /// The raster for display has the pixels of the PNG file.
+  void rasterHasThePixelsOfThePng() {
+    const FigureDescription figure = figureWithInsets();
+    const FigureDrawing drawing = drawFigure(figure, test::madeUpMeasurement(figure), halfWidth);
+    const Raster raster = figureRaster(drawing, 100), expected = decodedPng(textOf(figurePng(drawing, 100)));
+    QCOMPARE(raster.width, expected.width);
+    QVERIFY(raster.rgba == expected.rgba);
   }
 
   void insetsAreOfWholePixels() {
@@ -124,8 +153,9 @@ class FigureFilesTest : public QObject {
     const FigureDescription figure = test::smallFigure();
     FigureMeasurement measurement = test::madeUpMeasurement(figure);
     FigureRow& row = measurement.rows[0];
-    row.cells[0].numbers = {30, 0.1, std::nan(""), 10};
-    row.cells[1].numbers = {40, 0.2, std::nan(""), 20};
+    const double values[2][4] = {{30, 0.1, std::nan(""), 10}, {40, 0.2, std::nan(""), 20}};
+    for (std::size_t cell = 0; cell < 2; ++cell)
+      for (std::size_t k = 0; k < 4; ++k) test::setValue(row.cells[cell], figure.numbers[k], values[cell][k]);
     const auto best = [&](std::size_t cell, std::size_t number) { return isBest(figure, row, cell, number); };
     QVERIFY(!best(0, 0) && best(1, 0));
     QVERIFY(best(0, 1) && !best(1, 1));
@@ -197,7 +227,7 @@ class FigureFilesTest : public QObject {
     const auto texts = FigureTexts{.rowNames = {"chrome", "blue rubber"}, .errorScale = {}, .insetNote = {}};
     const PageRectangle place = layOutFigure(figure, texts, cairoTextWidth(figure.font)).cells[1][1].picture;
     const int left = int(std::lround(10 * place.x)), middle = int(10 * (place.y + place.height / 2));
-    const Raster raster = displayedOnPaper(measurement.rows[1].cells[0].picture, figure.pictures);
+    const Raster raster = displayedOnPaper(measurement.rows[1].cells[0]->picture, figure.pictures);
     const std::uint8_t* expected = &raster.rgba[4 * (16 * 8)];
     for (const int c : {0, 2}) {
       QVERIFY(std::abs(pixel(left + 2, middle)[c] - expected[c]) <= 2);
@@ -225,11 +255,11 @@ class FigureFilesTest : public QObject {
     QCOMPARE(csv.comments[0], std::string("pictures: sphere-studio, 16 x 16, 4 samples"));
     for (std::size_t i = 0; i < 4; ++i) {
       const FigureRow& row = measurement.rows[i / 2];
-      QCOMPARE(csv.rows[i].fields[csv.neededColumn("material")], row.name);
+      QCOMPARE(csv.rows[i].fields[csv.neededColumn("material")], rowLabel(figure, measurement, i / 2));
       QCOMPARE(csv.rows[i].fields[csv.neededColumn("label")], figure.representations[i % 2].shownLabel());
       const char* titles[] = {"snr [db]", "flip", "log", "size [b]"};
       for (std::size_t k = 0; k < 4; ++k)
-        QCOMPARE(csv.number(csv.rows[i], csv.neededColumn(titles[k])), row.cells[i % 2].numbers[k]);
+        QCOMPARE(csv.number(csv.rows[i], csv.neededColumn(titles[k])), row.cells[i % 2]->value(figure.numbers[k]));
     }
   }
 
@@ -238,8 +268,10 @@ class FigureFilesTest : public QObject {
     figure.materials[1].label = "50%_rubber & {more}";
     figure.numbers = {"rendered-snr", "mse"};
     FigureMeasurement measurement = test::madeUpMeasurement(figure);
-    measurement.rows[0].cells[0].numbers = {std::numeric_limits<double>::infinity(), 1.25e-5};
-    measurement.rows[0].cells[1].numbers = {20, 0.5};
+    const double values[2][2] = {{std::numeric_limits<double>::infinity(), 1.25e-5}, {20, 0.5}};
+    for (std::size_t cell = 0; cell < 2; ++cell)
+      for (std::size_t k = 0; k < 2; ++k)
+        test::setValue(measurement.rows[0].cells[cell], figure.numbers[k], values[cell][k]);
     const std::string latex = figureLatex(figure, measurement);
     QVERIFY(latex.find("\\begin{tabular}{llrr}\n\\toprule\n") != std::string::npos);
     QVERIFY(latex.find("Material & Representation & SNR [dB] & MSE \\\\\n") != std::string::npos);

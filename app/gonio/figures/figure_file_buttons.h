@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "app/gonio/figures/figure_files.h"
+
+class QPushButton;
+
+namespace gonio::app {
+
+class BackgroundTasks;
+class FigureMaker;
+class FileExports;
+
+/// Buttons that open and save the description of a figure, and save the figure and its numbers.
+class FigureFileButtons : public QWidget {
+  Q_OBJECT
+
+ public:
+  FigureFileButtons(FigureMaker& maker, FileExports& exports, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  ~FigureFileButtons() override;
+
+  /// Reads a description in the background.
+  void open(const QString& path);
+  /// Enables the buttons that save.
+  void setSaving(bool enabled);
+
+ Q_SIGNALS:
+  void opened(const gonio::figures::FigureDescription& description);
+
+ private:
+  QPushButton* button(const QString& text, const QString& toolTip, void (FigureFileButtons::*onClick)());
+  void askToOpen();
+  void askForDescription();
+  void askForNumbers();
+  void askForFigure();
+  /// Asks for a name, then writes what `make` returns at that moment. @param measures whether writing the file measures
+  /// the missing cells; then a measurement for the page is cancelled.
+  void ask(const std::function<FileSave()>& make, bool measures);
+  FigureToWrite figure() const;
+  void showFailure(const QString& path, const QString& text);
+
+  FigureMaker& m_maker;
+  FileExports& m_exports;
+  BackgroundTasks& m_tasks;
+  const QString m_openKey;
+  QString m_baseName;  ///< of the last opened or saved file
+  QPushButton *m_saveDescription, *m_saveNumbers, *m_saveFigure;
+};
+
+}  // namespace gonio::app
