@@ -20,7 +20,7 @@ SECTIONS = {
                   "LibraryEntry", "Check"],
     "Models, fits, edits": ["models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model",
                             "Parameter", "Fit", "Metric"],
-    "Factors, codes, interpolation": ["factorize", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
+    "Factors, codes, interpolation": ["factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
                                       "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation"],
     "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan",
                     "Readings", "Reconstruction", "Basis"],

@@ -8,6 +8,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/pdv_file.h"
 #include "core/rendering/rendered_comparison.h"
@@ -22,20 +23,28 @@ constexpr const char* pdvMethod = "pdv";
 constexpr std::size_t bytesOfTenTerms = 44'680;  ///< of a .pdv file in the form with three curves
 
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
+constexpr const char *nodesOfMaterial = "material", *nodesOfLibrary = "library";
 
 struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
-  std::string method = pdvMethod;
+  std::string method = pdvMethod, weights{pdvWeightNames[1]}, deviations = nodesOfMaterial;
   std::size_t bytes = bytesOfTenTerms;
   int terms = 10, samples = smallComparisonPicture().samples;
-  bool keepFurther = false, formGiven = false, transformGiven = false;
+  bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false;
 
   PdvOptions pdvOptions() const {
-    return {.form = static_cast<PdvForm>(std::find(formNames.begin(), formNames.end(), form) - formNames.begin()),
-            .transform =
-                static_cast<DataTransform>(std::find(dataTransformNames.begin(), dataTransformNames.end(), transform) -
-                                           dataTransformNames.begin()),
-            .terms = swaps() && !keepFurther ? 1 : terms};
+    const auto pdvForm = PdvForm(std::ranges::find(formNames, form) - formNames.begin());
+    const int count = swaps() && !keepFurther ? 1 : terms;
+    if (asPublished) return publishedPdvOptions(pdvForm, count);
+    return {.form = pdvForm,
+            .transform = DataTransform(std::ranges::find(dataTransformNames, transform) - dataTransformNames.begin()),
+            .terms = count,
+            .weights = PdvWeights(std::ranges::find(pdvWeightNames, weights) - pdvWeightNames.begin()),
+            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>()};
+  }
+  /// Whether options other than form, transform and terms change the factorisation.
+  bool choosesNodesOrWeights() const {
+    return asPublished || weights != pdvWeightNames[1] || deviations != nodesOfMaterial;
   }
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
@@ -47,8 +56,10 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
                            const TabulatedBrdf& table, const Tool& tool) {
   if (!materials::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
-  if (options.formGiven || options.transformGiven)
-    throw UsageError("factor: " + options.material + " contains factors already: leave out --form and --transform");
+  if (options.formGiven || options.transformGiven || options.choosesNodesOrWeights())
+    throw UsageError("factor: " + options.material +
+                     " contains factors already: leave out --form, --transform, --weights, --deviations and "
+                     "--as-published");
   return {.factors = materials::readPdv(options.material).truncated(options.terms),
           .residuals = {},
           .cells = 0,
@@ -56,24 +67,31 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
 }
 
 /// The factors of another material for a swap: one term over the same nodes, where they are not given.
-PdvFactors otherFactors(const std::string& other, const PdvFactors& target, const Tool& tool) {
+PdvFactors otherFactors(const std::string& other, const FactorArguments& options, const PdvFactors& target,
+                        const Tool& tool) {
   if (materials::isPdv(other)) return materials::readPdv(other);
   const materials::Material material = openMaterial(other, tool.control("reading " + other));
-  return factorizePdv(
-             *material.tabulated(tool.control("tabulating")),
-             {.form = target.form, .transform = target.transform, .terms = 1, .deviationNodes = target.deviationNodes},
-             tool.control("factorising " + material.name))
+  return factorizePdv(*material.tabulated(tool.control("tabulating")),
+                      {.form = target.form,
+                       .transform = target.transform,
+                       .terms = 1,
+                       .weights = options.pdvOptions().weights,
+                       .deviationNodes = target.deviationNodes},
+                      tool.control("factorising " + material.name))
       .factors;
 }
 
 PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Tool& tool) {
   const FurtherTerms further = options.keepFurther ? FurtherTerms::keep : FurtherTerms::drop;
-  if (!options.swapF1.empty()) factors = takeF1(factors, otherFactors(options.swapF1, factors, tool), further);
-  if (!options.swapF2.empty()) factors = takeF2(factors, otherFactors(options.swapF2, factors, tool), further);
+  if (!options.swapF1.empty()) factors = takeF1(factors, otherFactors(options.swapF1, options, factors, tool), further);
+  if (!options.swapF2.empty()) factors = takeF2(factors, otherFactors(options.swapF2, options, factors, tool), further);
   return factors;
 }
 
 void checkOptions(const FactorArguments& options) {
+  if (options.asPublished &&
+      (options.transformGiven || options.weights != pdvWeightNames[1] || options.deviations != nodesOfMaterial))
+    throw UsageError("factor: --as-published sets --transform, --weights and --deviations; leave these out");
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
   if (!options.decode.empty()) materials::writableFormat(options.decode);
@@ -103,6 +121,10 @@ int factor(const FactorArguments& options, const Tool& tool) {
             {"residuals", result.residuals},
             {"seconds", result.seconds}};
   addQuality(json, quality);
+  if (!materials::isPdv(options.material)) {
+    json["weights"] = options.asPublished ? pdvWeightNames[0] : std::string_view(options.weights);
+    json["deviations"] = options.asPublished ? nodesOfLibrary : options.deviations.c_str();
+  }
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
@@ -133,9 +155,21 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
       },
       "Transform of the BRDF values (log-plus)");
   transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
+  auto* weights = command.add_option("--weights", options->weights,
+                                     "Weights of the cells: projected-solid-angle, or equal, as in the papers "
+                                     "(projected-solid-angle)");
+  weights->check(CLI::IsMember(std::vector<std::string>(pdvWeightNames.begin(), pdvWeightNames.end())));
+  auto* deviations =
+      command.add_option("--deviations", options->deviations,
+                         "Nodes of |Dp|: those of the material, or the common nodes of the library (material)");
+  deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary}));
   return {terms,
           form,
           transform,
+          weights,
+          deviations,
+          command.add_flag("--as-published", options->asPublished,
+                           "Published method: --transform log-plus --weights equal --deviations library"),
           command.add_option("--decode", options->decode,
                              outputHelp("Bake the material that the factors represent to this file")),
           command.add_option("--swap-f1", options->swapF1,

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/factor_baseline.h"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -22,9 +21,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   if (materials::hasSuffixOf(materials::FormatId::pdv, options.out))
     throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
   if (!options.out.empty()) materials::writableFormat(options.out);
-  const auto all = factorization::baselines();
-  const factorization::Baseline& baseline =
-      *std::find_if(all.begin(), all.end(), [&](const auto& b) { return b.id == options.method; });
+  const factorization::Baseline& baseline = factorization::findBaseline(options.method);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const auto start = std::chrono::steady_clock::now();

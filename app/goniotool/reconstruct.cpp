@@ -21,9 +21,11 @@ struct ReconstructArguments {
   std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty, dictionary;
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
+  bool asPublished = false;
 };
 
 ReconstructionOptions reconstructionOptions(const ReconstructArguments& options) {
+  if (options.asPublished) return publishedReconstruction();
   ReconstructionOptions result = options.reconstruction;
   result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, options.method) -
                                        reconstructionMethodNames.begin());
@@ -37,6 +39,8 @@ ReconstructionOptions reconstructionOptions(const ReconstructArguments& options)
   result.uncertainty = result.method == ReconstructionMethod::ridge;
   if (result.atoms > 0 && result.method != ReconstructionMethod::sparse)
     throw UsageError("reconstruct: --atoms needs --method sparse");
+  if (result.equalNoise && result.method != ReconstructionMethod::ridge)
+    throw UsageError("reconstruct: --equal-noise needs --method ridge");
   if (!options.uncertainty.empty() && !result.uncertainty)
     throw UsageError("reconstruct: --uncertainty needs --method ridge");
   return result;
@@ -86,12 +90,13 @@ float medianOf(std::vector<float> values) {
   return *middle;
 }
 
-void report(const ReconstructArguments& options, const Reconstruction& found, std::size_t samples, double seconds,
-            double trainingSeconds, const Tool& tool) {
+void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
+            double seconds, double trainingSeconds, const Tool& tool) {
   Json json{{"method", options.method},
             {"samples", samples},
             {"components", found.components},
             {"ridge", found.ridge},
+            {"equalNoise", equalNoise},
             {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
             {"cappedValues", found.cappedCount},
             {"seconds", seconds},
@@ -137,7 +142,7 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   materials::writeMaterial(*found.table, options.out);
   if (!options.uncertainty.empty())
     materials::writeMaterial(*deviationTable(basis->components.mapping, found.deviation), options.uncertainty);
-  report(options, found, plan.samples.size(), seconds, trainingSeconds, tool);
+  report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, tool);
   return 0;
 }
 
@@ -169,11 +174,18 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command->add_option("--atoms", reconstruction.atoms, "Number of components of the method sparse (by leave-one-out)")
       ->check(CLI::Range(1, 65535));
+  command->add_flag("--equal-noise", reconstruction.equalNoise,
+                    "Give all samples the same weight, as in the published equation: the ridge is --ridge alone");
+  command->add_flag("--as-published", options->asPublished,
+                    "Published method: --method ridge --ridge 40 --equal-noise, with as many components as samples");
   command->add_option("--uncertainty", options->uncertainty,
                       outputHelp("File to write: standard deviations of the mapped values as a table"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] {
-      for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--uncertainty"})
+      for (const char* of : {"--method", "--ridge", "--components", "--atoms", "--equal-noise"})
+        if (options->asPublished && command->count(of) > 0)
+          throw UsageError(std::string("reconstruct: --as-published sets ") + of + "; leave out one of them");
+      for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--equal-noise", "--uncertainty"})
         if (options->method == dictionariesMethod && command->count(of) > 0)
           throw UsageError(std::string("reconstruct: ") + of + " cannot be used with --method dictionaries");
       return reconstruct(*options, tool);

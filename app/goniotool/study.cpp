@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using namespace study;
 
 struct StudyArguments {
-  std::vector<std::string> materials, representations, models, componentsFrom, dictionaries;
+  std::vector<std::string> materials, representations, models, baselines, componentsFrom, dictionaries;
   std::string out, shard;
   RepresentationChoice choice;
   Budget budget;
@@ -40,6 +40,7 @@ RepresentationChoice choiceOf(const StudyArguments& options) {
   if (!options.componentsFrom.empty() && !std::ranges::count(choice.families, RepresentationFamily::components))
     choice.families.push_back(RepresentationFamily::components);
   for (const std::string& id : options.models) choice.models.push_back(&models::findModel(id));
+  for (const std::string& id : options.baselines) choice.baselines.push_back(&findStudiedBaseline(id));
   return choice;
 }
 
@@ -48,6 +49,8 @@ std::string stemOf(const std::string& material) { return fs::path(material).stem
 /// Before the work.
 void checkArguments(const StudyArguments& options) {
   for (const std::string& id : options.representations) familyById(id);
+  if (!options.baselines.empty() && !std::ranges::count(options.representations, "baselines"))
+    throw UsageError("study: --baselines needs --representations with baselines");
   if (options.withoutTimes && options.budget.frameMilliseconds)
     throw UsageError("study: --max-frame-ms needs times; leave out --no-times");
 }
@@ -181,10 +184,14 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--representations", options->representations,
-          "Kinds of representations: table, fits, factors, codes, components, nonparametric (all but components)")
+          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published "
+          "(all except components, baselines and published)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
-  command->add_option("--terms", options->choice.terms, "Numbers of terms of the factors (1,2,3,5,8,10,14,20)")
+  command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
+  command
+      ->add_option("--terms", options->choice.terms,
+                   "Numbers of terms of the factors; their bytes are the budgets of baselines (1,2,3,5,8,10,14,20)")
       ->delimiter(',')
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command

@@ -95,13 +95,22 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
 
 }  // namespace
 
+ReconstructionOptions publishedReconstruction() {
+  return {.ridge = publishedRidge, .equalNoise = true, .componentsAsSamples = true};
+}
+
 Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
                            const ReconstructionOptions& options, const TaskControl& control) {
   checkOptions(options);
   Reconstruction result;
-  result.components = options.components > 0 ? std::min(options.components, basis.count()) : basis.count();
+  const int wanted = options.componentsAsSamples ? int(plan.samples.size()) : options.components;
+  result.components = wanted > 0 ? std::min(wanted, basis.count()) : basis.count();
   result.leaveOneOutError = std::numeric_limits<double>::quiet_NaN();
-  const SampleRows samples = sampleRows(basis, plan, values, result.components);
+  SampleRows samples = sampleRows(basis, plan, values, result.components);
+  if (options.equalNoise) {
+    samples.variances.setZero();
+    samples.knownNoise.setZero();
+  }
   Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(result.components, 3);
   if (result.components == 0)
     result.ridge = options.ridge.value_or(publishedRidge);

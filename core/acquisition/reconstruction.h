@@ -36,7 +36,15 @@ struct ReconstructionOptions {
                   ///< samples
   std::optional<double> noise;  ///< standard deviation of a mapped value, for `deviation`; if empty, estimated
   bool uncertainty = true;      ///< whether to compute `deviation`
+  /// Whether all samples have the same weight, as in eq. 5.14 as printed: the ridge is eta alone, without the
+  /// components that are not used and without the standard deviations of the values.
+  bool equalNoise = false;
+  bool componentsAsSamples = false;  ///< whether to use as many components as samples, instead of `components`
 };
+
+/// The options of the published method: eq. 5.14 with eta = 40 and as many components as samples (Nielsen et al. 2015;
+/// Tongbuasirilai 2023; the authors' code).
+ReconstructionOptions publishedReconstruction();
 
 struct Reconstruction {
   std::shared_ptr<const TabulatedBrdf> table;
@@ -60,10 +68,10 @@ struct Reconstruction {
 };
 
 /// Each sample is read at the nearest node of the basis (nearestNode()). Components that are not used count as noise of
-/// a sample, and so do the standard deviations of the values if given: eta is replaced by eta + t (l + s^2), with t the
-/// number of training signals, l the variance that is left out (leftOutVariance()), and s the standard deviation of the
-/// mapped value to first order (root mean square of the channels). The three channels share these weights, so one
-/// factorisation solves all of them.
+/// a sample, and so do the standard deviations of the values if given: eta is replaced by eta + t (l + s^2) (unless
+/// `equalNoise`), with t the number of training signals, l the variance that is left out (leftOutVariance()), and s the
+/// standard deviation of the mapped value to first order (root mean square of the channels). The three channels share
+/// these weights, so one factorisation solves all of them.
 /// Cells outside basis.mapping.cells are invalid, as in decode(). Cost: O(samples components min(samples, components)),
 /// about a hundred times that if the ridge is chosen, + O(cells components), or O(cells components^2) with the
 /// uncertainty.

@@ -3,6 +3,8 @@
 #include "core/baselines/baselines.h"
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
 #include "core/baselines/bilgili.h"
 #include "core/baselines/bivariate.h"
@@ -11,6 +13,7 @@
 #include "core/baselines/lawrence.h"
 #include "core/baselines/mccool.h"
 #include "core/factorization/nonparametric.h"
+#include "core/support/error.h"
 
 namespace gonio::factorization {
 
@@ -107,32 +110,47 @@ Models buildNonparametric(const TabulatedBrdf& table, Budgets budgets, const Tas
   return Models(budgets.size(), {makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
 }
 
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+/// Size of the exact decomposition of the 3 x 90 by 30 x 7 matrix into 210 terms.
+constexpr std::size_t exactMatrixBytes = 403'200;
+
 constexpr Baseline allBaselines[] = {
-    {"kautz-mccool", "singular values in half-difference coordinates",
+    {"kautz-mccool", "Kautz and McCool 1999", "singular values in half-difference coordinates",
      "Kautz and McCool 1999, \"Interactive Rendering with Arbitrary BRDFs using Separable Approximations\"",
-     buildKautzMcCool},
-    {"mccool", "homomorphic factorisation",
-     "McCool, Ang and Ahmad 2001, \"Homomorphic Factorization of BRDFs for High-Performance Rendering\"", buildMcCool},
-    {"lawrence", "non-negative matrices in half-out coordinates",
+     exactMatrixBytes, buildKautzMcCool},
+    {"mccool", "McCool et al. 2001", "homomorphic factorisation",
+     "McCool, Ang and Ahmad 2001, \"Homomorphic Factorization of BRDFs for High-Performance Rendering\"", 0,
+     buildMcCool},
+    {"lawrence", "Lawrence et al. 2004", "non-negative matrices in half-out coordinates",
      "Lawrence, Rusinkiewicz and Ramamoorthi 2004, \"Efficient BRDF Importance Sampling Using a Factored "
      "Representation\"",
-     buildLawrence},
-    {"bivariate", "bivariate table", "Romeiro, Vasilyev and Zickler 2008, \"Passive Reflectometry\"", buildBivariate},
-    {"bilgili", "recursive Tucker of the luminance",
-     "Bilgili, Öztürk and Kurt 2011, \"A General BRDF Representation Based on Tensor Decomposition\"", buildBilgili},
-    {"nonparametric", "microfacet model of tabulated factors",
-     "Bagher, Snyder and Nowrouzezahrai 2016, \"A Non-Parametric Factor Microfacet Model for Isotropic BRDFs\"",
+     unlimited, buildLawrence},
+    {"bivariate", "Romeiro et al. 2008", "bivariate table",
+     "Romeiro, Vasilyev and Zickler 2008, \"Passive Reflectometry\"", 97'200, buildBivariate},
+    {"bilgili", "Bilgili et al. 2011", "recursive Tucker of the luminance",
+     "Bilgili, Öztürk and Kurt 2011, \"A General BRDF Representation Based on Tensor Decomposition\"", unlimited,
+     buildBilgili},
+    {"nonparametric", "Bagher et al. 2016", "microfacet model of tabulated factors",
+     "Bagher, Snyder and Nowrouzezahrai 2016, \"A Non-Parametric Factor Microfacet Model for Isotropic BRDFs\"", 0,
      buildNonparametric},
-    {"cp", "CP decomposition in half-difference coordinates",
-     "Carroll and Chang 1970; Kolda and Bader 2009, \"Tensor Decompositions and Applications\"", buildCp},
-    {"hosvd", "higher-order singular values in half-difference coordinates",
-     "De Lathauwer, De Moor and Vandewalle 2000, \"A Multilinear Singular Value Decomposition\"", buildHosvd},
-    {"nmf", "non-negative matrices in half-difference coordinates",
-     "Lee and Seung 2001, \"Algorithms for Non-negative Matrix Factorization\"", buildNonnegative},
+    {"cp", "CP decomposition", "CP decomposition in half-difference coordinates",
+     "Carroll and Chang 1970; Kolda and Bader 2009, \"Tensor Decompositions and Applications\"", 33'284, buildCp},
+    {"hosvd", "Higher-order SVD", "higher-order singular values in half-difference coordinates",
+     "De Lathauwer, De Moor and Vandewalle 2000, \"A Multilinear Singular Value Decomposition\"", 263'036, buildHosvd},
+    {"nmf", "Non-negative matrices", "non-negative matrices in half-difference coordinates",
+     "Lee and Seung 2001, \"Algorithms for Non-negative Matrix Factorization\"", exactMatrixBytes, buildNonnegative},
 };
 
 }  // namespace
 
 std::span<const Baseline> baselines() { return allBaselines; }
+
+const Baseline& findBaseline(std::string_view id) {
+  if (const auto found = std::ranges::find(allBaselines, id, &Baseline::id); found != std::end(allBaselines))
+    return *found;
+  std::string known;
+  for (const Baseline& baseline : allBaselines) known += (known.empty() ? "" : ", ") + std::string(baseline.id);
+  throw Error("found the baseline '" + std::string(id) + "', expected one of " + known);
+}
 
 }  // namespace gonio::factorization

@@ -20,9 +20,11 @@ struct ComparedModel {
 };
 
 struct Baseline {
-  std::string_view id;  ///< name on the command line
+  std::string_view id;     ///< name on the command line
+  std::string_view label;  ///< for legends: authors and year, or the name of the decomposition
   std::string_view name;
   std::string_view reference;
+  std::size_t maxBytes;  ///< size of its largest model; 0: fixed size for every budget, may exceed the budget
   /// One model per budget, in the order of the budgets: the largest one (number of terms, or side of the table) that
   /// fits in that many bytes, with at least one term. A baseline of fixed size returns the same model for every budget.
   /// Steps common to all models are computed once. Deterministic. @throws Cancelled.
@@ -32,5 +34,7 @@ struct Baseline {
 
 /// All baselines.
 std::span<const Baseline> baselines();
+/// The baseline with an id. @throws Error that lists the ids.
+const Baseline& findBaseline(std::string_view id);
 
 }  // namespace gonio::factorization

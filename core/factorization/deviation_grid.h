@@ -26,6 +26,16 @@ inline const double largestDeviation = 2 * std::sin(largestPolarAngle);
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
                                    int count = defaultDeviations, const TaskControl& control = {});
 
+/// Energy of a material at 2,000 uniform steps of |Dp|, as summed in Tongbuasirilai 2023, eq. 4.24: ln(1 + rho) over
+/// the channels and over the cells on the disk, of a uniform grid of viewers and azimuths. Takes about 0.1 s.
+/// @throws Cancelled.
+std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control = {});
+
+/// The published choice, one grid for all materials: the quantiles of the mean of publishedDeviationEnergy() over the
+/// 137 measured and near-measured bundled materials, without uniformly spaced nodes (`gonio_studies deviation_nodes`
+/// prints them).
+std::vector<double> libraryDeviationNodes();
+
 /// The quantiles of a given energy. @param energy of uniform steps up to largestDeviation, >= 0.
 std::vector<double> deviationNodes(std::span<const double> energy, int count);
 

@@ -15,8 +15,6 @@ namespace gonio::factorization {
 
 namespace {
 
-constexpr int thetaCount = 90, phiCount = 180;
-
 std::vector<double> evenNodes(int count, double last) {
   std::vector<double> nodes;
   for (int i = 0; i < count; ++i) nodes.push_back(last * i / (count - 1));
@@ -28,8 +26,8 @@ PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const
     throw Error("the count of terms is " + std::to_string(options.terms) + "; expected 1 to " +
                 std::to_string(maxPdvTerms));
   PdvFactors axes{.form = options.form, .transform = options.transform};
-  axes.thetaNodes = evenNodes(thetaCount, largestPolarAngle);
-  axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(phiCount, pi);
+  axes.thetaNodes = evenNodes(pdvThetaNodes, largestPolarAngle);
+  axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(pdvPhiNodes, pi);
   axes.deviationNodes = options.deviationNodes;
   if (axes.deviationNodes.empty()) {
     // No owner: the table outlives the call.
@@ -74,6 +72,10 @@ PdvFactors PdvFactors::truncated(int count) const {
   for (std::vector<PdvTerm>& channel : result.channels)
     channel.resize(std::min(channel.size(), std::size_t(std::max(1, count))));
   return result;
+}
+
+PdvOptions publishedPdvOptions(PdvForm form, int terms) {
+  return {.form = form, .terms = terms, .weights = PdvWeights::uniform, .deviationNodes = libraryDeviationNodes()};
 }
 
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/brdf/data_transform.h"
@@ -55,6 +56,9 @@ enum class PdvWeights {
   projectedSolidAngle
 };
 
+/// Names in JSON and on the command line, in the order of PdvWeights.
+inline constexpr std::array<std::string_view, 2> pdvWeightNames{"equal", "projected-solid-angle"};
+
 struct PdvOptions {
   PdvForm form = PdvForm::threeFactors;
   DataTransform transform = DataTransform::logPlus;
@@ -64,6 +68,12 @@ struct PdvOptions {
   std::vector<double> deviationNodes = {};
 };
 inline constexpr int maxPdvTerms = 20;
+
+/// The options of the published method (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, eq. 4.24 to 4.26):
+/// ln(1 + rho), equal weights of all cells, and libraryDeviationNodes() for all materials.
+PdvOptions publishedPdvOptions(PdvForm form, int terms);
+/// Numbers of nodes of theta_R and |phi| in factorisations.
+inline constexpr int pdvThetaNodes = 90, pdvPhiNodes = 180;
 
 struct PdvFactorization {
   PdvFactors factors;

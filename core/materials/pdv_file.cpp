@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/factorization/deviation_grid.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
 #include "core/support/naming_file.h"
@@ -92,6 +93,13 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
 std::size_t pdvFileBytes(const PdvFactors& f) {
   return headerBytes + sizeof(float) * floatCount(f.thetaNodes.size() + f.deviationNodes.size() + f.phiNodes.size(),
                                                   std::size_t(f.terms()));
+}
+
+std::size_t pdvFileBytes(factorization::PdvForm form, int terms) {
+  using namespace factorization;
+  const int phis = form == PdvForm::twoFactors ? 1 : pdvPhiNodes;
+  return headerBytes +
+         sizeof(float) * floatCount(std::size_t(pdvThetaNodes + defaultDeviations + phis), std::size_t(terms));
 }
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {

@@ -16,6 +16,9 @@ namespace gonio::materials {
 
 /// Size of the file in bytes.
 std::size_t pdvFileBytes(const factorization::PdvFactors& factors);
+/// Size of a file with this number of terms over the nodes of factorizePdv(): 44,680 bytes for ten terms of three
+/// factors.
+std::size_t pdvFileBytes(factorization::PdvForm form, int terms);
 
 /// Writes a file, atomically. Curves are rounded to single precision. @throws Error that names the file.
 void writePdv(const factorization::PdvFactors& factors, const std::filesystem::path& path);

@@ -50,53 +50,56 @@ std::string strokeText(const SvgStroke& stroke) {
   return text;
 }
 
-/// Corners on circles about a point, turned from the top.
-std::vector<glm::dvec2> corners(const glm::dvec2& at, int count, double radius, double innerRadius) {
+/// Corners on circles around the origin, starting at the top.
+std::vector<glm::dvec2> corners(int count, double radius, double innerRadius) {
   std::vector<glm::dvec2> result;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * pi * i / count, r = i % 2 == 0 ? radius : innerRadius;
-    result.emplace_back(at.x + r * std::sin(angle), at.y - r * std::cos(angle));
+    result.emplace_back(r * std::sin(angle), -r * std::cos(angle));
   }
   return result;
 }
 
-std::vector<glm::dvec2> outline(Marker marker, const glm::dvec2& at, double size) {
+/// A cross with four arms.
+std::vector<glm::dvec2> plus(double size) {
+  const double s = 1.1 * size, t = 0.4 * size;
+  return {{-t, -s}, {t, -s}, {t, -t}, {s, -t}, {s, t}, {t, t}, {t, s}, {-t, s}, {-t, t}, {-s, t}, {-s, -t}, {-t, -t}};
+}
+
+std::vector<glm::dvec2> turned(std::vector<glm::dvec2> points, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (glm::dvec2& point : points) point = {c * point.x - s * point.y, s * point.x + c * point.y};
+  return points;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> markerOutline(Marker marker, double size) {
   switch (marker) {
-    case Marker::square: {
-      const double s = 0.85 * size;
-      return {{at.x - s, at.y - s}, {at.x + s, at.y - s}, {at.x + s, at.y + s}, {at.x - s, at.y + s}};
-    }
+    case Marker::square:
+      return {{-0.85 * size, -0.85 * size},
+              {0.85 * size, -0.85 * size},
+              {0.85 * size, 0.85 * size},
+              {-0.85 * size, 0.85 * size}};
     case Marker::triangle:
-      return corners(at, 3, 1.2 * size, 1.2 * size);
+      return corners(3, 1.2 * size, 1.2 * size);
+    case Marker::triangleDown:
+      return turned(corners(3, 1.2 * size, 1.2 * size), pi);
     case Marker::diamond:
-      return corners(at, 4, 1.25 * size, 1.25 * size);
-    case Marker::cross: {
-      const double s = 1.1 * size, t = 0.4 * size;
-      std::vector<glm::dvec2> result;
-      for (const auto& [x, y] : {std::pair{-t, -s},
-                                 {t, -s},
-                                 {t, -t},
-                                 {s, -t},
-                                 {s, t},
-                                 {t, t},
-                                 {t, s},
-                                 {-t, s},
-                                 {-t, t},
-                                 {-s, t},
-                                 {-s, -t},
-                                 {-t, -t}})
-        result.emplace_back(at.x + x, at.y + y);
-      return result;
-    }
+      return corners(4, 1.25 * size, 1.25 * size);
+    case Marker::cross:
+      return plus(size);
+    case Marker::saltire:
+      return turned(plus(size), pi / 4);
     case Marker::star:
-      return corners(at, 10, 1.45 * size, 0.6 * size);
+      return corners(10, 1.45 * size, 0.6 * size);
+    case Marker::pentagon:
+      return corners(5, 1.15 * size, 1.15 * size);
     case Marker::circle:
       break;
   }
   return {};
 }
-
-}  // namespace
 
 SvgDrawing::SvgDrawing(double width, double height, const SvgPage& page) {
   const std::string w = number(width), h = number(height), unit(page.unit);
@@ -125,10 +128,11 @@ void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::s
                         std::string_view title) {
   const std::string paint = " stroke=\"" + std::string(colour) + "\" stroke-width=\"1.4\" fill=\"" +
                             (hollow ? std::string("#ffffff") : std::string(colour)) + "\"";
-  const std::string shape =
-      marker == Marker::circle
-          ? "circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"" + number(size) + "\""
-          : "polygon points=\"" + pointsText(outline(marker, at, size)) + "\"";
+  std::vector<glm::dvec2> points = markerOutline(marker, size);
+  for (glm::dvec2& point : points) point += at;
+  const std::string shape = marker == Marker::circle ? "circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) +
+                                                           "\" r=\"" + number(size) + "\""
+                                                     : "polygon points=\"" + pointsText(points) + "\"";
   body_ += "<" + shape + paint;
   if (title.empty())
     body_ += "/>\n";

@@ -7,11 +7,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gonio::plots {
 
 /// Shapes of points, which distinguish them without colour.
-enum class Marker { square, circle, triangle, diamond, cross, star };
+enum class Marker { square, circle, triangle, diamond, cross, star, triangleDown, saltire, pentagon };
+
+/// The corners of a marker around the origin, y down; empty for a circle, which has the radius `size`.
+/// @param size about half the height and width.
+std::vector<glm::dvec2> markerOutline(Marker marker, double size);
 
 struct SvgStroke {
   std::string_view colour = "#222222";

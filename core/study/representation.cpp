@@ -8,6 +8,7 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
+#include "core/materials/pdv_file.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "core/support/number_text.h"
@@ -24,8 +25,11 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{{{"table"
                                                                         {"factors", "PDV factors"},
                                                                         {"codes", "dictionary code"},
                                                                         {"components", "principal components"},
-                                                                        {"nonparametric", "non-parametric factors"}}};
+                                                                        {"nonparametric", "non-parametric factors"},
+                                                                        {"baselines", "baselines"},
+                                                                        {"published", "as published"}}};
 
+using factorization::Baseline;
 using List = std::vector<Representation>;
 
 void addTables(List& list) {
@@ -53,6 +57,26 @@ void addCounted(List& list, const Representation& of, const std::vector<Count>& 
   }
 }
 
+Representation baselineOf(const Baseline& baseline, std::size_t bytes) {
+  Representation one{RepresentationFamily::baselines, std::string(baseline.id), std::string(baseline.label), 0, ""};
+  if (baseline.maxBytes == 0) return one;
+  one.budget = double(bytes);
+  one.budgetText = "up to " + std::to_string(bytes) + " bytes";
+  return one;
+}
+
+/// Adds baselines with the bytes of PDV factors as budgets, as long as a larger budget changes the model.
+void addBaselines(List& list, const RepresentationChoice& choice) {
+  for (const Baseline* baseline : choice.baselines.empty() ? studiedBaselines() : choice.baselines) {
+    std::size_t before = 0;
+    for (const int terms : choice.terms) {
+      if (before > 0 && before >= baseline->maxBytes) continue;
+      before = materials::pdvFileBytes(factorization::PdvForm::threeFactors, terms);
+      list.push_back(baselineOf(*baseline, before));
+    }
+  }
+}
+
 void add(List& list, RepresentationFamily family, const RepresentationChoice& choice) {
   switch (family) {
     case RepresentationFamily::table:
@@ -67,8 +91,33 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
     case RepresentationFamily::components:
       return addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
     case RepresentationFamily::nonparametric:
-      list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
+      return list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
+    case RepresentationFamily::baselines:
+      return addBaselines(list, choice);
+    case RepresentationFamily::published:
+      addCounted(list, {family, "factors-2d-published", "PDV factors, two curves, as published"}, choice.terms, "term");
+      addCounted(list, {family, "factors-3d-published", "PDV factors, three curves, as published"}, choice.terms,
+                 "term");
   }
+}
+
+/// Null if there is none with this id.
+const Baseline* studiedBaseline(std::string_view id) {
+  const auto all = studiedBaselines();
+  const auto found = std::ranges::find(all, id, &Baseline::id);
+  return found == all.end() ? nullptr : *found;
+}
+
+struct CountedBudget {
+  int max = 0;  ///< 0 if there is no budget
+  std::string what;
+};
+CountedBudget budgetOf(std::string_view id) {
+  if (id == "code") return {maxCodeCoefficients, "coefficients per channel"};
+  if (id.starts_with("factors-2d") || id.starts_with("factors-3d")) return {factorization::maxPdvTerms, "terms"};
+  if (const Baseline* baseline = studiedBaseline(id); baseline && baseline->maxBytes > 0)
+    return {maxBaselineBytes, "bytes"};
+  return {};
 }
 
 }  // namespace
@@ -84,27 +133,53 @@ RepresentationFamily familyById(std::string_view id) {
   throw Error("found the representations '" + std::string(id) + "', expected one of " + known);
 }
 
+std::vector<RepresentationFamily> familiesWithoutTraining() {
+  std::vector<RepresentationFamily> result;
+  for (int i = 0; i < representationFamilyCount; ++i)
+    if (const auto family = RepresentationFamily(i); family != RepresentationFamily::components)
+      result.push_back(family);
+  return result;
+}
+
 std::string Representation::fullLabel() const { return budgetText.empty() ? label : label + ", " + budgetText; }
 
-bool needsBudget(std::string_view id) { return id == "factors-2d" || id == "factors-3d" || id == "code"; }
+std::vector<const Baseline*> studiedBaselines() {
+  std::vector<const Baseline*> studied;
+  for (const Baseline& baseline : factorization::baselines())
+    if (baseline.id != familyId(RepresentationFamily::nonparametric)) studied.push_back(&baseline);
+  return studied;
+}
+
+const Baseline& findStudiedBaseline(std::string_view id) {
+  if (const Baseline* baseline = studiedBaseline(id)) return *baseline;
+  std::string known;
+  for (const Baseline* baseline : studiedBaselines()) known += (known.empty() ? "" : ", ") + std::string(baseline->id);
+  throw Error("found the baseline '" + std::string(id) + "', expected one of " + known);
+}
+
+int maxBudget(std::string_view id) { return budgetOf(id).max; }
+bool needsBudget(std::string_view id) { return maxBudget(id) > 0; }
 
 Representation representationById(std::string_view id, std::optional<double> budget) {
   RepresentationChoice choice;
-  const double most = id == "code" ? maxCodeCoefficients : factorization::maxPdvTerms;
-  if (needsBudget(id)) {
-    if (!budget || !(*budget >= 1 && *budget <= most) || *budget != std::floor(*budget))
+  choice.families.push_back(RepresentationFamily::published);
+  if (const CountedBudget counted = budgetOf(id); counted.max > 0) {
+    if (!budget || !(*budget >= 1 && *budget <= counted.max) || *budget != std::floor(*budget))
       throw Error("found the representation '" + std::string(id) + "' with " +
                   (budget ? "the budget " + numberText(*budget) : "no budget") +
-                  ", expected a whole number from 1 to " + numberText(most) +
-                  (id == "code" ? " (coefficients per channel)" : " (terms)"));
+                  ", expected a whole number from 1 to " + std::to_string(counted.max) + " (" + counted.what + ")");
     choice.terms = {int(*budget)};
     choice.coefficients = {std::size_t(*budget)};
   }
-  std::string known;
+  if (const Baseline* baseline = studiedBaseline(id)) return baselineOf(*baseline, std::size_t(budget.value_or(0)));
+  std::string known, last;
   for (const Representation& one : representationsOf(choice)) {
     if (one.id == id) return one;
-    if (one.family != RepresentationFamily::fit) known += (known.empty() ? "" : ", ") + one.id;
+    if (one.family == RepresentationFamily::fit || one.id == last) continue;
+    known += (known.empty() ? "" : ", ") + one.id;
+    last = one.id;
   }
+  for (const Baseline* baseline : studiedBaselines()) known += ", " + std::string(baseline->id);
   throw Error("found the representation '" + std::string(id) + "', expected one of " + known +
               " or the id of a model, such as ggx");
 }

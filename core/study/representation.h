@@ -7,29 +7,34 @@
 #include <string_view>
 #include <vector>
 
+#include "core/baselines/baselines.h"
 #include "core/models/model.h"
 
 namespace gonio::study {
 
 /// Kinds of representations, in the order of lists.
-enum class RepresentationFamily { table, fit, factors, code, components, nonparametric };
-inline constexpr int representationFamilyCount = 6;
+enum class RepresentationFamily { table, fit, factors, code, components, nonparametric, baselines, published };
+inline constexpr int representationFamilyCount = 8;
 
-/// The id on the command line and in files: "table", "fits", "factors", "codes", "components" or "nonparametric".
+/// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "nonparametric",
+/// "baselines" or "published".
 std::string_view familyId(RepresentationFamily family);
 /// The name for display in legends.
 std::string_view familyName(RepresentationFamily family);
 /// @throws Error that lists the ids.
 RepresentationFamily familyById(std::string_view id);
 
+/// All families except components, which need a training set.
+std::vector<RepresentationFamily> familiesWithoutTraining();
+
 /// A representation of a material at one budget.
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
-  std::string id;     ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                      ///< "components", "nonparametric"
+  std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
+                   ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
-  double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; 0 if
-                      ///< there is no budget
+  double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
+                      ///< baseline: maximum bytes; 0 if there is no budget
   std::string budgetText;  ///< e.g. "10 terms"; "" if there is no budget
 
   bool operator==(const Representation&) const = default;
@@ -39,20 +44,32 @@ struct Representation {
 
 /// Maximum per channel: the `.code` format has a 16-bit count.
 inline constexpr int maxCodeCoefficients = 65535;
+/// Maximum budget of a baseline.
+inline constexpr int maxBaselineBytes = 100'000'000;
 
 /// A selection of representations to measure.
 struct RepresentationChoice {
-  /// Default: all except components, which require a trained basis.
+  /// Default: all except baselines, PDV factors as published, and components, which require a trained basis.
   std::vector<RepresentationFamily> families{RepresentationFamily::table, RepresentationFamily::fit,
                                              RepresentationFamily::factors, RepresentationFamily::code,
                                              RepresentationFamily::nonparametric};
-  std::vector<const models::Model*> models;  ///< empty: all registered models
+  std::vector<const models::Model*> models;               ///< empty: all registered models
+  std::vector<const factorization::Baseline*> baselines;  ///< empty: all of studiedBaselines()
+  /// Of PDV factors; also determines the budgets of baselines: the bytes of files with as many terms of three factors.
   std::vector<int> terms{1, 2, 3, 5, 8, 10, 14, 20};
   std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< per channel
   std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< per channel
 };
 
-/// Whether a representation needs a budget besides its id: the terms of factors, the coefficients of codes.
+/// The baselines of the family: all except the non-parametric factors, which are a family of their own.
+std::vector<const factorization::Baseline*> studiedBaselines();
+/// One of studiedBaselines() by its id. @throws Error that lists the ids.
+const factorization::Baseline& findStudiedBaseline(std::string_view id);
+
+/// The maximum budget of a representation: terms of factors, coefficients of codes, bytes of baselines. 0 if its id
+/// alone describes it.
+int maxBudget(std::string_view id);
+/// Whether a representation needs a budget besides its id, see maxBudget().
 bool needsBudget(std::string_view id);
 /// A representation by its id and budget as in the records of a study, e.g. ("factors-3d", 10). See needsBudget().
 /// Components are not supported. @throws Error that states what was found and what was expected.

@@ -3,6 +3,7 @@
 #include "core/study/representation_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "core/brdf/weighted_sum.h"
@@ -35,13 +36,18 @@ class NearestBrdf final : public Brdf {
   std::shared_ptr<const TabulatedBrdf> table_;
 };
 
+bool isFactors(const Representation& representation) {
+  return representation.family == RepresentationFamily::factors ||
+         representation.family == RepresentationFamily::published;
+}
+
 }  // namespace
 
 RepresentationBuilder::RepresentationBuilder(StudySubject subject, BuildOptions options,
                                              std::span<const Representation> planned)
     : subject_(std::move(subject)), options_(std::move(options)) {
   for (const Representation& representation : planned)
-    if (representation.family == RepresentationFamily::factors) {
+    if (isFactors(representation)) {
       int& most = maxTerms_[representation.id];
       most = std::max(most, int(representation.budget));
     }
@@ -63,15 +69,18 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
     case RepresentationFamily::fit:
       return fit(representation, control);
     case RepresentationFamily::factors:
+    case RepresentationFamily::published:
       return factors(representation, control);
     case RepresentationFamily::code:
       return code(representation, control);
     case RepresentationFamily::components:
       return components(representation, control);
     case RepresentationFamily::nonparametric:
+      return nonparametric(control);
+    case RepresentationFamily::baselines:
       break;
   }
-  return nonparametric(control);
+  return baseline(representation, control);
 }
 
 BuiltRepresentation RepresentationBuilder::table(const Representation& representation) const {
@@ -101,9 +110,11 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const auto known = factorizations_.find(representation.id);
   const int terms = int(representation.budget);
   if (known == factorizations_.end()) {
-    const PdvForm form = representation.id == "factors-2d" ? PdvForm::twoFactors : PdvForm::threeFactors;
+    const PdvForm form = representation.id.starts_with("factors-2d") ? PdvForm::twoFactors : PdvForm::threeFactors;
     const int most = std::max(terms, maxTerms_[representation.id]);
-    factorizations_[representation.id] = factorizePdv(*subject_.table, {.form = form, .terms = most}, control);
+    const bool published = representation.family == RepresentationFamily::published;
+    const PdvOptions options = published ? publishedPdvOptions(form, most) : PdvOptions{.form = form, .terms = most};
+    factorizations_[representation.id] = factorizePdv(*subject_.table, options, control);
   }
   const PdvFactorization& all = factorizations_.at(representation.id);
   if (terms > all.factors.terms())
@@ -168,6 +179,16 @@ BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& cont
           .nodes = nullptr,
           .bytes = NonparametricFactors::bytes(),
           .encodeSeconds = secondsSince(start)};
+}
+
+/// Builds each budget separately, so that its time is measured; only the sampling could be shared.
+BuiltRepresentation RepresentationBuilder::baseline(const Representation& representation,
+                                                    const TaskControl& control) const {
+  const auto start = Clock::now();
+  const std::array<std::size_t, 1> budgets{std::size_t(representation.budget)};
+  const factorization::ComparedModel model =
+      findStudiedBaseline(representation.id).build(*subject_.table, budgets, control).front();
+  return {.brdf = model.brdf, .nodes = nullptr, .bytes = model.bytes, .encodeSeconds = secondsSince(start)};
 }
 
 }  // namespace gonio::study

@@ -51,9 +51,9 @@ class RepresentationBuilder {
   /// @param planned all representations that will be built.
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
-  /// Deterministic except for times. Fits and factors take about a second, codes two, non-parametric factors some
-  /// seconds. @throws Error for a representation that was not planned, more components than the basis has, or a table
-  /// with another grid than the basis; Cancelled.
+  /// Deterministic except for times. Fits, factors and baselines take about a second, codes two, non-parametric factors
+  /// some seconds. @throws Error for a representation that was not planned, more components than the basis has, or a
+  /// table with another grid than the basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
@@ -64,6 +64,7 @@ class RepresentationBuilder {
   BuiltRepresentation code(const Representation& representation, const TaskControl& control);
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
+  BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;
 
   StudySubject subject_;
   BuildOptions options_;

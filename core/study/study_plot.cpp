@@ -24,9 +24,25 @@ struct FamilyLook {
   std::string_view colour;
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
-constexpr FamilyLook looks[representationFamilyCount] = {{Marker::square, "#000000"},   {Marker::circle, "#0072b2"},
-                                                         {Marker::triangle, "#d55e00"}, {Marker::diamond, "#009e73"},
-                                                         {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"}};
+constexpr FamilyLook looks[representationFamilyCount] = {
+    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},  {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},   {Marker::star, "#e69f00"},
+    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}};
+
+struct Shape {
+  Marker marker;
+  bool hollow;
+};
+/// Shapes of the baselines in their order; no family has them.
+constexpr Shape baselineShapes[] = {
+    {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
+    {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::saltire, true}};
+
+Shape baselineShape(std::string_view id) {
+  const auto all = studiedBaselines();
+  const auto found = std::ranges::find(all, id, &factorization::Baseline::id);
+  return baselineShapes[std::size_t(found - all.begin()) % std::size(baselineShapes)];
+}
 
 /// A rectangle that a label takes.
 struct Box {
@@ -44,8 +60,8 @@ std::string numbersText(const StudyRecord& record) {
 
 /// Short, beside a point: the budget where its shape shows the rest.
 std::string labelOf(const Representation& r) {
-  return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::code ||
-                 r.family == RepresentationFamily::components
+  return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::published ||
+                 r.family == RepresentationFamily::code || r.family == RepresentationFamily::components
              ? r.budgetText
              : r.label;
 }
@@ -197,8 +213,13 @@ void paintLegend(SvgDrawing& svg, const glm::dvec2& origin, const std::vector<Le
 
 SeriesLook lookOf(const Representation& r) {
   const FamilyLook& look = looks[std::size_t(r.family)];
-  const bool hollow = r.id == "table-nearest" || r.id == "factors-2d";
-  const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors;
+  if (r.family == RepresentationFamily::baselines) {
+    const Shape shape = baselineShape(r.id);
+    return {shape.marker, look.colour, shape.hollow, r.label};
+  }
+  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d");
+  const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
+                     r.family == RepresentationFamily::published;
   return {look.marker, look.colour, hollow, named ? r.label : std::string(familyName(r.family))};
 }
 

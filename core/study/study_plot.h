@@ -10,7 +10,7 @@
 namespace gonio::study {
 
 /// Style of the points of representations in all plots: colour and shape of the family, hollow for the simpler of two
-/// variants (nearest cell, two curves).
+/// variants (nearest cell, two curves). Each baseline has its own shape.
 struct SeriesLook {
   plots::Marker marker;
   std::string_view colour;

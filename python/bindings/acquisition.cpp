@@ -12,19 +12,13 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
-#include "python/bindings/materials.h"
+#include "python/bindings/representations.h"
 
 namespace gonio::python {
 
 namespace {
 
 using namespace acquisition;
-
-/// Principal components as Python holds them. Immutable.
-struct PyBasis {
-  std::shared_ptr<const dictionary::PrincipalComponents> components;
-  std::vector<std::string> learnedFrom;
-};
 
 PyBasis bundledBasis(const py::object& progress) {
   return resultOf(progress, [](const TaskControl& control) {
@@ -163,7 +157,7 @@ py::array_t<float> onGrid(const dictionary::MappedCells& mapping, const std::vec
 }
 
 py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vectors& rgb, const py::object& noise,
-                     const std::string& method, std::optional<double> ridge, int components, int atoms,
+                     const std::string& method, std::optional<double> ridge, int components, int atoms, bool equalNoise,
                      const std::string& name, const py::object& progress) {
   const auto found = std::ranges::find(reconstructionMethodNames, method);
   if (found == reconstructionMethodNames.end()) throw Error("method: found '" + method + "', expected ridge or sparse");
@@ -171,7 +165,8 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
   const ReconstructionOptions options{.method = ReconstructionMethod(found - reconstructionMethodNames.begin()),
                                       .ridge = ridge,
                                       .components = components,
-                                      .atoms = atoms};
+                                      .atoms = atoms,
+                                      .equalNoise = equalNoise};
   const Reconstruction result = resultOf(progress, [&](const TaskControl& control) {
     return acquisition::reconstruct(*basis.components, plan, values, options, control);
   });

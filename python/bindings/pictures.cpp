@@ -11,7 +11,7 @@
 #include "core/rendering/rendered_comparison.h"
 #include "core/rendering/scene_file.h"
 #include "core/study/accuracy_study.h"
-#include "python/bindings/materials.h"
+#include "python/bindings/representations.h"
 
 namespace gonio::python {
 
@@ -101,16 +101,19 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
 }
 
 struct StudyRequest {
-  std::vector<std::string> families, models;
+  std::vector<std::string> families, models, baselines;
   std::vector<int> terms;
   std::vector<std::size_t> coefficients;
+  std::vector<int> components;
 };
 
 std::vector<study::Representation> representations(const StudyRequest& request) {
-  study::RepresentationChoice choice{.terms = request.terms, .coefficients = request.coefficients};
+  study::RepresentationChoice choice{
+      .terms = request.terms, .coefficients = request.coefficients, .components = request.components};
   choice.families.clear();
   for (const std::string& family : request.families) choice.families.push_back(study::familyById(family));
   for (const std::string& id : request.models) choice.models.push_back(&models::findModel(id));
+  for (const std::string& id : request.baselines) choice.baselines.push_back(&study::findStudiedBaseline(id));
   return study::representationsOf(choice);
 }
 
@@ -129,14 +132,13 @@ py::dict describe(const study::StudyRecord& record) {
   return row;
 }
 
-py::list runStudy(const PyMaterial& material, const std::vector<std::string>& families,
-                  const std::vector<std::string>& models, const std::vector<int>& terms,
-                  const std::vector<std::size_t>& coefficients,
-                  const std::shared_ptr<materials::NamedEnsemble>& dictionary, int size, int samples, bool timed,
-                  const py::object& progress) {
-  const auto planned = representations({families, models, terms, coefficients});
+py::list runStudy(const PyMaterial& material, const StudyRequest& request,
+                  const std::shared_ptr<materials::NamedEnsemble>& dictionary, const PyBasis* basis, int size,
+                  int samples, bool timed, const py::object& progress) {
+  const auto planned = representations(request);
   study::StudyOptions options;
   options.build.dictionary = dictionary;
+  if (basis) options.build.components = basis->components;
   options.picture.width = options.picture.height = size;
   options.picture.samples = samples;
   options.timed = timed;
@@ -209,6 +211,14 @@ void bindPictures(py::module_& module) {
   module.def("effects", effects);
   module.def("scenes", bundledSceneNames);
   module.def("compare", compare);
+  py::class_<StudyRequest>(module, "StudyRequest")
+      .def(py::init<>())
+      .def_readwrite("families", &StudyRequest::families)
+      .def_readwrite("models", &StudyRequest::models)
+      .def_readwrite("baselines", &StudyRequest::baselines)
+      .def_readwrite("terms", &StudyRequest::terms)
+      .def_readwrite("coefficients", &StudyRequest::coefficients)
+      .def_readwrite("components", &StudyRequest::components);
   module.def("study", runStudy);
   module.def("export", exportMaterial);
   module.def("targets", targets);

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "core/baselines/baselines.h"
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
+#include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
@@ -34,17 +36,37 @@ DataTransform transformOf(const std::string& name) {
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 PyFactors factorize(const PyMaterial& material, int terms, const std::string& form, const std::string& transform,
-                    const std::vector<double>& deviationNodes, const py::object& progress) {
+                    const std::string& weights, const std::vector<double>& deviationNodes, const py::object& progress) {
   const auto chosen = std::ranges::find(formNames, form);
   if (chosen == formNames.end()) throw Error("form: found '" + form + "', expected 2d or 3d");
+  const auto weighting = std::ranges::find(pdvWeightNames, weights);
+  if (weighting == pdvWeightNames.end())
+    throw Error("weights: found '" + weights + "', expected equal or projected-solid-angle");
   const PdvOptions options{.form = PdvForm(chosen - formNames.begin()),
                            .transform = transformOf(transform),
                            .terms = terms,
+                           .weights = PdvWeights(weighting - pdvWeightNames.begin()),
                            .deviationNodes = deviationNodes};
   PdvFactorization found = resultOf(progress, [&](const TaskControl& control) {
     return factorizePdv(*material.table(control.between(0, 0.1)), options, control.between(0.1, 1));
   });
   return {std::make_shared<const PdvFactors>(std::move(found.factors)), found.residuals, found.seconds};
+}
+
+/// The nodes of the bundled library if no materials are given.
+py::array_t<double> publishedNodes(const std::vector<PyMaterialPtr>& given, const py::object& progress) {
+  if (given.empty()) return toArray(libraryDeviationNodes());
+  return toArray(resultOf(progress, [&](const TaskControl& control) {
+    std::vector<double> sum;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const auto table = given[i]->table({control.stop, {}});
+      const std::vector<double> energy = publishedDeviationEnergy(*table, {control.stop, {}});
+      sum.resize(energy.size());
+      std::ranges::transform(sum, energy, sum.begin(), std::plus());
+      control.report(double(i + 1) / double(given.size()));
+    }
+    return deviationNodes(sum, defaultDeviations);
+  }));
 }
 
 py::dict baselineReferences() {
@@ -56,16 +78,14 @@ py::dict baselineReferences() {
 
 py::tuple factorizeByBaseline(const PyMaterial& material, const std::string& method, std::size_t bytes,
                               const py::object& progress) {
-  const auto all = baselines();
-  const auto chosen = std::ranges::find(all, std::string_view(method), &Baseline::id);
-  if (chosen == all.end()) throw Error("method: found '" + method + "', expected one of gonio.baselines()");
+  const Baseline& baseline = findBaseline(method);
   if (bytes == 0) throw Error("bytes: expected 1 or more");
   double seconds = 0;
   const ComparedModel model = resultOf(progress, [&](const TaskControl& control) {
     const auto table = material.table(control.between(0, 0.1));
     const auto start = std::chrono::steady_clock::now();
     const std::array<std::size_t, 1> budgets{bytes};
-    auto models = chosen->build(*table, budgets, control.between(0.1, 1));
+    auto models = baseline.build(*table, budgets, control.between(0.1, 1));
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return std::move(models.front());
   });
@@ -227,6 +247,7 @@ void bindFactors(py::module_& module) {
            })
       .def("save", [](const PyFactors& f, const std::string& path) { materials::writePdv(*f.factors, path); });
   module.def("factorize", factorize);
+  module.def("published_deviation_nodes", publishedNodes);
   module.def("factorize_baseline", factorizeByBaseline);
   module.def("baselines", baselineReferences);
   module.def("read_factors", [](const std::string& path) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/dictionary/principal_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/dictionary_file.h"
 #include "python/bindings/materials.h"
@@ -13,6 +14,12 @@ struct PyFactors {
   std::shared_ptr<const factorization::PdvFactors> factors;
   std::vector<double> residuals;
   double seconds = 0;
+};
+
+/// Principal components in Python. Immutable.
+struct PyBasis {
+  std::shared_ptr<const dictionary::PrincipalComponents> components;
+  std::vector<std::string> learnedFrom;
 };
 
 using PyDictionaryPtr = std::shared_ptr<const materials::NamedEnsemble>;

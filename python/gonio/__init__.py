@@ -33,7 +33,8 @@ from ._core import Error, version as __version__
 from ._materials import (Check, GridDirections, LibraryEntry, Material, check, from_table, grid_directions, library, open,
                          set_threads)
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
-                               dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors)
+                               dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
+                               published_deviation_nodes)
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, bundled_basis, learn_basis, measure, open_basis, open_plan,
                            plan, reconstruct)
@@ -47,8 +48,9 @@ __all__ = [
     # Models, fits, edits
     "models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model", "Parameter", "Fit", "Metric",
     # Factors, codes, interpolation
-    "factorize", "open_factors", "factorize_baseline", "baselines", "encode", "decode", "open_code", "dictionary",
-    "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation",
+    "factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
+    "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
+    "Interpolation",
     # Acquisition
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
     "Reconstruction", "Basis",

@@ -282,11 +282,11 @@ class Reconstruction:
 
 
 def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, method: str = "ridge",
-                ridge: Optional[float] = None, components: int = 0, atoms: int = 0, name: str = "reconstruction",
-                progress: Progress = None) -> Reconstruction:
+                ridge: Optional[float] = None, components: int = 0, atoms: int = 0, equal_noise: bool = False,
+                name: str = "reconstruction", progress: Progress = None) -> Reconstruction:
     """Reconstructs a whole material from few measured values and the principal components of a training set (Nielsen et al.
     2015; Tongbuasirilai 2023, eq. 5.14). The result is isotropic and reciprocal. Each sample is read at the nearest node of the
-    basis' grid.
+    basis' grid. The published method is `reconstruct(plan, readings, basis, ridge=40, components=len(plan), equal_noise=True)`.
 
     Args:
         plan: The measured directions, by gonio.plan() or gonio.Plan(wi, wo).
@@ -297,6 +297,8 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
         ridge: Ridge parameter eta of "ridge", such as the published 40; None: chosen by leave-one-out.
         components: Number of components to use; 0: all of the basis.
         atoms: Number of components per channel that "sparse" chooses; 0: chosen by leave-one-out.
+        equal_noise: Whether all samples have the same weight in "ridge", as in eq. 5.14 as printed. Otherwise the ridge of a
+            sample includes the components that are not used and the standard deviation of the reading (docs/acquisition.md).
         name: Name of the material.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -306,6 +308,6 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
     """
     known = basis or bundled_basis(progress)
     row = _core.reconstruct(known._handle, plan._handle, np.asarray(readings.values, dtype=np.float64), readings.noise, method,
-                            ridge, components, atoms, name, progress)
+                            ridge, components, atoms, equal_noise, name, progress)
     row["material"] = Material(row["material"])
     return Reconstruction(**row)

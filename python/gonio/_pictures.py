@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._acquisition import Basis
 from ._materials import Material, PathLike, Progress
 from ._representations import Dictionary
 
@@ -120,13 +121,14 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes" or "nonparametric"."""
+    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines" or "published"."""
     representation: str
-    """Id of the representation: "ggx", "factors-3d", "code", ..."""
+    """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
     """Display name."""
     budget: float
-    """Number of terms, of coefficients per channel or of fitted numbers; 0 for representations without a budget."""
+    """Number of terms, of coefficients or components per channel, or of fitted numbers; for a baseline, maximum size of its
+    factors in bytes; 0 for representations without a budget."""
     bytes: int
     """Size in bytes of its file; for a table, of its memory; for a fit, of its numbers in single precision."""
     encode_seconds: float
@@ -142,30 +144,41 @@ class Record:
 
 
 def study(material: Material, representations: Sequence[str] = ("table", "fits", "factors", "codes", "nonparametric"),
-          models: Iterable[str] = (), terms: Sequence[int] = (1, 2, 3, 5, 8, 10, 14, 20),
+          models: Iterable[str] = (), baselines: Iterable[str] = (), terms: Sequence[int] = (1, 2, 3, 5, 8, 10, 14, 20),
           coefficients: Sequence[int] = (32, 64, 128, 256, 512, 1024, 2048), dictionary: Optional[Dictionary] = None,
-          size: int = 128, samples: int = 32, timed: bool = True, progress: Progress = None) -> list[Record]:
+          components: Sequence[int] = (4, 8, 16, 32, 64, 128), basis: Optional[Basis] = None, size: int = 128, samples: int = 32,
+          timed: bool = True, progress: Progress = None) -> list[Record]:
     """Measures accuracy against cost for several representations of a material, each at several budgets (docs/study.md). About
     2 s per record.
 
     Args:
         material: The material to represent.
-        representations: Families of representations: "table", "fits", "factors", "codes", "nonparametric" (a non-parametric
-            microfacet model).
+        representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
+            non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors with the
+            weights and nodes of the papers).
         models: Ids of the models for "fits"; (): all models.
-        terms: Numbers of terms for "factors".
+        baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
+        terms: Numbers of terms for "factors" and "published". They also set the budgets of "baselines": the sizes of .pdv
+            files with as many terms in the form "3d".
         coefficients: Numbers of coefficients per channel for "codes".
         dictionary: The ensemble of dictionaries for "codes"; None: the bundled one.
+        components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
+        basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required
+            for "components".
         size: Width and height of the pictures in pixels.
         samples: Samples per pixel of the pictures.
         timed: Whether to measure the times of evaluations and frames.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A family or a model is unknown.
+        Error: A family, a model or a baseline is unknown, or the basis for "components" is missing or on another grid.
     """
-    rows = _core.study(material._handle, list(representations), list(models), list(terms), list(coefficients),
-                       dictionary._handle if dictionary else None, size, samples, timed, progress)
+    request = _core.StudyRequest()
+    request.families, request.models, request.baselines = list(representations), list(models), list(baselines)
+    request.terms, request.coefficients = list(terms), list(coefficients)
+    request.components = [count for count in components if basis is None or count <= len(basis)]
+    rows = _core.study(material._handle, request, dictionary._handle if dictionary else None, basis._handle if basis else None,
+                       size, samples, timed, progress)
     return [Record(**row) for row in rows]
 
 

@@ -51,6 +51,19 @@ def test_plan_measure_reconstruct(basis, files, tmp_path):
     assert found.components <= len(basis) and found.deviation.shape == basis.grid
 
 
+def test_reconstruction_as_published(basis, paint):
+    plan = gonio.plan(4, basis)
+    readings = gonio.measure(paint, plan, noise=0.1)
+    published = gonio.reconstruct(plan, readings, basis, ridge=40, components=len(plan), equal_noise=True)
+    assert published.ridge == 40 and published.components == min(4, len(basis))
+    # Known noise has no effect with equal weights.
+    without = gonio.Readings(readings.values)
+    same = gonio.reconstruct(plan, without, basis, ridge=40, components=len(plan), equal_noise=True)
+    np.testing.assert_array_equal(published.material.values, same.material.values)
+    weighted = gonio.reconstruct(plan, readings, basis, ridge=40, components=len(plan))
+    assert not np.array_equal(weighted.material.values, published.material.values)
+
+
 def test_files_of_plans_and_values(basis, paint, tmp_path):
     plan = gonio.plan(5, basis, max_polar_angle=1.0, forbidden=[((0, 0.2), (0, 1.57), (0, 3.14))])
     cosines = plan.wi[:, 2]

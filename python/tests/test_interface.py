@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 """Every public name has a docstring and types, each argument is documented, and docs/python.md is made of these."""
+import ast
 import importlib.util
 import inspect
 import pathlib
@@ -83,6 +84,29 @@ def load_script():
 def test_the_reference_page_is_made_from_the_docstrings():
     page = (ROOT / "docs" / "python.md").read_text()
     assert page == load_script().page(page), "run scripts/python_reference.py with the module in PYTHONPATH"
+
+
+def calls_of(text):
+    """The calls of gonio.NAME(...) in the code spans of a page."""
+    for span in re.findall(r"`([^`]+)`", text):
+        for part in span.split("; "):
+            if "gonio." not in part or "goniotool" in part:
+                continue
+            for node in ast.walk(ast.parse(part)):
+                if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) \
+                        and isinstance(node.func.value, ast.Name) and node.func.value.id == "gonio":
+                    yield node
+
+
+def test_the_calls_of_the_systems_page_exist():
+    calls = list(calls_of((ROOT / "docs" / "systems.md").read_text()))
+    assert len(calls) > 30
+    for call in calls:
+        assert call.func.attr in gonio.__all__, ast.unparse(call)
+        keywords = {keyword.arg: None for keyword in call.keywords}
+        inspect.signature(getattr(gonio, call.func.attr)).bind(*call.args, **keywords)
+    methods = {call.args[1].value for call in calls if call.func.attr == "factorize_baseline"}
+    assert methods == set(gonio.baselines())
 
 
 def test_types_are_for_type_checkers():

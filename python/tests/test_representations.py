@@ -110,6 +110,20 @@ def test_linear_blends_are_means(chrome, paint, directions):
     np.testing.assert_array_equal(blends.blend([0, 1]).values, paint.values)
 
 
+def test_factors_as_published(paint):
+    nodes = gonio.published_deviation_nodes()
+    assert nodes.shape == (90,) and nodes[0] == 0 and np.all(np.diff(nodes) > 0) and nodes[-1] < 2
+    published = gonio.factorize(paint, terms=2, form="2d", weights="equal", deviation_nodes=nodes)
+    np.testing.assert_array_equal(published.deviation_nodes, nodes)
+    ours = gonio.factorize(paint, terms=2, form="2d", deviation_nodes=nodes)
+    assert not np.array_equal(ours.f1, published.f1)
+    own = gonio.published_deviation_nodes([paint, paint])
+    np.testing.assert_allclose(own, gonio.published_deviation_nodes([paint]), atol=1e-9)
+    assert not np.array_equal(own, nodes)
+    with pytest.raises(gonio.Error, match="weights"):
+        gonio.factorize(paint, weights="even")
+
+
 @pytest.mark.parametrize("space", ["parameters", "differential"])
 def test_ends_of_other_spaces_are_the_materials(chrome, paint, space):
     np.testing.assert_array_equal(gonio.interpolate([chrome, paint], [1, 0], space).values, chrome.values)

@@ -21,22 +21,17 @@ constexpr double fitMarkerSize = 8, fitRingSize = 17, currentSize = 13;
 /// How near the pointer has to be, px.
 constexpr double reach = 12;
 
-QCPScatterStyle::ScatterShape shapeOf(plots::Marker marker) {
-  switch (marker) {
-    case plots::Marker::square:
-      return QCPScatterStyle::ssSquare;
-    case plots::Marker::triangle:
-      return QCPScatterStyle::ssTriangle;
-    case plots::Marker::diamond:
-      return QCPScatterStyle::ssDiamond;
-    case plots::Marker::cross:
-      return QCPScatterStyle::ssPlus;
-    case plots::Marker::star:
-      return QCPScatterStyle::ssStar;
-    case plots::Marker::circle:
-      break;
-  }
-  return QCPScatterStyle::ssCircle;
+/// The shape of the exported plot.
+QCPScatterStyle scatterStyle(plots::Marker marker, const QColor& colour, const QBrush& fill) {
+  constexpr double penWidth = 1.5, pathSize = 6;  // QCustomPlot scales paths of this size and their pen
+  const auto corners = plots::markerOutline(marker, pathSize / 2);
+  if (corners.empty()) return QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(colour, penWidth), fill, fitMarkerSize);
+  QPolygonF polygon;
+  for (const glm::dvec2& corner : corners) polygon << QPointF(corner.x, corner.y);
+  QPainterPath path;
+  path.addPolygon(polygon);
+  path.closeSubpath();
+  return QCPScatterStyle(path, QPen(colour, penWidth * pathSize / fitMarkerSize), fill, fitMarkerSize);
 }
 
 /// That of the exported plot, legible on the background.
@@ -176,8 +171,7 @@ void StudyScatter::addSeries(const PlotStyle& style) {
       curve->setPen(QPen(colour, 1));
       // Models are no budgets of one another.
       if (representation.family == study::RepresentationFamily::fit) curve->setLineStyle(QCPCurve::lsNone);
-      curve->setScatterStyle(QCPScatterStyle(shapeOf(look.marker), QPen(colour, 1.5),
-                                             look.hollow ? QBrush(style.background) : QBrush(colour), fitMarkerSize));
+      curve->setScatterStyle(scatterStyle(look.marker, colour, look.hollow ? style.background : colour));
     }
     if (const auto at = fraction(i)) curve->addData(i, at->x(), at->y());
   }

@@ -34,6 +34,10 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
        tr("Ridge with the published η, over the same number of components. It was found for about 400 training signals "
           "and smooths too much with fewer.")},
+      {tr("Ridge, as published"),
+       tr("The published equation (Tongbuasirilai 2023, eq. 5.14): η = %1, as many components as samples, and the same "
+          "noise in all samples")
+           .arg(acquisition::publishedRidge)},
       {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; it gives no uncertainty")}};
   for (const auto& [name, explanation] : methods) {
     m_reconstruction->addItem(name);
@@ -74,8 +78,9 @@ PlanSettings AcquisitionControls::planSettings() const {
 acquisition::MeasurementNoise AcquisitionControls::noise() const { return m_subject->noise(m_directions->seed()); }
 
 acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
-  acquisition::ReconstructionOptions options;
   const int index = m_reconstruction->currentIndex();
+  if (index == printedRidge) return acquisition::publishedReconstruction();
+  acquisition::ReconstructionOptions options;
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
   if (index != chosenRidge) options.ridge = acquisition::publishedRidge;
   options.components = maxComponents;

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/document.h"
-#include "core/factorization/pdv_factors.h"
 #include "widgets/figures/entry_list.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -22,8 +21,6 @@ const models::Model* modelInUse(const Document& document) {
   const auto* edit = document.active<editing::DifferentialEdit>();
   return edit ? edit->model : nullptr;
 }
-
-int maxBudget(const std::string& id) { return id == "code" ? study::maxCodeCoefficients : factorization::maxPdvTerms; }
 
 QString budgetAction(const study::Representation& one) {
   return one.budgetText.empty() || one.family == study::RepresentationFamily::fit
@@ -125,7 +122,7 @@ void FigureRepresentations::show() {
                              .usualLabel = QString::fromStdString(FigureRepresentation{shown}.shownLabel())};
     if (study::needsBudget(shown.id)) {
       entry.budget = int(shown.budget);
-      entry.maxBudget = maxBudget(shown.id);
+      entry.maxBudget = study::maxBudget(shown.id);
     }
     entries.push_back(std::move(entry));
   }

@@ -32,9 +32,18 @@ QString asHtmlImage(const QImage& image) {
 }  // namespace
 
 void StudyModel::plan(const std::vector<study::Representation>& representations) {
-  beginResetModel();
   m_rows.clear();
-  for (const study::Representation& representation : representations) m_rows.push_back({representation, {}, {}, {}});
+  replan(representations);
+}
+
+void StudyModel::replan(const std::vector<study::Representation>& representations) {
+  beginResetModel();
+  std::vector<Row> rows;
+  for (const study::Representation& representation : representations) {
+    const auto known = std::ranges::find(m_rows, representation, &Row::representation);
+    rows.push_back(known == m_rows.end() ? Row{representation, {}, {}, {}} : *known);
+  }
+  m_rows = std::move(rows);
   m_shown = m_best = -1;
   endResetModel();
 }

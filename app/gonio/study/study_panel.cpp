@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -28,6 +29,7 @@ StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget
       m_tasks(tasks),
       m_run(new StudyRun(document, tasks, m_model, this)),
       m_measure(new QPushButton),
+      m_kinds(new QPushButton(tr("&Kinds"))),
       m_back(new QPushButton(tr("&Back to the Material"))),
       m_sheet(new QPushButton(tr("Contact &Sheet..."))),
       m_copy(new QPushButton(tr("Copy as &CSV"))),
@@ -65,10 +67,13 @@ QWidget* StudyPanel::buildChoice() {
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
+  m_kinds->setToolTip(tr("Kinds of representations to measure; results stay as long as their kind is selected"));
+  buildKinds();
   auto* choice = new QWidget;
   auto* top = new QHBoxLayout(choice);
   top->setContentsMargins(0, 0, 0, 0);
   top->addWidget(m_measure);
+  top->addWidget(m_kinds);
   const auto labelled = [&](const QString& text, QComboBox* box) {
     auto* label = new QLabel(text);
     label->setBuddy(box);
@@ -80,6 +85,27 @@ QWidget* StudyPanel::buildChoice() {
   top->addStretch();
   for (QPushButton* button : {m_back, m_sheet, m_copy, m_export}) top->addWidget(button);
   return choice;
+}
+
+void StudyPanel::buildKinds() {
+  auto* menu = new QMenu(m_kinds);
+  menu->setToolTipsVisible(true);
+  for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
+    QAction* action = menu->addAction(widgets::fromView(familyName(family)));
+    action->setCheckable(true);
+    action->setChecked(std::ranges::count(m_run->families(), family) > 0);
+    action->setData(int(family));
+    action->setToolTip(kindToolTip(family));
+    connect(action, &QAction::toggled, this, &StudyPanel::chooseKinds);
+  }
+  m_kinds->setMenu(menu);
+}
+
+void StudyPanel::chooseKinds() {
+  std::vector<study::RepresentationFamily> families;
+  for (const QAction* action : m_kinds->menu()->actions())
+    if (action->isChecked()) families.push_back(study::RepresentationFamily(action->data().toInt()));
+  m_run->setFamilies(families);
 }
 
 void StudyPanel::connectParts() {
@@ -182,14 +208,17 @@ void StudyPanel::refresh() {
   const bool open = m_document.material() != nullptr, running = m_run->isRunning();
   const bool whole = open && m_model.missing().empty();
   m_measure->setText(running ? tr("Stop") : whole ? tr("Re-&measure") : tr("&Measure"));
-  m_measure->setEnabled(open);
+  m_measure->setEnabled(open && m_model.rowCount() > 0);
+  m_kinds->setEnabled(!running);
   m_back->setVisible(m_subject.has_value());
   refreshBudget();
   m_view->setMarks(m_shown, m_best);
   m_view->setHint(!open     ? tr("Open a material to compare accuracy and cost of its representations.")
                   : running ? tr("The first representation is being measured.")
-                            : tr("Press Measure to measure the error and cost of every representation of this material "
-                                 "in the background (some minutes)."));
+                  : m_model.rowCount() == 0
+                      ? tr("Choose at least one kind of representation.")
+                      : tr("Press Measure to measure the error and cost of every representation of this material "
+                           "in the background (some minutes)."));
   QStringList facts;
   for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
   m_footer->setText(facts.join(QStringLiteral(" · ")));

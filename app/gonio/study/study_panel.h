@@ -49,6 +49,8 @@ class StudyPanel : public QWidget {
 
  private:
   QWidget* buildChoice();
+  void buildKinds();
+  void chooseKinds();
   void connectParts();
   void adopt(int row, const widgets::PreviewSubject& subject);
   void takeBest();
@@ -64,7 +66,7 @@ class StudyPanel : public QWidget {
   StudyRun* m_run;
   std::optional<widgets::PreviewSubject> m_subject;
   int m_wanted = -1, m_shown = -1, m_best = -1;  ///< rows; m_wanted will be shown when it is ready
-  QPushButton *m_measure, *m_back, *m_sheet, *m_copy, *m_export;
+  QPushButton *m_measure, *m_kinds, *m_back, *m_sheet, *m_copy, *m_export;
   QComboBox *m_quality, *m_cost;
   StudyView* m_view;
   StudyBudgetBar* m_budget;

@@ -13,6 +13,14 @@ namespace {
 const QString studyKey = QStringLiteral("study");
 }
 
+QString kindToolTip(study::RepresentationFamily family) {
+  if (family == study::RepresentationFamily::baselines)
+    return StudyRun::tr("Other factorisations of the literature, at the sizes of PDV factors");
+  if (family == study::RepresentationFamily::published)
+    return StudyRun::tr("PDV factors with the weights and nodes of the papers");
+  return StudyRun::tr("Measures representations of this kind");
+}
+
 StudyRun::StudyRun(const Document& document, BackgroundTasks& tasks, StudyModel& model, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks), m_model(model) {
   connect(&m_document, &Document::materialChanged, this, &StudyRun::restart);
@@ -36,8 +44,19 @@ void StudyRun::restart() {
   m_tasks.drop(studyKey);
   m_wasRunning = false;
   m_machine.reset();
-  m_model.plan(m_document.material() ? study::representationsOf(m_choice) : std::vector<study::Representation>());
+  m_model.plan(planned());
   Q_EMIT restarted();
+}
+
+void StudyRun::setFamilies(const std::vector<study::RepresentationFamily>& families) {
+  m_choice.families = families;
+  m_tasks.drop(studyKey);
+  m_model.replan(planned());
+  Q_EMIT restarted();
+}
+
+std::vector<study::Representation> StudyRun::planned() const {
+  return m_document.material() ? study::representationsOf(m_choice) : std::vector<study::Representation>();
 }
 
 void StudyRun::measure() {

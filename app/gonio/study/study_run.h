@@ -12,6 +12,9 @@
 
 namespace gonio::app {
 
+/// The tooltip for a kind of representations.
+QString kindToolTip(study::RepresentationFamily family);
+
 /// Measures the representations of the open material in the background, one row of the model after the other, and
 /// records the results.
 class StudyRun : public QObject {
@@ -22,6 +25,9 @@ class StudyRun : public QObject {
 
   /// Sets what to measure; by default all representations. Drops the results.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
+  /// Sets the kinds to measure. Rows of kinds that remain keep their results.
+  void setFamilies(const std::vector<study::RepresentationFamily>& families);
+  const std::vector<study::RepresentationFamily>& families() const { return m_choice.families; }
   bool isRunning() const;
   /// Measures the missing rows, or all again if none is missing.
   void measure();
@@ -35,7 +41,7 @@ class StudyRun : public QObject {
   void writeSvg(const QString& path, const study::StudyAxes& axes) const;
 
  Q_SIGNALS:
-  /// All results were dropped.
+  /// The rows changed, or all results were dropped.
   void restarted();
   void rowMeasured();
   /// isRunning() changed.
@@ -44,6 +50,7 @@ class StudyRun : public QObject {
 
  private:
   void restart();
+  std::vector<study::Representation> planned() const;
   void start(const LoadedMaterialPtr& material);
   std::string pictures() const;
 

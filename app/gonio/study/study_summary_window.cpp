@@ -17,6 +17,7 @@
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
+#include "app/gonio/study/study_run.h"
 #include "core/study/study_csv.h"
 #include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/parameter_text.h"
@@ -94,10 +95,11 @@ QWidget* StudySummaryWindow::buildFamilies() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (const study::RepresentationFamily family : study::RepresentationChoice().families) {
+  const auto chosen = study::RepresentationChoice().families;
+  for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
     auto* box = new QCheckBox(widgets::fromView(familyName(family)));
-    box->setChecked(true);
-    box->setToolTip(tr("Measures representations of this kind"));
+    box->setChecked(std::ranges::count(chosen, family) > 0);
+    box->setToolTip(kindToolTip(family));
     connect(box, &QCheckBox::toggled, this, &StudySummaryWindow::planFamilies);
     layout->addWidget(box);
     m_families.push_back(box);
@@ -107,10 +109,10 @@ QWidget* StudySummaryWindow::buildFamilies() {
 
 void StudySummaryWindow::planFamilies() {
   study::RepresentationChoice choice;
-  std::vector<study::RepresentationFamily> families;
+  choice.families.clear();
+  const auto offered = study::familiesWithoutTraining();
   for (std::size_t i = 0; i < m_families.size(); ++i)
-    if (m_families[i]->isChecked()) families.push_back(choice.families[i]);
-  choice.families = families;
+    if (m_families[i]->isChecked()) choice.families.push_back(offered[i]);
   setChoice(choice, m_options);
 }
 

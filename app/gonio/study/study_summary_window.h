@@ -60,9 +60,9 @@ class StudySummaryWindow : public QDialog {
   study::RepresentationChoice m_choice;
   study::StudyOptions m_options;
   study::MachineFacts m_machine;
-  std::vector<QString> m_failures;  ///< error per material; empty: none
-  QString m_key;                    ///< key of its tasks
-  std::vector<QCheckBox*> m_families;
+  std::vector<QString> m_failures;     ///< error per material; empty: none
+  QString m_key;                       ///< key of its tasks
+  std::vector<QCheckBox*> m_families;  ///< of study::familiesWithoutTraining()
   QSortFilterProxyModel* m_sorted;
   QTreeView* m_table;
   QPushButton *m_measure, *m_copy;

@@ -267,8 +267,16 @@ class AcquisitionPanelTest : public QObject {
     QCOMPARE(panel.session().planner().selection().cells, cells);
     QVERIFY(panel.session().result()->error->renderedSnr != snr);
     QVERIFY2(panel.status().contains("is in the training set"), qPrintable(panel.status()));
-    panel.controls().reconstructionBox().setCurrentIndex(2);
-    Q_EMIT panel.controls().reconstructionBox().activated(2);
+    const auto choose = [&](int index) {
+      panel.controls().reconstructionBox().setCurrentIndex(index);
+      Q_EMIT panel.controls().reconstructionBox().activated(index);
+    };
+    choose(2);
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().reconstructionOptions().equalNoise);
+    QCOMPARE(panel.session().result()->reconstruction->ridge, acquisition::publishedRidge);
+    QVERIFY(panel.session().result()->reconstruction->components <= int(cells.size()));
+    choose(3);
     QVERIFY(editor.settle());
     QVERIFY(panel.session().result()->reconstruction->deviation.empty());
     QVERIFY(panel.charts().chart().slice().deviations.empty());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/study/study_panel.h"
 
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -73,6 +74,38 @@ class StudyPanelTest : public QObject {
     QVERIFY(!editor.button("Copy as CSV")->isEnabled());
     editor.panel.measure();
     QVERIFY(!editor.panel.run().isRunning());
+  }
+
+  /// The menu starts with the kinds of the run; results stay as long as their kind is selected.
+  void kindsOfRepresentations() {
+    Document document;
+    BackgroundTasks tasks;
+    StudyPanel panel(document, tasks);
+    document.setMaterial(material("grey", 0.3));
+    const QMenu* menu = panel.findChild<QMenu*>();
+    const auto action = [&](study::RepresentationFamily family) {
+      for (QAction* one : menu->actions())
+        if (one->data().toInt() == int(family)) return one;
+      return static_cast<QAction*>(nullptr);
+    };
+    QVERIFY(action(study::RepresentationFamily::table)->isChecked());
+    QVERIFY(!action(study::RepresentationFamily::baselines)->isChecked());
+    QVERIFY(!action(study::RepresentationFamily::components));
+    for (QAction* one : menu->actions())
+      one->setChecked(one->data().toInt() == int(study::RepresentationFamily::table));
+    QCOMPARE(panel.model().rowCount(), 2);
+    panel.measure();
+    QVERIFY(QTest::qWaitFor([&] { return !panel.run().isRunning() && panel.model().missing().empty(); },
+                            patienceMilliseconds));
+    action(study::RepresentationFamily::baselines)->setChecked(true);
+    QVERIFY(panel.model().rowCount() > 20);
+    QCOMPARE(panel.model().measuredRows(), (std::vector<int>{0, 1}));
+    action(study::RepresentationFamily::table)->setChecked(false);
+    QVERIFY(panel.model().measuredRows().empty());
+    action(study::RepresentationFamily::baselines)->setChecked(false);
+    QCOMPARE(panel.model().rowCount(), 0);
+    for (const QPushButton* button : panel.findChildren<QPushButton*>())
+      QVERIFY(!button->text().contains("Measure") || !button->isEnabled());
   }
 
   /// "-" until measured; then each number is one.

@@ -118,7 +118,10 @@ class StudySummaryTest : public QObject {
   void kindsAreChosen() {
     Editor editor;
     const auto boxes = editor.window->findChildren<QCheckBox*>();
-    QCOMPARE(boxes.size(), qsizetype(study::RepresentationChoice().families.size()));
+    const auto offered = study::familiesWithoutTraining(), chosen = study::RepresentationChoice().families;
+    QCOMPARE(boxes.size(), qsizetype(offered.size()));
+    for (std::size_t i = 0; i < offered.size(); ++i)
+      QCOMPARE(boxes[qsizetype(i)]->isChecked(), std::ranges::count(chosen, offered[i]) > 0);
     for (QCheckBox* box : boxes) box->setChecked(false);
     QCOMPARE(editor.window->model().rowCount(), 0);
     for (QPushButton* button : editor.window->findChildren<QPushButton*>()) QVERIFY(!button->isEnabled());

@@ -60,6 +60,20 @@ class GoniotoolAcquisitionTest : public QObject {
     QCOMPARE(plain.json["ridge"].get<double>(), 40.0);
     const auto errorOf = [&] { return metrics::brdfErrors(*readTable(material), *readTable(out))[0]; };
     const double published = errorOf();
+    QVERIFY(!plain.json["equalNoise"].get<bool>());
+    // Published method: eta = 40, as many components as samples, equal weights. The separate options give the same
+    // bytes.
+    const ToolResult printed =
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--as-published"});
+    VERIFY_SUCCESS(printed);
+    QCOMPARE(printed.json["ridge"].get<double>(), 40.0);
+    QCOMPARE(printed.json["components"].get<int>(),
+             std::min(printed.json["samples"].get<int>(), planned_.json["components"].get<int>()));
+    QVERIFY(printed.json["equalNoise"].get<bool>());
+    const QByteArray whole = bytesOf(out);
+    VERIFY_SUCCESS(runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "40",
+                            "--equal-noise", "--components", QString::number(printed.json["components"].get<int>())}));
+    QVERIFY(bytesOf(out) == whole);
     const QString uncertainty = folder_.path("uncertainty.binary");
     const ToolResult exact = runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge",
                                       "1e-6", "--uncertainty", uncertainty});
@@ -194,7 +208,8 @@ class GoniotoolAcquisitionTest : public QObject {
         "reconstruct", "--plan", plan_, "--values", folder_.path("values.csv"), "--out", folder_.path("never.binary")};
     for (const QStringList& wrong :
          {QStringList{"--exclude", "train0"},
-          QStringList{"--basis", folder_.path("plan.basis"), "--train", folder_.path()}, QStringList{"--atoms", "3"}}) {
+          QStringList{"--basis", folder_.path("plan.basis"), "--train", folder_.path()}, QStringList{"--atoms", "3"},
+          QStringList{"--equal-noise", "--method", "sparse"}, QStringList{"--as-published", "--ridge", "3"}}) {
       const ToolResult result = runTool(reconstruct + wrong);
       QVERIFY2(result.code == 2 && result.error.contains(wrong[0]), qPrintable(result.error));
     }

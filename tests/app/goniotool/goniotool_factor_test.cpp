@@ -73,6 +73,28 @@ class GoniotoolFactorTest : public QObject {
     QVERIFY(broken.error.contains("short.pdv") && broken.error.contains("the size of the file is 500 bytes"));
   }
 
+  /// --as-published gives the same bytes as its separate options, and the values of the library.
+  void asPublished() {
+    const QString whole = folder_.path("published.pdv"), parts = folder_.path("parts.pdv");
+    const QStringList start{"factor", plastic_, "--samples", "1", "--terms", "2", "--form", "2d"};
+    const ToolResult result = runJson(start + QStringList{"--as-published", "--out", whole});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["weights"].get<std::string>(), "equal");
+    QCOMPARE(result.json["deviations"].get<std::string>(), "library");
+    const ToolResult ours =
+        runJson(start + QStringList{"--weights", "equal", "--deviations", "library", "--out", parts});
+    VERIFY_SUCCESS(ours);
+    QVERIFY(bytesOf(whole) == bytesOf(parts));
+    QVERIFY(result.json["residuals"] == ours.json["residuals"] && result.json["weights"] == ours.json["weights"]);
+    const auto library = factorizePdv(*readTable(plastic_), publishedPdvOptions(PdvForm::twoFactors, 2));
+    QVERIFY(result.json["residuals"] == nlohmann::json({library.residuals[1], library.residuals[2]}));
+    const ToolResult plain = runJson(start);
+    VERIFY_SUCCESS(plain);
+    QCOMPARE(plain.json["weights"].get<std::string>(), "projected-solid-angle");
+    QCOMPARE(plain.json["deviations"].get<std::string>(), "material");
+    QVERIFY(plain.json["residuals"] != result.json["residuals"]);
+  }
+
   /// Of a file of factors the factors are taken, not found again.
   void factorsOfFactors() {
     const QString all = folder_.path("all.pdv"), two = folder_.path("two.pdv");
@@ -157,6 +179,11 @@ class GoniotoolFactorTest : public QObject {
     QTest::newRow("transform") << QStringList{"factor", plastic_, "--transform", "wish"} << 2;
     QTest::newRow("kept terms of nothing") << QStringList{"factor", plastic_, "--keep-terms"} << 2;
     QTest::newRow("form of factors") << QStringList{"factor", factors, "--form", "2d"} << 2;
+    QTest::newRow("weights of factors") << QStringList{"factor", factors, "--weights", "equal"} << 2;
+    QTest::newRow("weights") << QStringList{"factor", plastic_, "--weights", "wish"} << 2;
+    QTest::newRow("published with parts")
+        << QStringList{"factor", plastic_, "--as-published", "--transform", "root"} << 2;
+    QTest::newRow("published baseline") << QStringList{"factor", plastic_, "--method", "cp", "--as-published"} << 2;
     QTest::newRow("method") << QStringList{"factor", plastic_, "--method", "wish"} << 2;
     QTest::newRow("bytes of PDV") << QStringList{"factor", plastic_, "--bytes", "5000"} << 2;
     QTest::newRow("terms of a baseline") << QStringList{"factor", plastic_, "--method", "cp", "--terms", "3"} << 2;

@@ -79,6 +79,24 @@ class GoniotoolStudyTest : public QObject {
     QVERIFY(result.json["records"][1]["errors"]["log"] < result.json["records"][0]["errors"]["log"]);
   }
 
+  /// Baselines have the bytes and errors that the command `factor` reports for the same budget.
+  void baselinesOfTheLiterature() {
+    const ToolResult result =
+        runJson({"study", plastic_, "--out", folder_.path("baselines"), "--representations", "baselines", "--baselines",
+                 "bivariate,mccool", "--terms", "1,3", "--size", "16", "--samples", "4"});
+    VERIFY_SUCCESS(result);
+    const auto& records = result.json["records"];
+    QCOMPARE(records.size(), std::size_t(3));
+    QCOMPARE(records[2]["representation"].get<std::string>(), "mccool");
+    QCOMPARE(records[2]["budget"].get<int>(), 0);
+    QCOMPARE(records[1]["family"].get<std::string>(), "baselines");
+    QCOMPARE(records[1]["budget"].get<int>(), 14'440);
+    const ToolResult factor =
+        runJson({"factor", plastic_, "--samples", "1", "--method", "bivariate", "--bytes", "14440"});
+    VERIFY_SUCCESS(factor);
+    QVERIFY(factor.json["bytes"] == records[1]["bytes"] && factor.json["errors"] == records[1]["errors"]);
+  }
+
   void wrongStudiesAreTold() {
     const QString out = folder_.path("none");
     const auto fails = [&](const QStringList& arguments, int code, const char* text) {
@@ -91,6 +109,9 @@ class GoniotoolStudyTest : public QObject {
     fails({plastic_, "--models", "gxx"}, 1, "gxx");
     fails({plastic_, plastic_}, 2, "plastic");
     fails({plastic_, "--representations", "components"}, 2, "--components-from");
+    fails({plastic_, "--baselines", "cp"}, 2, "--baselines needs --representations with baselines");
+    fails({plastic_, "--representations", "baselines", "--baselines", "nonparametric"}, 1,
+          "'nonparametric', expected one of kautz-mccool");
     fails({folder_.path("absent.binary")}, 1, "absent.binary");
     QCOMPARE(runTool({"study", plastic_}).code, 2);
     folder_.writeText("taken.txt", "a file");

@@ -67,6 +67,29 @@ class ReconstructionTest : public QObject {
     }
   }
 
+  /// Eq. 5.14 as printed, c = (Q^T Q + eta I)^-1 Q^T (y - mean), for any known noise. Without `equalNoise`, the
+  /// coefficients are different.
+  void equationAsPrinted() {
+    const SamplingPlan few = everyCell(basis_, 31);
+    const MeasuredValues noisy = measure(*test::smoothMaterial(77), few, {.relative = 0.1});
+    QVERIFY(!noisy.noise.empty() && int(few.samples.size()) < basis_.count());
+    for (const int components : {3, int(few.samples.size()), basis_.count()}) {
+      const MatrixXd q = rowsAt(basis_, few, components), y = mappedAt(basis_, few, noisy);
+      for (const double ridge : {1.0, 40.0}) {
+        const MatrixXd normal = q.transpose() * q + ridge * MatrixXd::Identity(components, components);
+        const MatrixXd expected = test::inverse(normal) * q.transpose() * y;
+        const Reconstruction found =
+            reconstruct(basis_, few, noisy, {.ridge = ridge, .components = components, .equalNoise = true});
+        QVERIFY((coefficients(basis_, found) - expected).norm() < 1e-5 * expected.norm());
+        const MatrixXd weighted = coefficients(basis_, reconstruct(basis_, few, noisy, ridgeOf(ridge, components)));
+        QVERIFY((weighted - expected).norm() > 1e-3 * expected.norm());
+      }
+    }
+    const Reconstruction found = reconstruct(basis_, few, noisy, publishedReconstruction());
+    QCOMPARE(found.ridge, publishedRidge);
+    QCOMPARE(found.components, int(few.samples.size()));
+  }
+
   /// Fewer samples than components: without a ridge the coefficients of least norm that agree with every sample; an
   /// infinite ridge gives the mean of the training set.
   void limitsOfTheRidge() {

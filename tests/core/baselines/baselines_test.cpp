@@ -7,9 +7,13 @@
 #include <random>
 #include <set>
 
+#include "core/baselines/bivariate.h"
+#include "core/baselines/half_difference_tensor.h"
 #include "core/baselines/half_out_samples.h"
+#include "core/baselines/kautz_mccool.h"
 #include "core/factorization/half_difference_samples.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/support/error.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -66,6 +70,28 @@ class BaselinesTest : public QObject {
       QVERIFY(!baseline.name.empty() && !baseline.reference.empty());
     }
     QCOMPARE(ids.size(), baselines().size());
+    for (const Baseline& baseline : baselines()) QVERIFY(&findBaseline(baseline.id) == &baseline);
+    try {
+      findBaseline("tucker");
+      QFAIL("accepted");
+    } catch (const Error& error) {
+      QVERIFY(std::string(error.what()).find("'tucker', expected one of kautz-mccool, mccool") != std::string::npos);
+    }
+  }
+
+  /// maxBytes are the sizes for an unlimited budget.
+  void maxBytesAreThoseOfTheLargestModels() {
+    constexpr std::size_t endless = 1'000'000'000;
+    const HalfDifferenceAxes axes = kautzMcCoolAxes();
+    const auto matrixBytes = std::size_t(kautzMcCoolTerms(axes, endless)) *
+                             (3 * axes.thetaH.size() + axes.thetaD.size() * axes.phiD.size()) * sizeof(float);
+    QCOMPARE(findBaseline("kautz-mccool").maxBytes, matrixBytes);
+    QCOMPARE(findBaseline("nmf").maxBytes, matrixBytes);
+    QCOMPARE(findBaseline("bivariate").maxBytes, std::size_t(std::pow(bivariateSide(endless), 2)) * 3 * sizeof(float));
+    const auto black = sampleHalfDifferenceTensor(emptySamples(axes));
+    QCOMPARE(findBaseline("cp").maxBytes, decomposeCp(black, cpTerms(axes, endless)).bytes);
+    QCOMPARE(findBaseline("hosvd").maxBytes, decomposeHosvd(black, hosvdRanks(axes, endless)).bytes);
+    for (const char* id : {"mccool", "nonparametric"}) QCOMPARE(findBaseline(id).maxBytes, std::size_t(0));
   }
 
   /// Half-out samples are the table's values; the measure integrates to 1/2 for the viewer's polar angle times pi / 2

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/brdf/rgl_brdf.h"
+#include "core/factorization/deviation_grid.h"
 #include "core/materials/measured_library.h"
 #include "core/materials/near_measured_library.h"
 #include "tests/support/test_program.h"
@@ -98,6 +99,26 @@ class BundledLibraryTest : public QObject {
     QCOMPARE(chrome.source.format, std::string("near-measured copy"));
     // A mirror: all of its energy within some degrees, far more than any paint.
     QVERIFY(chrome.brdf->evaluate({0, 0, 1}, {0, 0, 1}).x > 100);
+  }
+
+  /// The stored nodes of |Dp| are those of the library's mean energy. This takes a minute, so only long tests use all
+  /// materials; otherwise every 15th material gives similar nodes.
+  void nodesOfProjectedDeviations() {
+    using namespace factorization;
+    const std::vector<std::string> paths = libraryTrainingPaths();
+    std::vector<double> energy;
+    for (std::size_t i = 0; i < paths.size(); i += test::longTests() ? 1 : 15) {
+      const auto one = publishedDeviationEnergy(*readLibraryMaterial(paths[i]).tabulated({}));
+      energy.resize(one.size());
+      for (std::size_t j = 0; j < one.size(); ++j) energy[j] += one[j];
+    }
+    const std::vector<double> stored = libraryDeviationNodes(), nodes = deviationNodes(energy, defaultDeviations);
+    QCOMPARE(nodes.size(), stored.size());
+    const double tolerance = test::longTests() ? 1e-7 : 0.1;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      QVERIFY2(std::abs(nodes[i] - stored[i]) < tolerance,
+               qPrintable(QString("%1: %2 %3").arg(i).arg(nodes[i]).arg(stored[i])));
+    }
   }
 };
 

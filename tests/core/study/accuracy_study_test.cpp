@@ -35,7 +35,8 @@ StudyOptions smallPictures() {
 
 std::vector<Representation> few() {
   RepresentationChoice choice;
-  choice.families = {RepresentationFamily::table, RepresentationFamily::fit, RepresentationFamily::factors};
+  choice.families = {RepresentationFamily::table, RepresentationFamily::fit, RepresentationFamily::factors,
+                     RepresentationFamily::published};
   choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
   choice.terms = {1, 3};
   return representationsOf(choice);
@@ -68,7 +69,9 @@ class AccuracyStudyTest : public QObject {
   }
 
   void representationsByTheirIds() {
-    for (const Representation& one : representationsOf()) {
+    RepresentationChoice choice;
+    choice.families = familiesWithoutTraining();
+    for (const Representation& one : representationsOf(choice)) {
       const std::optional<double> budget = needsBudget(one.id) ? std::optional(one.budget) : std::nullopt;
       QVERIFY2(representationById(one.id, budget) == one, one.fullLabel().c_str());
     }
@@ -82,9 +85,13 @@ class AccuracyStudyTest : public QObject {
     };
     fails("ggxx", {}, "'ggxx', expected one of table-nearest, table-trilinear, factors-2d");
     fails("components", 4, "'components'");
+    fails("tucker", 4,
+          "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, kautz-mccool");
+    fails("lawrence", {}, "no budget, expected a whole number from 1 to 100000000 (bytes)");
     fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
     fails("factors-2d", 2.5, "the budget 2.5");
     fails("factors-3d", 0, "the budget 0");
+    fails("factors-3d-published", 21, "the budget 21, expected a whole number from 1 to 20 (terms)");
   }
 
   /// In another scene all is compared with the reference's picture there.
@@ -146,6 +153,13 @@ class AccuracyStudyTest : public QObject {
     QVERIFY(factors.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(one)));
     QCOMPARE(factors.bytes, materials::pdvFileBytes(one));
     QVERIFY(find(records, "factors-3d", 3).encodeSeconds > factors.encodeSeconds);
+    const StudyRecord& published = find(records, "factors-2d-published", 3);
+    const auto three = factorization::factorizePdv(
+                           *plastic().table, factorization::publishedPdvOptions(factorization::PdvForm::twoFactors, 3))
+                           .factors;
+    QVERIFY(published.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(three)));
+    QCOMPARE(published.bytes, materials::pdvFileBytes(three));
+    QVERIFY(published.errors != find(records, "factors-2d", 3).errors);
   }
 
   void codesAndComponents() {

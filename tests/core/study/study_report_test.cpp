@@ -162,6 +162,7 @@ class StudyReportTest : public QObject {
     std::set<std::pair<plots::Marker, bool>> shapes;
     std::set<std::string> names;
     RepresentationChoice choice;
+    choice.families = familiesWithoutTraining();
     choice.families.push_back(RepresentationFamily::components);
     for (const Representation& representation : representationsOf(choice)) {
       const SeriesLook look = lookOf(representation);

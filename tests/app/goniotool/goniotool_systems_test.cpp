@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QRegularExpression>
+#include <QTest>
+
+#include "core/baselines/baselines.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+namespace goniotool_systems_test {
+using namespace gonio;
+using namespace gonio::test;
+
+/// docs/systems.md contains only existing commands, options and kinds.
+class GoniotoolSystemsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The help of each command contains its options and methods.
+  void commandsOfThePageExist() {
+    const QString page = QString::fromUtf8(bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/systems.md"));
+    QSet<QString> methods;
+    int commands = 0;
+    auto spans = QRegularExpression("`goniotool ([^`]+)`").globalMatch(page);
+    while (spans.hasNext()) {
+      QStringList words = spans.next().captured(1).split(' ');
+      if (words.last() == "...") words.removeLast();
+      const QStringList name = words[0] == "dictionary" ? words.mid(0, 2) : words.mid(0, 1);
+      const ToolResult help = runTool(name + QStringList{"--help"});
+      VERIFY_SUCCESS(help);
+      ++commands;
+      for (qsizetype i = 0; i < words.size(); ++i) {
+        if (!words[i].startsWith("--")) continue;
+        QVERIFY2(help.out.contains(words[i]), qPrintable(words.join(' ')));
+        if (words[i] != "--method") continue;
+        QVERIFY2(help.out.contains(words[i + 1]), qPrintable(words.join(' ')));
+        if (words[0] == "factor") methods << words[i + 1];
+      }
+    }
+    QVERIFY(commands > 25);
+    for (const factorization::Baseline& baseline : factorization::baselines())
+      QVERIFY2(methods.contains(QString::fromUtf8(baseline.id.data())), baseline.id.data());
+  }
+
+  /// The kinds in the column "study" are those of the study.
+  void kindsOfTheStudyExist() {
+    const QString page = QString::fromUtf8(bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/systems.md"));
+    const ToolResult help = runTool({"study", "--help"});
+    for (const char* kind :
+         {"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published"}) {
+      QVERIFY2(page.contains(QString("| `%1` |").arg(kind)), kind);
+      QVERIFY2(help.out.contains(kind), kind);
+    }
+  }
+};
+
+GONIO_TEST(GoniotoolSystemsTest)
+}  // namespace goniotool_systems_test
+
+#include "goniotool_systems_test.moc"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <algorithm>
+#include <array>
+
+#include "core/baselines/baselines.h"
+#include "core/materials/pdv_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/registry.h"
+#include "core/study/accuracy_study.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+namespace baseline_representations_test {
+using namespace gonio;
+using namespace gonio::study;
+
+constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
+
+std::shared_ptr<const TabulatedBrdf> plastic() {
+  static const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
+  return table;
+}
+
+std::vector<Representation> baselineRows(std::vector<int> terms, std::vector<const factorization::Baseline*> of = {}) {
+  return representationsOf(
+      {.families = {RepresentationFamily::baselines}, .baselines = std::move(of), .terms = std::move(terms)});
+}
+
+/// Baselines as representations of the study.
+class BaselineRepresentationsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The budgets are the bytes of PDV factors; no model is listed twice.
+  void budgetsAreTheBytesOfPdvFactors() {
+    for (const auto form : {factorization::PdvForm::twoFactors, factorization::PdvForm::threeFactors}) {
+      const auto factors = factorization::factorizePdv(*plastic(), {.form = form, .terms = 2}).factors;
+      QCOMPARE(materials::pdvFileBytes(form, 2), materials::pdvFileBytes(factors));
+    }
+    const auto rows = baselineRows({2, 10, 20});
+    for (const factorization::Baseline* baseline : studiedBaselines()) {
+      std::vector<double> budgets;
+      for (const Representation& row : rows)
+        if (row.id == baseline->id) budgets.push_back(row.budget);
+      if (baseline->maxBytes == 0)
+        QVERIFY(budgets == std::vector<double>{0});
+      else if (baseline->id == "cp")  // its largest model, 64 terms, is smaller than ten terms of PDV
+        QVERIFY(budgets == (std::vector<double>{10'120, 44'680}));
+      else
+        QVERIFY(budgets == (std::vector<double>{10'120, 44'680, 87'880}));
+    }
+    QCOMPARE(studiedBaselines().size(), factorization::baselines().size() - 1);
+    QVERIFY(std::ranges::none_of(rows, [](const Representation& row) { return row.id == "nonparametric"; }));
+    QVERIFY_EXCEPTION_THROWN(findStudiedBaseline("nonparametric"), Error);
+    for (const Representation& row : rows)
+      QVERIFY(std::ranges::none_of(models::allModels(), [&](const auto* m) { return m->spec().id == row.id; }));
+  }
+
+  void onlyThoseThatAreChosen() {
+    const auto rows = baselineRows({1, 2}, {&findStudiedBaseline("bilgili"), &findStudiedBaseline("mccool")});
+    QCOMPARE(rows.size(), std::size_t(3));
+    QCOMPARE(rows[1].fullLabel(), std::string("Bilgili et al. 2011, up to 10120 bytes"));
+    QCOMPARE(rows[2].fullLabel(), std::string("McCool et al. 2001"));
+    QVERIFY(std::ranges::none_of(RepresentationChoice().families,
+                                 [](auto family) { return family == RepresentationFamily::baselines; }));
+  }
+
+  /// The records equal the results of separate calls of the library for each budget.
+  void recordsAreThoseOfTheLibrary_data() {
+    QTest::addColumn<QString>("id");
+    for (const factorization::Baseline* baseline : studiedBaselines())
+      QTest::newRow(baseline->id.data()) << QString(baseline->id.data());
+  }
+  void recordsAreThoseOfTheLibrary() {
+    QFETCH(QString, id);
+    const factorization::Baseline& baseline = findStudiedBaseline(id.toStdString());
+    const auto rows = baselineRows({1, 3}, {&baseline});
+    StudyOptions options;
+    options.picture = {.width = 16, .height = 16, .samples = 4};
+    options.timed = false;
+    const auto records = runStudy({plastic(), plastic()}, rows, options);
+    QCOMPARE(records.size(), rows.size());
+    const auto log = std::size_t(metrics::BrdfMetric::log);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::array<std::size_t, 1> budget{std::size_t(rows[i].budget)};
+      const factorization::ComparedModel model = baseline.build(*plastic(), budget, {}).front();
+      QCOMPARE(records[i].bytes, model.bytes);
+      QVERIFY(rows[i].budget == 0 || double(model.bytes) <= rows[i].budget);
+      QVERIFY(records[i].errors == metrics::brdfErrors(*plastic(), *model.brdf));
+      QVERIFY(records[i].encodeSeconds > 0 && records[i].renderedSnr > 5);
+      if (i > 0) {
+        QVERIFY(records[i].bytes > records[i - 1].bytes);
+        QVERIFY2(records[i].errors[log] <= 1.01 * records[i - 1].errors[log],
+                 qPrintable(QString("%1 %2").arg(records[i].errors[log]).arg(records[i - 1].errors[log])));
+      }
+    }
+  }
+};
+
+GONIO_TEST(BaselineRepresentationsTest)
+}  // namespace baseline_representations_test
+
+#include "baseline_representations_test.moc"

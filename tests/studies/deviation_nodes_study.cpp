@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+//
+// gonio_studies deviation_nodes [--every N]: prints the nodes of libraryDeviationNodes(), computed from the bundled
+// materials or from every Nth of them. Takes one minute.
+#include <cstdio>
+#include <string>
+
+#include "core/factorization/deviation_grid.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material.h"
+#include "tests/studies/study_program.h"
+
+namespace gonio::study::deviation_nodes_study {
+
+namespace {
+
+int study(int count, char** values) {
+  const std::size_t every = count == 3 && std::string(values[1]) == "--every" ? std::stoul(values[2]) : 1;
+  std::vector<double> sum;
+  const std::vector<std::string> paths = materials::libraryTrainingPaths();
+  for (std::size_t i = 0; i < paths.size(); i += every) {
+    const auto table = materials::readLibraryMaterial(paths[i]).tabulated({});
+    const std::vector<double> energy = factorization::publishedDeviationEnergy(*table);
+    sum.resize(energy.size());
+    for (std::size_t j = 0; j < energy.size(); ++j) sum[j] += energy[j];
+  }
+  for (const double node : factorization::deviationNodes(sum, factorization::defaultDeviations))
+    std::printf("%.9g, ", node);
+  std::printf("\n");
+  return 0;
+}
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::deviation_nodes_study
