@@ -52,6 +52,25 @@ class FigurePageTest : public QObject {
     QCOMPARE(m_page->pageWidth(), 400);
   }
 
+  /// The whole page is visible in the middle of the surrounding widget, whatever its shape.
+  void aWholePage() {
+    QWidget around;
+    around.resize(824, 224);
+    m_page->setParent(&around);
+    m_page->resize(824, 224);
+    QSignalSpy resized(m_page.get(), &FigurePage::resized);
+    m_page->setWhole(true);
+    QCOMPARE(resized.count(), 1);
+    QCOMPARE(m_page->pageWidth(), 400);
+    QCOMPARE(m_page->heightForWidth(824), 224);
+    QCOMPARE(m_page->placeOf(0), QRectF(212, 12, 100, 100));
+    around.resize(824, 600);
+    QCOMPARE(m_page->heightForWidth(824), 424);
+    m_page->setWhole(false);
+    QCOMPARE(m_page->pageWidth(), 800);
+    m_page->setParent(nullptr);
+  }
+
   /// From any corner, in any picture; always a square inside the picture.
   void drawsASquare() {
     QSignalSpy drawn(m_page.get(), &FigurePage::squareDrawn);

@@ -48,6 +48,7 @@ void FigurePage::setPage(const QImage& page, std::vector<QRectF> pictures) {
   if (m_drag && m_drag->picture >= m_pictures.size()) m_drag.reset();
   updateGeometry();
   update();
+  reportWidth();
 }
 
 void FigurePage::setMessage(const QString& message) {
@@ -62,12 +63,33 @@ void FigurePage::setSquare(const std::optional<QRectF>& square) {
   update();
 }
 
-int FigurePage::pageWidth() const { return std::max(1, int((width() - 2 * pageMargin) * devicePixelRatioF())); }
+void FigurePage::setWhole(bool whole) {
+  m_whole = whole;
+  updateGeometry();
+  update();
+  reportWidth();
+}
+
+double FigurePage::shownWidth(int width) const {
+  const double all = width - 2 * pageMargin;
+  if (!m_whole || m_page.isNull() || !parentWidget()) return all;
+  return std::min(all, double(parentWidget()->height() - 2 * pageMargin) * m_page.width() / m_page.height());
+}
+
+int FigurePage::pageWidth() const { return std::max(1, int(shownWidth(width()) * devicePixelRatioF())); }
+
+/// The height of a page in pixels is rounded, so a pixel or two are no other width.
+void FigurePage::reportWidth() {
+  constexpr int tolerance = 2;
+  if (std::abs(pageWidth() - m_reportedWidth) <= tolerance) return;
+  m_reportedWidth = pageWidth();
+  Q_EMIT resized();
+}
 
 int FigurePage::heightForWidth(int width) const {
   const double aspect =
       m_page.isNull() || !m_message.isEmpty() ? emptyAspect : double(m_page.height()) / m_page.width();
-  return int(std::ceil((width - 2 * pageMargin) * aspect)) + 2 * pageMargin;
+  return int(std::ceil(shownWidth(width) * aspect)) + 2 * pageMargin;
 }
 
 QSize FigurePage::sizeHint() const { return {640, heightForWidth(640)}; }
@@ -75,8 +97,8 @@ QSize FigurePage::minimumSizeHint() const { return {240, heightForWidth(width())
 
 QRectF FigurePage::pagePlace() const {
   if (m_page.isNull()) return {};
-  const double shown = width() - 2 * pageMargin;
-  return {double(pageMargin), double(pageMargin), shown, shown * m_page.height() / m_page.width()};
+  const double shown = shownWidth(width());
+  return {(width() - shown) / 2, double(pageMargin), shown, shown * m_page.height() / m_page.width()};
 }
 
 QRectF FigurePage::placeOf(std::size_t picture) const {
@@ -166,9 +188,8 @@ void FigurePage::keyPressEvent(QKeyEvent* event) {
 
 void FigurePage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (event->oldSize().width() == width()) return;
   updateGeometry();
-  Q_EMIT resized();
+  reportWidth();
 }
 
 }  // namespace gonio::widgets

@@ -9,8 +9,8 @@
 
 namespace gonio::widgets {
 
-/// The page of a figure, scaled to the width of the widget. The user can draw a square on a picture, the part that
-/// insets magnify, or move the existing square.
+/// The page of a figure, scaled to the width of the widget or to fit as a whole. The user can draw a square on a
+/// picture, the part that insets magnify, or move the existing square.
 class FigurePage : public QWidget {
   Q_OBJECT
 
@@ -24,6 +24,8 @@ class FigurePage : public QWidget {
   const QString& message() const { return m_message; }
   /// Sets the square, in fractions of a picture's side from the top left; nullopt: none.
   void setSquare(const std::optional<QRectF>& square);
+  /// Whether the page is scaled so that the surrounding widget shows all of it.
+  void setWhole(bool whole);
   bool hasPage() const { return !m_page.isNull(); }
   /// Width of the page in screen pixels, for rendering it.
   int pageWidth() const;
@@ -57,10 +59,13 @@ class FigurePage : public QWidget {
     QRectF square;
   };
 
+  /// Width of the page in a widget of the given width.
+  double shownWidth(int width) const;
   QRectF pagePlace() const;
   /// A position in fractions of a picture, clamped to the picture.
   QPointF inPicture(std::size_t picture, const QPointF& position) const;
   std::optional<std::size_t> pictureAt(const QPointF& position) const;
+  void reportWidth();
   void paintMessage(QPainter& painter) const;
   void paintDrag(QPainter& painter) const;
 
@@ -68,6 +73,8 @@ class FigurePage : public QWidget {
   std::vector<QRectF> m_pictures;
   QString m_message;
   std::optional<QRectF> m_square;
+  bool m_whole = false;
+  int m_reportedWidth = 0;  ///< pageWidth() at the last resized()
   std::optional<Drag> m_drag;
 };
 

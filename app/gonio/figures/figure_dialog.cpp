@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/figures/figure_dialog.h"
 
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -10,6 +11,7 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gonio/figures/figure_file_buttons.h"
 #include "app/gonio/figures/figure_numbers.h"
@@ -33,6 +35,17 @@ QGroupBox* groupOf(const QString& title, QWidget* content) {
   auto* layout = new QVBoxLayout(box);
   layout->addWidget(content);
   return box;
+}
+
+/// Fields of several forms that stand one below the other begin at one place.
+void alignFields(const QWidget& tab) {
+  std::vector<QWidget*> labels;
+  for (const QFormLayout* form : tab.findChildren<QFormLayout*>())
+    for (int row = 0; row < form->rowCount(); ++row)
+      if (const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole)) labels.push_back(item->widget());
+  int widest = 0;
+  for (const QWidget* label : labels) widest = std::max(widest, label->sizeHint().width());
+  for (QWidget* label : labels) label->setMinimumWidth(widest);
 }
 
 }  // namespace
@@ -91,6 +104,7 @@ QWidget* FigureDialog::appearanceTab() {
   layout->addWidget(groupOf(tr("Pictures"), m_pictures));
   layout->addWidget(groupOf(tr("Page"), m_page));
   layout->addStretch();
+  alignFields(*tab);
   return tab;
 }
 

@@ -90,6 +90,10 @@ void FigureRepresentations::fillMenu() {
   for (const study::Representation& one : study::representationsOf()) {
     const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
                                                       : widgets::fromView(study::familyName(one.family));
+    if (one.family == study::RepresentationFamily::nonparametric) {  // one alone
+      menu.addAction(budgetAction(one), this, [this, one] { add(one); });
+      continue;
+    }
     if (wanted != title) {
       title = wanted;
       part = menu.addMenu(QString(title).replace(0, 1, title.at(0).toUpper()));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/figures/figure_view.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -55,8 +56,12 @@ void FigureView::build() {
   m_bar->setRange(0, barSteps);
   m_bar->setFixedWidth(fontMetrics().averageCharWidth() * 18);
   m_measure->setAutoDefault(false);
+  auto* whole = new QCheckBox(tr("W&hole page"));
+  whole->setToolTip(tr("Shows the page so small that all of it is seen"));
+  connect(whole, &QCheckBox::toggled, m_page, &widgets::FigurePage::setWhole);
   auto* row = new QHBoxLayout;
   row->addWidget(m_status, 1);
+  row->addWidget(whole);
   row->addWidget(m_bar);
   row->addWidget(m_measure);
   auto* layout = new QVBoxLayout(this);

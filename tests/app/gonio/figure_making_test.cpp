@@ -145,7 +145,8 @@ class FigureMakingTest : public QObject {
     editor.exports.save(editor.path("chrome.binary"), figureDescriptionSave(figure));
     editor.exports.save(editor.path("rubber.binary"), figureDescriptionSave(figure));
     editor.exports.save(editor.path("link.csv"), figureNumbersSave(written));
-    QVERIFY(editor.wait([&] { return editor.failed.count() == 3 && editor.tasks.isIdle(); }));
+    QVERIFY(editor.wait([&] { return editor.failed.count() + editor.exported.count() == 3; }));
+    QCOMPARE(editor.failed.count(), 3);
     QCOMPARE(editor.failed[1][1].toString(),
              editor.path("rubber.binary") + ": the figure is made from this file, expected another name");
     QVERIFY(editor.bytes("chrome.binary") == chrome && editor.bytes("rubber.binary") == rubber);
@@ -161,7 +162,8 @@ class FigureMakingTest : public QObject {
     editor.exports.save(editor.path("a.eps"), figureSave(written));
     editor.exports.save(editor.path("a.txt"), figureNumbersSave(written));
     editor.exports.save(editor.path("absent/a.pdf"), figureSave(written));
-    QVERIFY(editor.wait([&] { return editor.failed.count() == 3; }));
+    QVERIFY(editor.wait([&] { return editor.failed.count() + editor.exported.count() == 3; }));
+    QCOMPARE(editor.failed.count(), 3);
     const auto text = [&](int i) { return editor.failed[i][1].toString(); };
     QVERIFY(text(0).endsWith("a.eps: found the suffix '.eps', expected .pdf, .svg or .png"));
     QVERIFY(text(1).endsWith("a.txt: found the suffix '.txt', expected .csv or .tex"));

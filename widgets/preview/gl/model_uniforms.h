@@ -17,8 +17,8 @@ QString modelFunction(const models::Model& model);
 /// The file with this function, e.g. "models/ggx.glsl".
 QString modelFile(const models::Model& model);
 
-/// The parameters of a model as one uniform. They are packed into vectors of four: three components for a colour, one for
-/// any other parameter. In the shader, `name` expands to the array of vec3 that the model's function takes.
+/// The parameters of a model as one uniform. They are packed into vectors of four: three components for a colour, one
+/// for any other parameter. In the shader, `name` expands to the array of vec3 that the model's function takes.
 struct ModelUniform {
   QString declaration;  ///< "uniform vec4 packed_edited0[9];"
   QString definition;   ///< "edited0 vec3[18](...)", for a #define
