@@ -15,8 +15,9 @@
 namespace gonio::factorization {
 
 struct ComparedModel {
-  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its factors; sample() is cosine-weighted
-  std::size_t bytes = 0;             ///< of its factors and colours in single precision, without the nodes of the axes
+  std::shared_ptr<const Brdf>
+      brdf;               ///< evaluated from its factors; sample() uses those of Lawrence et al., else cosines
+  std::size_t bytes = 0;  ///< of its factors and colours in single precision, without the nodes of the axes
 };
 
 struct Baseline {

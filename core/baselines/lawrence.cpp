@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/baselines/half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/node_samples.h"
@@ -70,6 +70,45 @@ Rgb cosineWeightedAt(const LawrenceFactors& f, const HalfOut& at) {
   return sum;
 }
 
+/// Each product with the luminance of its F.
+HalfVectorSampler samplerOf(const LawrenceFactors& f) {
+  const auto curve = [](const auto& column) { return std::vector<double>(column.begin(), column.end()); };
+  std::vector<HalfVectorSampler::Product> products;
+  for (int j = 0, product = 0; j < f.ranks.terms; ++j) {
+    std::vector<double> viewer;
+    for (Index o = 0; o < Index(f.axes.thetaO.size()); ++o)
+      viewer.push_back(luminance(Rgb(f.viewer(j, 3 * o), f.viewer(j, 3 * o + 1), f.viewer(j, 3 * o + 2))));
+    for (int k = 0; k < f.ranks.products; ++k, ++product)
+      products.push_back({curve(f.polar.col(product)), curve(f.azimuth.col(product)), viewer});
+  }
+  return {f.axes, products};
+}
+
+class LawrenceBrdf final : public Brdf {
+ public:
+  explicit LawrenceBrdf(LawrenceFactors factors) : factors_(std::move(factors)), sampler_(samplerOf(factors_)) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      values[i] = Rgb(0);
+      if (isBelowHorizon(wi) || isBelowHorizon(wo)) continue;
+      if (const HalfOut at = toHalfOut(wi, wo); at.valid)
+        values[i] = cosineWeightedAt(factors_, at) / std::max(wi.z, std::cos(largestPolarAngle));
+    }
+  }
+  bool isReciprocal() const override { return false; }
+  bool hasImportanceSampling() const override { return true; }
+  double samplingCost() const override { return 2; }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler_.sample(wo, u); }
+  double pdf(const Direction& wi, const Direction& wo) const override { return sampler_.pdf(wi, wo); }
+
+ private:
+  LawrenceFactors factors_;
+  HalfVectorSampler sampler_;
+};
+
 }  // namespace
 
 HalfOutAxes lawrenceAxes() { return makeHalfOutAxes(90, 24, 30); }
@@ -111,11 +150,7 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
 }
 
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors) {
-  const auto reflectance = [f = std::move(factors)](const Direction& wi, const Direction& wo) {
-    const HalfOut at = toHalfOut(wi, wo);
-    return at.valid ? cosineWeightedAt(f, at) / std::max(wi.z, std::cos(largestPolarAngle)) : Rgb(0);
-  };
-  return makePairwiseBrdf(reflectance, false);
+  return std::make_shared<const LawrenceBrdf>(std::move(factors));
 }
 
 }  // namespace gonio::factorization

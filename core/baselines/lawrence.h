@@ -43,7 +43,7 @@ LawrenceRanks lawrenceRanks(const HalfOutAxes& axes, std::size_t byteBudget);
 LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceRanks& ranks,
                                   const TaskControl& control = {});
 
-/// Linear between the nodes, so never negative.
+/// Linear between the nodes, so never negative. sample() uses the factors (core/baselines/half_vector_sampler.h).
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors);
 
 }  // namespace gonio::factorization

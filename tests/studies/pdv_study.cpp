@@ -3,7 +3,7 @@
 //
 // gonio_studies pdv MERL_FILE ...: three tables of docs/results/factors.md. Noise at equal samples: the standard
 // deviation of the light that the material sends to a viewer under the studio environment, relative to its mean and
-// averaged over viewers, for directions drawn by four densities. Factor measurement: SNR of pictures and of
+// averaged over viewers, for directions drawn by five densities. Factor measurement: SNR of pictures and of
 // reflectances predicted from two curves, over four pairs of axes, each at the best of several fixed angles. And
 // where in |Dp| and theta_h the highlight has fallen to half, in the plane of incidence toward the viewer.
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <functional>
 #include <random>
 
+#include "core/baselines/baselines.h"
 #include "core/brdf/lobe_mixture.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/projected_deviation.h"
@@ -20,6 +21,7 @@
 #include "core/factorization/pdv_sampler.h"
 #include "core/fitting/fit.h"
 #include "core/materials/material.h"
+#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
@@ -65,11 +67,14 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
   const factorization::PrintedPdvSampler printed(*first, factors.thetaNodes, factors.deviationNodes);
   const fitting::FitResult fit = fitting::fit(table, models::ggx(), {});
   const auto ggx = models::ggx().instantiate(fit.parameters);
+  const std::size_t bytes[] = {materials::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};
+  const auto lawrence = factorization::findBaseline("lawrence").build(table, std::span<const std::size_t>(bytes), {});
   const auto cosine = cosineSampler();
   const Draw draws[] = {[&](const Direction& wo, const glm::dvec3& u) { return cosine.sample(wo, u); },
                         [&](const Direction& wo, const glm::dvec3& u) { return printed.sample(wo, u); },
                         [&](const Direction& wo, const glm::dvec3& u) { return exact.sample(wo, u); },
-                        [&](const Direction& wo, const glm::dvec3& u) { return ggx->sample(wo, u); }};
+                        [&](const Direction& wo, const glm::dvec3& u) { return ggx->sample(wo, u); },
+                        [&](const Direction& wo, const glm::dvec3& u) { return lawrence[0].brdf->sample(wo, u); }};
   std::printf("| %s |", name.c_str());
   for (const Draw& draw : draws) std::printf(" %.3f |", noise(table, *environment, draw));
   std::printf("\n");
@@ -116,7 +121,7 @@ int study(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
                            materials::readMaterial(argv[i]).tabulated());
-  std::printf("| material | cosine | printed | exact | GGX fit |\n|---|---|---|---|---|\n");
+  std::printf("| material | cosine | printed | exact | GGX fit | Lawrence |\n|---|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);
   std::printf("\n| material | deviation | symmetric | half-difference | half-out |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printMeasurement(name, *table);

@@ -74,7 +74,7 @@ void FigureDialog::build() {
   tabs->addTab(contentsTab(), tr("Con&tents"));
   tabs->addTab(appearanceTab(), tr("&Appearance"));
   tabs->setFixedWidth(fontMetrics().averageCharWidth() * 66);
-  auto* close = new QPushButton(tr("&Close"));
+  auto* close = new QPushButton(tr("C&lose"));
   close->setAutoDefault(false);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   auto* middle = new QHBoxLayout;

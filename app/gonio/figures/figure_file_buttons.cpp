@@ -47,10 +47,10 @@ FigureFileButtons::FigureFileButtons(FigureMaker& maker, FileExports& exports, B
       button(tr("Save &Description..."),
              tr("Saves content and layout of the figure (.json); goniotool figure makes the same figure"),
              &FigureFileButtons::askForDescription);
-  m_saveNumbers = button(tr("Save &Numbers..."), tr("Saves the numbers as CSV or as a LaTeX table"),
+  m_saveNumbers = button(tr("Save Num&bers..."), tr("Saves the numbers as CSV or as a LaTeX table"),
                          &FigureFileButtons::askForNumbers);
   m_saveFigure =
-      button(tr("&Save Figure..."), tr("Saves the figure as PDF, SVG or PNG; missing cells are measured first"),
+      button(tr("Save Fi&gure..."), tr("Saves the figure as PDF, SVG or PNG; missing cells are measured first"),
              &FigureFileButtons::askForFigure);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

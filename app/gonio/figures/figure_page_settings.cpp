@@ -46,9 +46,9 @@ FigurePageSettings::FigurePageSettings(QWidget* parent)
       m_title(new QLineEdit),
       m_columns(new QComboBox),
       m_font(new QComboBox),
-      m_inset(new QCheckBox(tr("&Inset"))),
-      m_maps(new QCheckBox(tr("Error &maps"))),
-      m_fixed(new QCheckBox(tr("Fixed ma&ximum"))) {
+      m_inset(new QCheckBox(tr("In&set"))),
+      m_maps(new QCheckBox(tr("Erro&r maps"))),
+      m_fixed(new QCheckBox(tr("Fixed maxim&um"))) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   buildPage(*form);
@@ -80,7 +80,7 @@ void FigurePageSettings::buildPage(QFormLayout& form) {
   form.addRow(tr("T&itle"), m_title);
   form.addRow(tr("&Width"), m_columns);
   form.addRow(tr("&Font"), m_font);
-  form.addRow(tr("Font si&ze"), m_fontSize);
+  form.addRow(tr("Fo&nt size"), m_fontSize);
 }
 
 void FigurePageSettings::buildParts(QFormLayout& form) {

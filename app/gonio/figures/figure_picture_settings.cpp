@@ -81,11 +81,11 @@ void FigurePictureSettings::build() {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->addRow(tr("S&cene"), m_scene);
-  form->addRow(tr("&Environment"), m_environment);
+  form->addRow(tr("En&vironment"), m_environment);
   form->addRow(tr("Si&ze"), m_size);
   form->addRow(tr("Sam&ples"), m_samples);
   form->addRow(tr("E&xposure"), m_exposure);
-  form->addRow(tr("&Tone map"), m_toneMap);
+  form->addRow(tr("Ton&e map"), m_toneMap);
 }
 
 FigurePictures FigurePictureSettings::pictures() const {

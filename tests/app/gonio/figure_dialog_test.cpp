@@ -5,13 +5,13 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
 
 #include "app/gonio/figures/figure_file_buttons.h"
@@ -33,30 +33,6 @@ using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 using figures::FigureDescription;
-
-/// An entry of an Add menu or of its submenus, as filled when the menu opens.
-QAction* entryOf(QMenu& menu, const QString& text) {
-  Q_EMIT menu.aboutToShow();
-  const std::function<QAction*(const QMenu&)> find = [&](const QMenu& in) -> QAction* {
-    for (QAction* action : in.actions()) {
-      if (action->menu()) {
-        if (QAction* found = find(*action->menu())) return found;
-      } else if (action->text().remove('&').startsWith(text)) {
-        return action;
-      }
-    }
-    return nullptr;
-  };
-  return find(menu);
-}
-
-QStringList labelsOf(const widgets::EntryList& list) {
-  QStringList labels;
-  const QAbstractItemModel& model = *list.view().model();
-  for (int row = 0; row < model.rowCount(); ++row)
-    labels << model.index(row, model.columnCount() - 1).data().toString();
-  return labels;
-}
 
 class FigureDialogTest : public QObject {
   Q_OBJECT
@@ -268,6 +244,26 @@ class FigureDialogTest : public QObject {
     QVERIFY2(text.startsWith(editor.path("bad.json") + ": version: found") && text.contains("expected 1"),
              qPrintable(text));
     QVERIFY(dialog->description() == figure);
+  }
+
+  /// Each Alt key goes to one place, whichever tab is in front.
+  void altKeysAreUnique() {
+    FigureEditor editor;
+    const auto dialog = editor.dialog();
+    QStringList texts;
+    for (const auto* tabs : dialog->findChildren<QTabBar*>())
+      for (int i = 0; i < tabs->count(); ++i) texts << tabs->tabText(i);
+    for (const auto* button : dialog->findChildren<QAbstractButton*>()) texts << button->text();
+    for (const auto* label : dialog->findChildren<QLabel*>())
+      if (label->buddy()) texts << label->text();
+    QMap<QChar, QString> keys;
+    for (const QString& text : texts)
+      if (const auto at = text.indexOf('&'); at >= 0) {
+        const QChar key = text[at + 1].toUpper();
+        QVERIFY2(!keys.contains(key), qPrintable(text + " and " + keys[key]));
+        keys[key] = text;
+      }
+    QVERIFY(keys.size() > 20);
   }
 
   /// Closing the dialog ends its tasks.

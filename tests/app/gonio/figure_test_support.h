@@ -3,11 +3,13 @@
 #pragma once
 
 #include <QFile>
+#include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/figures/figure_dialog.h"
@@ -15,6 +17,7 @@
 #include "core/io/atomic_file.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
+#include "widgets/figures/entry_list.h"
 #include "widgets/library/library_model.h"
 
 namespace gonio::app::test_support {
@@ -108,6 +111,30 @@ inline QPushButton* buttonOf(const QWidget& part, const QString& text) {
   for (QPushButton* button : part.findChildren<QPushButton*>())
     if (button->text().remove('&').startsWith(text)) return button;
   return nullptr;
+}
+
+/// An entry of an Add menu, also of the menus in it, as it is when it opens.
+inline QAction* entryOf(QMenu& menu, const QString& text) {
+  Q_EMIT menu.aboutToShow();
+  const std::function<QAction*(const QMenu&)> find = [&](const QMenu& in) -> QAction* {
+    for (QAction* action : in.actions()) {
+      if (action->menu()) {
+        if (QAction* found = find(*action->menu())) return found;
+      } else if (action->text().remove('&').startsWith(text)) {
+        return action;
+      }
+    }
+    return nullptr;
+  };
+  return find(menu);
+}
+
+inline QStringList labelsOf(const widgets::EntryList& list) {
+  QStringList labels;
+  const QAbstractItemModel& model = *list.view().model();
+  for (int row = 0; row < model.rowCount(); ++row)
+    labels << model.index(row, model.columnCount() - 1).data().toString();
+  return labels;
 }
 
 }  // namespace gonio::app::test_support

@@ -181,7 +181,7 @@ class BlendSourceTest : public QObject {
       return errorOf(json);
     };
     QCOMPARE(nested(maxBlendsInBlends), std::string());
-    QVERIFY(nested(maxBlendsInBlends + 1).find("more than 16 blends") != std::string::npos);
+    QVERIFY(nested(maxBlendsInBlends + 1).find("more than 16 nested blends") != std::string::npos);
   }
 
   /// Files that are codes: until they are edited the space of dictionaries blends those, and encodes nothing.

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/baselines/half_vector_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/lobe_mixture.h"
+#include "core/coordinates/half_out.h"
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+constexpr double cosineFraction = 0.1;
+
+/// 1 - cos, exact about 0.
+double versine(double theta) { return 2 * std::pow(std::sin(theta / 2), 2); }
+
+/// A viewer along the normal has no azimuth: half vectors are sampled evenly about it.
+bool isVertical(const Direction& wo) { return wo.x == 0 && wo.y == 0; }
+
+double polarAngle(const Direction& w) { return std::atan2(std::hypot(w.x, w.y), w.z); }
+
+}  // namespace
+
+LinearDensity::LinearDensity(const std::vector<double>& nodes, std::vector<double> values)
+    : values_(std::move(values)), cumulative_{0} {
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    cumulative_.push_back(cumulative_.back() + (values_[i] + values_[i + 1]) / 2 * (nodes[i + 1] - nodes[i]));
+}
+
+double LinearDensity::sample(const std::vector<double>& nodes, double u) const {
+  const double wanted = u * integral();
+  const auto after = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, wanted);
+  const auto i = std::size_t(after - cumulative_.begin()) - 1;
+  const double mass = cumulative_[i + 1] - cumulative_[i];
+  const double r = mass > 0 ? std::clamp((wanted - cumulative_[i]) / mass, 0.0, 1.0) : 0;
+  const double a = values_[i], b = values_[i + 1];
+  // The root of a t + (b - a) t^2 / 2 = r (a + b) / 2 that does not cancel.
+  const double root = a + std::sqrt(std::max(0.0, a * a + r * (b * b - a * a)));
+  return nodes[i] + (root > 0 ? std::min(1.0, r * (a + b) / root) : r) * (nodes[i + 1] - nodes[i]);
+}
+
+double LinearDensity::at(const std::vector<double>& nodes, double x) const {
+  if (x < nodes.front() || x > nodes.back()) return 0;
+  const NodePlace place = placeBetween(nodes, x);
+  return (1 - place.fraction) * values_[place.index] + place.fraction * values_[place.index + 1];
+}
+
+HalfVectorSampler::HalfVectorSampler(const HalfOutAxes& axes, const std::vector<Product>& products)
+    : phiH_(axes.phiH), thetaO_(axes.thetaO) {
+  for (const double theta : axes.thetaH) versines_.push_back(versine(theta));
+  for (const Product& product : products)
+    curves_.push_back({LinearDensity(versines_, product.polar), LinearDensity(phiH_, product.azimuth), product.viewer});
+}
+
+/// Integral of the product over all half vectors, both signs of phi_h.
+double HalfVectorSampler::strength(const Curves& curves, double thetaO) const {
+  const NodePlace place = placeBetween(thetaO_, thetaO);
+  const double viewer =
+      (1 - place.fraction) * curves.viewer[place.index] + place.fraction * curves.viewer[place.index + 1];
+  return 2 * viewer * curves.polar.integral() * curves.azimuth.integral();
+}
+
+double HalfVectorSampler::total(double thetaO) const {
+  double sum = 0;
+  for (const Curves& curves : curves_) sum += strength(curves, thetaO);
+  return sum;
+}
+
+DirectionSample HalfVectorSampler::sample(const Direction& wo, const glm::dvec3& u) const {
+  const double thetaO = polarAngle(wo), all = total(thetaO), share = all > 0 ? cosineFraction : 1;
+  if (u.x < share) {
+    const Direction wi = CosineLobe().sample(wo, {u.y, u.z});
+    return {wi, pdf(wi, wo)};
+  }
+  double wanted = (u.x - share) / (1 - share) * all;
+  const Curves* chosen = nullptr;
+  double mass = 0;
+  for (const Curves& curves : curves_) {
+    if (const double one = strength(curves, thetaO); one > 0) {
+      chosen = &curves;
+      mass = one;
+      if (wanted < one) break;
+      wanted -= one;
+    }
+  }
+  // What is left of the number that chose the product chooses the side.
+  const double side = 2 * std::clamp(wanted / mass, 0.0, 1.0) < 1 ? 1 : -1;
+  const double height = chosen->polar.sample(versines_, u.y), sine = std::sqrt(height * (2 - height));
+  const double azimuth = isVertical(wo) ? pi * u.z : chosen->azimuth.sample(phiH_, u.z);
+  const double phi = std::atan2(wo.y, wo.x) + side * azimuth;
+  const Direction h(sine * std::cos(phi), sine * std::sin(phi), 1 - height);
+  const double cosD = glm::dot(wo, h);
+  const Direction wi = glm::normalize(2 * cosD * h - wo);
+  if (!(cosD > 0) || !(wi.z > 0)) return {wi, 0};
+  return {wi, pdf(wi, wo)};
+}
+
+double HalfVectorSampler::pdf(const Direction& wi, const Direction& wo) const {
+  if (isBelowHorizon(wi) || isBelowHorizon(wo)) return 0;
+  const HalfOut at = toHalfOut(wi, wo);
+  const double cosine = std::max(0.0, wi.z) / pi, all = total(at.thetaO);
+  if (!(all > 0) || !at.valid) return all > 0 ? cosineFraction * cosine : cosine;
+  const NodePlace place = placeBetween(thetaO_, at.thetaO);
+  const double height = versine(at.thetaH), phi = std::abs(at.phiH);
+  double sum = 0;
+  for (const Curves& curves : curves_) {
+    const double viewer =
+        (1 - place.fraction) * curves.viewer[place.index] + place.fraction * curves.viewer[place.index + 1];
+    if (!(viewer > 0)) continue;
+    const double azimuth = isVertical(wo) ? curves.azimuth.integral() / pi : curves.azimuth.at(phiH_, phi);
+    sum += viewer * curves.polar.at(versines_, height) * azimuth;
+  }
+  const double cosD = std::cos(std::atan2(glm::length(wi - wo), glm::length(wi + wo)));
+  return cosineFraction * cosine + (1 - cosineFraction) * sum / (all * halfOutMeasure(std::max(cosD, 1e-12)));
+}
+
+}  // namespace gonio::factorization

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "core/baselines/half_out_samples.h"
+#include "core/brdf/direction_sample.h"
+
+namespace gonio::factorization {
+
+/// A density over a sorted axis with given values at its nodes, linear between them, and its exact inverse. Not
+/// normalised. O(log nodes).
+class LinearDensity {
+ public:
+  /// @param nodes strictly increasing; @param values at the nodes, >= 0.
+  LinearDensity(const std::vector<double>& nodes, std::vector<double> values);
+
+  double integral() const { return cumulative_.back(); }
+  /// The point below which the fraction u in [0, 1) of the integral lies. @param nodes those of the constructor.
+  double sample(const std::vector<double>& nodes, double u) const;
+  /// 0 beyond the nodes.
+  double at(const std::vector<double>& nodes, double x) const;
+
+ private:
+  std::vector<double> values_, cumulative_;
+};
+
+/// Samples the direction of light for a viewer by its half vector, from a sum of products
+///   p(h | wo) = sum_l s_l(theta_o) u_l(theta_h) v_l(|phi_h|) / Z(theta_o),   p_w = p(h | wo) / (4 wo . h):
+/// a product by its fraction, then theta_h and phi_h by their curves. Lawrence, Rusinkiewicz and Ramamoorthi 2004,
+/// "Efficient BRDF Importance Sampling Using a Factored Representation", section 4. Directions that the reflection
+/// leads below the horizon are lost.
+///
+/// Derived here: curves are linear in cos theta_h and in phi_h between their nodes, so that the density is exactly that
+/// of the samples; a tenth of the samples is cosine-weighted, as for PDV factors, so that the density is positive
+/// beyond the last node of theta_h too; all of them where the products are 0; a viewer along the normal has no azimuth,
+/// so phi_h is even there. Immutable.
+class HalfVectorSampler {
+ public:
+  struct Product {
+    std::vector<double> polar, azimuth;  ///< u and v at the nodes, >= 0
+    std::vector<double> viewer;          ///< s at the nodes of theta_o, >= 0
+  };
+  HalfVectorSampler(const HalfOutAxes& axes, const std::vector<Product>& products);
+
+  /// Contracts of Brdf::sample() and pdf(). O(products).
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  double pdf(const Direction& wi, const Direction& wo) const;
+
+ private:
+  struct Curves {
+    LinearDensity polar, azimuth;
+    std::vector<double> viewer;
+  };
+  double strength(const Curves& curves, double thetaO) const;
+  double total(double thetaO) const;
+
+  std::vector<double> versines_;  ///< 1 - cos theta_h of the nodes
+  std::vector<double> phiH_, thetaO_;
+  std::vector<Curves> curves_;
+};
+
+}  // namespace gonio::factorization
