@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // A step of a roughness slider at 512 x 512 in each composition of an edit by layered lobes, over a table and over an
-// RGL file; the additive one is the baseline. CPU is that of all threads.
+// RGL file. Baselines: the additive composition, and programs without flat inputs ("uniforms"). CPU is that of all
+// threads.
 #include <benchmark/benchmark.h>
 
 #include "core/io/rgl_file.h"
@@ -21,8 +22,9 @@ std::shared_ptr<const Brdf> measuredBase(bool rgl) {
 }
 
 /// All three lobes change their width, the most that a step can ask for.
-void step(benchmark::State& state, bool environment, Composition composition, bool rgl) {
+void step(benchmark::State& state, bool environment, Composition composition, bool rgl, bool flat) {
   PreviewFixture& fixture = PreviewFixture::instance();
+  fixture.resources->setUsesFlatUniforms(flat);
   const std::shared_ptr<const Brdf> base = measuredBase(rgl);
   if (!base) return state.SkipWithError("the development data is absent");
   const models::Model& model = models::layered();
@@ -43,20 +45,22 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
   next();  // compiles the shader
   for (auto _ : state) next();
   fixture.show();
+  fixture.resources->setUsesFlatUniforms(true);
 }
 
 const bool stepsAreRegistered = [] {
   for (const bool environment : {false, true})
     for (const bool rgl : {false, true})
-      for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes}) {
-        const std::string name = std::string("composition/") + (environment ? "studio/" : "directional/") +
-                                 (rgl ? "rgl/" : "table/") +
-                                 std::string(editing::compositionIds[std::size_t(composition)]);
-        benchmark::RegisterBenchmark(name.c_str(), step, environment, composition, rgl)
-            ->Unit(benchmark::kMillisecond)
-            ->MeasureProcessCPUTime()
-            ->UseRealTime();
-      }
+      for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
+        for (const bool flat : {true, false}) {
+          const std::string name =
+              std::string("composition/") + (environment ? "studio/" : "directional/") + (rgl ? "rgl/" : "table/") +
+              std::string(editing::compositionIds[std::size_t(composition)]) + (flat ? "" : "/uniforms");
+          benchmark::RegisterBenchmark(name.c_str(), step, environment, composition, rgl, flat)
+              ->Unit(benchmark::kMillisecond)
+              ->MeasureProcessCPUTime()
+              ->UseRealTime();
+        }
   return true;
 }();
 

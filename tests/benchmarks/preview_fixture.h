@@ -19,7 +19,8 @@ class PreviewFixture {
     return fixture;
   }
 
-  widgets::PreviewRenderer renderer;
+  const std::shared_ptr<widgets::PreviewResources> resources = std::make_shared<widgets::PreviewResources>();
+  widgets::PreviewRenderer renderer{resources};
   editing::DifferentialEdit edit;
   std::shared_ptr<const TabulatedBrdf> table;
 
@@ -31,6 +32,7 @@ class PreviewFixture {
   PreviewFixture() : application_(argumentCount_, arguments_) {
     context_ = std::make_unique<test::OffscreenContext>();
     if (!context_->isValid()) throw std::runtime_error("no OpenGL 4.1 core context");
+    resources->initialize();
     renderer.initialize();
     const models::Model& model = models::findModel("ggx");
     edit.model = &model;
