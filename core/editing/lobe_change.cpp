@@ -45,7 +45,7 @@ PartChange changeOf(const models::ModelLobe& fitted, const models::ModelLobe& ed
   const models::LobeWidth &from = fitted.width, &to = edited.width;
   const bool hasWidth = from.x > 0 && from.y > 0 && to.x > 0 && to.y > 0;
   change.kind = hasWidth ? PartChange::highlight : PartChange::body;
-  if (hasWidth) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
+  if (hasWidth && change.wasLit) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
   return change;
 }
 
@@ -75,7 +75,7 @@ LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->insta
     auto group = std::ranges::find(groups_, changes[k].warp, &Group::warp);
     if (group == groups_.end()) group = groups_.insert(group, Group{changes[k].warp, {}});
     group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), changes[k].kind == PartChange::body,
-                            changes[k].isRecoloured});
+                            changes[k].isRecoloured, !changes[k].wasLit});
   }
 }
 
@@ -114,6 +114,10 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, con
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Rgb here = lobe.isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
+    if (lobe.isNew) {
+      changes[i] += edited[i];
+      continue;
+    }
     const Rgb carried = lobe.isBody ? here : ratios.carried[i];
     changes[i] +=
         edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;

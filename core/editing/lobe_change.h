@@ -24,6 +24,7 @@ namespace gonio::editing {
 /// the luminances for the rest (recolouredRatio()): a red body that becomes grey does not inherit the errors of the
 /// channels in which it was dark. The body, and every lobe without a width, carries the ratio only where it dominates
 /// the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the highlight.
+/// A lobe that is black in the fit, such as a coat that is added, carries no ratio: it adds M'_k.
 class LobeChange {
  public:
   /// @throws Error if the model is not a sum of lobes.
@@ -46,7 +47,7 @@ class LobeChange {
  private:
   struct Lobe {
     std::unique_ptr<const Brdf> fitted, edited;
-    bool isBody, isRecoloured;
+    bool isBody, isRecoloured, isNew;
   };
   /// Lobes with the same warp.
   struct Group {

@@ -167,6 +167,28 @@ class LobeChangeTest : public QObject {
     }
   }
 
+  /// A coat that is added is clear, whatever the fit missed of a body that is dark in a channel.
+  void aNewLobeCarriesNoRatio() {
+    const models::Model& model = models::layered();
+    DifferentialEdit content{.model = &model,
+                             .fitted = models::defaultParameters(model.spec()),
+                             .edited = {},
+                             .composition = Composition::lobes};
+    content.fitted.values[index(model, "diffuse")] = Rgb(0.3, 0.05, 0.01);
+    content.fitted.values[index(model, "coat-lobe")] = Rgb(0);
+    content.edited = content.fitted;
+    content.edited.values[index(model, "coat-lobe")] = Rgb(1);
+    content.edited.values[index(model, "coat-roughness")] = Rgb(0.3);
+    const std::shared_ptr<const Brdf> base = test::ggx(Rgb(0.3, 0.05, 0.05), Rgb(0.5), 0.3, 0.5);
+    const Edit step{.content = content};
+    const auto found = applyEdits(base, std::span(&step, 1));
+    const auto coat = std::move(model.lobes(content.edited)[3].brdf);
+    for (const DirectionPair& pair : pairs(500)) {
+      const Rgb expected = base->evaluate(pair.wi, pair.wo) + coat->evaluate(pair.wi, pair.wo);
+      QVERIFY(glm::length(found->evaluate(pair.wi, pair.wo) - expected) <= 1e-9 * (1 + glm::length(expected)));
+    }
+  }
+
   /// Where the measurement is the fit the edit is the edited model.
   void ofTheModelItselfItIsTheEditedModel() {
     for (const double factor : {0.25, 0.5, 2.0, 8.0}) {

@@ -21,6 +21,10 @@ using editing::PartChange;
 
 bool hasGrain(const models::Model& model) { return model.spec().find("rotation").has_value(); }
 
+/// A part that the fit does not contain has no ratio to carry.
+bool isNew(const PartChange& change) { return change.kind != PartChange::none && !change.wasLit && change.isLit; }
+bool carries(const PartChange& change) { return change.kind == PartChange::highlight && change.wasLit; }
+
 /// The changes of an edit, and the different places that its highlights had.
 struct Parts {
   std::vector<PartChange> changes;
@@ -28,8 +32,7 @@ struct Parts {
 
   explicit Parts(const editing::DifferentialEdit& edit) : changes(editing::partChanges(edit)) {
     for (const PartChange& change : changes)
-      if (change.kind == PartChange::highlight && std::ranges::find(places, change.warp) == places.end())
-        places.push_back(change.warp);
+      if (carries(change) && std::ranges::find(places, change.warp) == places.end()) places.push_back(change.warp);
   }
 
   /// "(before[1] + before[3])" of the parts that are wanted.
@@ -54,20 +57,20 @@ struct LobeStage {
   }
 
   QString begin(const QString& name) const {
-    const auto lost = [](const PartChange& c) { return c.kind == PartChange::highlight && c.wasLit; };
     return QString(
                "vec3 %1(vec3 wi, vec3 wo, out bool valid) { vec3 value = %2(wi, wo, valid);"
                " if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value; ")
                .arg(name, previous) +
            lobes("wi, wo", "fitted", "before") + lobes("wi, wo", "edited", "after") +
            "vec3 model = " + parts.sum("before", std::mem_fn(&PartChange::wasLit)) + ';' +
-           "vec3 ratio = fitRatio(value, model); vec3 change = -ratio * " + parts.sum("before", lost) + "; ";
+           "vec3 ratio = fitRatio(value, model); vec3 change = " + parts.sum("after", isNew) + " - ratio * " +
+           parts.sum("before", carries) + "; ";
   }
 
   QString bodies() const {
     QString result;
     for (std::size_t k = 0; k < parts.changes.size(); ++k)
-      if (parts.changes[k].kind == PartChange::body)
+      if (parts.changes[k].kind == PartChange::body && parts.changes[k].wasLit)
         result += QString("change += bodyChange(ratio, before[%1], after[%1], model); ").arg(k);
     return result;
   }
@@ -87,9 +90,7 @@ struct LobeStage {
   }
 
   QString gainedFrom(std::size_t place) const {
-    const auto isThere = [&](const PartChange& c) {
-      return c.kind == PartChange::highlight && c.isLit && c.warp == parts.places[place];
-    };
+    const auto isThere = [&](const PartChange& c) { return carries(c) && c.isLit && c.warp == parts.places[place]; };
     QString result = "change += carried * " +
                      parts.sum("after", [&](const PartChange& c) { return isThere(c) && !c.isRecoloured; }) + "; ";
     for (std::size_t k = 0; k < parts.changes.size(); ++k)
