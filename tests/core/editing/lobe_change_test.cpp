@@ -79,9 +79,11 @@ class LobeChangeTest : public QObject {
         QVERIFY(moved.wi.z > 0 && moved.wo.z > 0);
         QVERIFY(std::abs(to.thetaD - from.thetaD) < 1e-9);
         const double wanted = std::atan(scale * std::tan(from.thetaH));
-        const bool isAtTheHorizon = std::min(moved.wi.z, moved.wo.z) < 0.011;
-        QVERIFY(isAtTheHorizon ? to.thetaH <= wanted + 1e-9 && to.thetaH >= from.thetaH - 1e-9
-                               : std::abs(to.thetaH - wanted) < 1e-9);
+        const double before = std::min(pair.wi.z, pair.wo.z), after = std::min(moved.wi.z, moved.wo.z);
+        QVERIFY(after >= std::min(before, warpHorizon) - 1e-9);
+        const auto [least, most] = std::minmax(from.thetaH, wanted);
+        QVERIFY(after < warpHorizon + 1e-9 ? to.thetaH >= least - 1e-9 && to.thetaH <= most + 1e-9
+                                           : std::abs(to.thetaH - wanted) < 1e-9);
         if (from.thetaH > 1e-3 && from.thetaD > 1e-3)
           QVERIFY(std::abs(std::remainder(to.phiD - from.phiD, 2 * pi)) < 1e-6);
       }
@@ -101,7 +103,7 @@ class LobeChangeTest : public QObject {
       QVERIFY(to[i].wi.z > 0 && to[i].wo.z > 0);
       QVERIFY(std::abs(glm::length(to[i].wi) - 1) < 1e-9 && std::abs(glm::length(to[i].wo) - 1) < 1e-9);
       QVERIFY(std::abs(glm::dot(to[i].wi, to[i].wo) - glm::dot(from[i].wi, from[i].wo)) < 1e-9);
-      if (std::min(to[i].wi.z, to[i].wo.z) < 0.011) continue;
+      if (std::min(to[i].wi.z, to[i].wo.z) < warpHorizon + 1e-9) continue;
       ++unclamped;
       const auto slopes = [](const DirectionPair& pair, double grain) {
         const Direction sum = pair.wi + pair.wo;
