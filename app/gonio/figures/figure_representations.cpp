@@ -87,7 +87,7 @@ void FigureRepresentations::fillMenu() {
   // One submenu per family; representations with a budget have one per id, with the budgets.
   QMenu* part = nullptr;
   QString title;
-  for (const study::Representation& one : study::representationsOf()) {
+  for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutTraining()})) {
     const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
                                                       : widgets::fromView(study::familyName(one.family));
     if (one.family == study::RepresentationFamily::nonparametric) {  // one alone

@@ -95,6 +95,7 @@ class FigureDialogTest : public QObject {
     entryOf(columns.addMenu(), "Current Fit (GGX)")->trigger();
     for (const char* text : {"5 terms", "512 coefficients", "Cook-Torrance", "Non-parametric", "Table, trilinear"})
       entryOf(columns.addMenu(), text)->trigger();
+    QVERIFY(entryOf(columns.addMenu(), "up to 44680 bytes"));  // baselines are offered too
     Q_EMIT columns.model().budgetEdited(1, 7);
     const auto figure = dialog->description();
     QCOMPARE(figure.representations.size(), std::size_t(9));
