@@ -153,6 +153,12 @@ class AccuracyStudyTest : public QObject {
     QVERIFY(factors.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(one)));
     QCOMPARE(factors.bytes, materials::pdvFileBytes(one));
     QVERIFY(find(records, "factors-3d", 3).encodeSeconds > factors.encodeSeconds);
+    // What is known of the material: it is a GGX model, three terms hold more than one, a lambertian body is no
+    // highlight.
+    QVERIFY(ggx.renderedSnr > 40);
+    QVERIFY(find(records, "factors-3d", 3).renderedSnr > factors.renderedSnr + 1);
+    QVERIFY(find(records, "lambert", 3).renderedSnr < ggx.renderedSnr - 15);
+    QVERIFY(find(records, "table-nearest", 0).renderedSnr < 40);
     const StudyRecord& published = find(records, "factors-2d-published", 3);
     const auto three = factorization::factorizePdv(
                            *plastic().table, factorization::publishedPdvOptions(factorization::PdvForm::twoFactors, 3))

@@ -52,6 +52,21 @@ class FitRankingTest : public QObject {
     QCOMPARE(ranking[1].parameterCount, std::size_t(8));  // two colours, roughness, f0
   }
 
+  /// Of materials with known parameters.
+  void rowsFindTheMaterial() {
+    const std::vector<RankedFit> glossy = rankFits({plastic(), plastic()}, fewModels());
+    const models::ModelSpec& ggx = models::findModel("ggx").spec();
+    const auto& found = glossy[1].fit.parameters.values;
+    QVERIFY(std::abs(found[*ggx.find("roughness")].x - 0.2) < 1e-3);
+    QVERIFY(glm::length(found[*ggx.find("diffuse")] - Rgb(0.05, 0.2, 0.3)) < 1e-3);
+    QVERIFY(glossy[1].renderedSnr > 40 && glossy[0].renderedSnr < glossy[1].renderedSnr - 15);
+    const Rgb albedo(0.3, 0.2, 0.1);
+    const auto matte = bakeTable(test::lambert(albedo), smallGrid);
+    const std::vector<RankedFit> ranking = rankFits({matte, matte}, fewModels());
+    QVERIFY(glm::length(ranking[0].fit.parameters.values[0] - albedo) < 1e-6);
+    for (const RankedFit& row : ranking) QVERIFY2(row.renderedSnr > 80, std::string(row.fit.model->spec().id).c_str());
+  }
+
   void everyRegisteredModelHasItsRow() {
     RankingOptions options = fewModels();
     options.models.clear();
