@@ -133,11 +133,11 @@ void addExport(CLI::App& app, Tool& tool) {
   command
       ->add_option("--scene", options->scene,
                    "Also write a scene with the material, for " + sceneTargetList() +
-                       ": a bundled one, a scene file or a mesh (sphere where no name follows)")
+                       ": a bundled one, a scene file or a mesh (sphere if no name follows)")
       ->expected(0, 1)
       ->default_str(sphereName);
   command->add_option("--environment", options->environment,
-                      "Environment of the scene, a bundled one or a picture (that of the scene); implies --scene");
+                      "Environment: a bundled one or a picture (the one of the scene); implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

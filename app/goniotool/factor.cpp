@@ -173,9 +173,9 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
           command.add_option("--decode", options->decode,
                              outputHelp("Bake the material that the factors represent to this file")),
           command.add_option("--swap-f1", options->swapF1,
-                             "Replace F1 of the first term (specular strength vs. angle) by that of this material"),
+                             "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
           command.add_option("--swap-f2", options->swapF2,
-                             "Replace F2 of the first term (highlight profile) by that of this material"),
+                             "Replace F2 of the first term (highlight profile) with that of this material"),
           command.add_flag("--keep-terms", options->keepFurther, "Retain the other terms when F1 or F2 is replaced")};
 }
 
@@ -190,7 +190,7 @@ void addFactor(CLI::App& app, Tool& tool) {
   methods.insert(methods.begin(), pdvMethod);
   command->add_option("--method", options->method, "Factorisation: PDV or one of the literature (pdv)")
       ->check(CLI::IsMember(methods));
-  auto* bytes = command->add_option("--bytes", options->bytes, "Max size of the factors of a baseline, bytes (44680)");
+  auto* bytes = command->add_option("--bytes", options->bytes, "Max. size of the factors of a baseline, bytes (44680)");
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
   command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
       ->check(CLI::Range(1, 1 << 20));

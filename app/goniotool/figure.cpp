@@ -256,7 +256,7 @@ void addFigure(CLI::App& app, Tool& tool) {
       "figure",
       "Creates a figure for a paper: a grid of materials and representations with error maps, insets and numbers");
   command->add_option("DESCRIPTION", options->description,
-                      "File that describes the figure; options replace what it states");
+                      "File that describes the figure; options override its settings");
   addContentOptions(*command, *options);
   addPictureOptions(*command, *options);
   addPageOptions(*command, *options);

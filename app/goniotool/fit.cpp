@@ -119,7 +119,7 @@ void checkGamma(const FitArguments& options) {
   if (options.gamma.empty()) return;
   if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma needs --metric gamma");
   if (options.gamma == chooseGamma) {
-    if (options.all) throw UsageError("fit: --gamma auto chooses for one model; give --model");
+    if (options.all) throw UsageError("fit: --gamma auto works for one model only; give --model");
     return;
   }
   char* end = nullptr;

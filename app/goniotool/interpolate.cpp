@@ -233,15 +233,15 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(2, mostSteps));
   command->add_option("--space", options->space, "Interpolation space (linear)")
       ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
-  command->add_option("--model", options->model, "Model of the spaces parameters and differential (ggx)")
+  command->add_option("--model", options->model, "Model for --space parameters and differential (ggx)")
       ->check(CLI::IsMember(modelIds()));
-  command->add_option("--terms", options->terms, "Number of terms of the space factors (10)")
+  command->add_option("--terms", options->terms, "Number of terms for --space factors (10)")
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command->add_option("--dictionary", options->dictionary,
-                      "Dictionary file of the space dictionary (bundled dictionary)");
+                      "Dictionary file for --space dictionary (bundled dictionary)");
   command
       ->add_option("--coefficients", options->coefficients,
-                   "Max. coefficients per channel of the space dictionary (1024)")
+                   "Max. coefficients per channel for --space dictionary (1024)")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,

@@ -155,7 +155,7 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
   command
       ->add_option("--components", selection.components,
-                   "Number of components that the choice uses (as many as samples)")
+                   "Number of components for the selection of directions (as many as samples)")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--basis-components", options->basisComponents,

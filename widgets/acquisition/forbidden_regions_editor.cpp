@@ -40,9 +40,9 @@ ForbiddenRegionsEditor::ForbiddenRegionsEditor(QWidget* parent)
   m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
   m_table->setSelectionMode(QAbstractItemView::SingleSelection);
   m_table->setAccessibleName(tr("Directions that the rig cannot reach, degrees"));
-  m_table->setToolTip(
-      tr("Direction pairs with all three angles in the ranges of a row are not chosen.\nθi: polar angle of the light, "
-         "θo: of the viewer, Δφ: between their azimuths (180° is the side of the mirror direction); degrees"));
+  m_table->setToolTip(tr(
+      "Direction pairs with all three angles in the ranges of a row are not chosen.\nθi: polar angle of the light, "
+      "θo: polar angle of the viewer, Δφ: angle between their azimuths (180°: side of the mirror direction); degrees"));
   m_table->setFixedHeight((visibleRows + 1) * fontMetrics().height() * 3 / 2 + 8);
   m_add->setToolTip(tr("Adds a row that excludes light beyond 80°; change its ranges as needed"));
   m_remove->setToolTip(tr("Removes the selected row"));

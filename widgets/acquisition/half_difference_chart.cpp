@@ -201,7 +201,7 @@ void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
   painter.drawRect(bar);
   for (int i = 0; i <= 4; ++i) {
     const double fraction = i / 4.0;
-    const QString text = (i == 4 ? tr("≥%1") : QStringLiteral("%1")).arg(formatNumber(fraction * m_range));
+    const QString text = (i == 4 ? tr("≥ %1") : QStringLiteral("%1")).arg(formatNumber(fraction * m_range));
     painter.drawText(QRectF(bar.right() + 3, bar.bottom() - fraction * bar.height() - em / 2, 2.4 * em, em),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
   }

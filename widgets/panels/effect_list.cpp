@@ -60,7 +60,7 @@ EffectList::EffectList(QWidget* parent) : QWidget(parent) {
   layout->setVerticalSpacing(2);
   layout->setHorizontalSpacing(fontMetrics().averageCharWidth() * 2);
   int column = 0;
-  for (const QString& title : {tr("Effect"), tr("Simulated"), tr("Switch"), tr("Cost"), tr("Reason")}) {
+  for (const QString& title : {tr("Effect"), tr("Simulated"), tr("Mode"), tr("Cost"), tr("Reason")}) {
     auto* label = new QLabel(title);
     label->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(label, 0, column++);

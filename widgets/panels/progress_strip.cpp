@@ -32,7 +32,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
   m_pause->setAutoRaise(true);
   m_pause->setCheckable(true);
-  m_pause->setToolTip(tr("Pauses this task so that others get the processor; press again to continue"));
+  m_pause->setToolTip(tr("Pauses this task to leave the processor to others; press again to continue"));
   connect(m_pause, &QToolButton::clicked, this, &ProgressStrip::pauseRequested);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);

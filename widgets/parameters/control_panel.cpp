@@ -40,7 +40,7 @@ QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& ed
 QString shortened(const QStringList& changes) {
   const QString named = changes.mid(0, mostNamedChanges).join(QStringLiteral("; "));
   const qsizetype others = changes.size() - mostNamedChanges;
-  return others > 0 ? ControlPanel::tr("%1; and %2 more").arg(named).arg(others) : named;
+  return others > 0 ? ControlPanel::tr("%1 and %2 more").arg(named).arg(others) : named;
 }
 
 }  // namespace

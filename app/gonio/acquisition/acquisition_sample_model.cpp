@@ -97,7 +97,7 @@ QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orienta
       {tr("θh °"), tr("Half angle: between half vector and normal, degrees")},
       {tr("θd °"), tr("Difference angle: half of that between light and viewer, degrees")},
       {tr("φd °"), tr("Azimuth of the light about the half vector, degrees")},
-      {tr("order"), tr("Position in a measurement order that shortens the path of the arms")},
+      {tr("position"), tr("Position in a measurement order that shortens the travel of the goniometer's arms")},
       {tr("R 1/sr"), tr("Measured BRDF value, linear red, 1/sr")},
       {tr("G 1/sr"), tr("Measured BRDF value, linear green, 1/sr")},
       {tr("B 1/sr"), tr("Measured BRDF value, linear blue, 1/sr")}};

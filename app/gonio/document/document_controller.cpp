@@ -106,7 +106,7 @@ void DocumentController::offerChangedSource(Opened opened) {
   const QString name = shortName(opened.path);
   const QString source = QString::fromStdString(opened.material->material.source.path.string());
   const QString text = opened.stored->blend
-                           ? tr("%1 blends materials, and one of them has changed since it was saved.").arg(name)
+                           ? tr("%1 blends materials; one of them has changed since the document was saved.").arg(name)
                            : tr("%1 edits %2, which has changed since the document was saved.").arg(name, source);
   m_changedSource = std::make_shared<const Opened>(std::move(opened));
   Q_EMIT sourceChanged(text);

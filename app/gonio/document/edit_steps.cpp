@@ -137,7 +137,8 @@ void setComposition(Document& document, editing::Composition composition) {
 
 void setEditStrength(Document& document, int edit, double strength) {
   change(document, edit,
-         EditStepText::tr("Strength of %1 %2 %").arg(nameOf(document, edit), QString::number(100 * strength, 'f', 0)),
+         EditStepText::tr("Set strength of %1 to %2 %")
+             .arg(nameOf(document, edit), QString::number(100 * strength, 'f', 0)),
          [&](Edit& one) { one.strength = strength; });
 }
 

@@ -118,14 +118,14 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
           {MaterialCodeText::tr("Transform"),
            MaterialCodeText::tr("%1: y = %2")
                .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
-           MaterialCodeText::tr("Transform of the BRDF values that are encoded. Both were tried; the one with the "
-                                "smaller gamma error was chosen.")},
+           MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-weighted "
+                                "log were both tried; the one with the smaller gamma error was chosen.")},
           {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
            MaterialCodeText::tr(
                "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than the plain "
                "error,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
           {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
-           MaterialCodeText::tr("For each channel, the dictionary out of %1 with the most energy in its largest "
+           MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
                                 "coefficients.\n\"Learned with\": number of coefficients per material during training.")
                .arg(code.dictionary->ensemble.dictionaries.size())}};
 }

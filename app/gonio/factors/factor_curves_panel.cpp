@@ -69,7 +69,7 @@ void FactorCurvesPanel::buildControls() {
   m_form->setAccessibleName(tr("Form of the factors"));
   m_form->setToolTip(
       tr("Two curves describe round highlights; three add the variation with the azimuth about the mirror direction.\n"
-         "Changing it factorises the measurement again and deletes the edits of its curves."));
+         "Changing the form factorises the measurement again and deletes the edits of the factor curves."));
   m_logarithmic->setToolTip(tr("Switches the value axis between logarithmic, over four decades, and linear from 0"));
   m_keepDetail->setToolTip(
       tr("On: adds the change of the curves to the measurement, which retains the detail that they do not "

@@ -45,7 +45,7 @@ FigureFileButtons::FigureFileButtons(FigureMaker& maker, FileExports& exports, B
                                    &FigureFileButtons::askToOpen);
   m_saveDescription =
       button(tr("Save &Description..."),
-             tr("Saves content and layout of the figure (.json); goniotool figure makes the same figure"),
+             tr("Saves the content and layout of the figure (.json); goniotool figure makes the same figure from it"),
              &FigureFileButtons::askForDescription);
   m_saveNumbers = button(tr("Save Num&bers..."), tr("Saves the numbers as CSV or as a LaTeX table"),
                          &FigureFileButtons::askForNumbers);

@@ -28,9 +28,10 @@ QString toolTipOf(const figures::FigureNumber& number) {
     if (record.id == number.id) return widgets::fromView(record.formula) + '\n' + widgets::fromView(record.reference);
   for (const metrics::MetricRecord& record : metrics::metricRecords())
     if (record.id == number.id) return widgets::fromView(record.formula) + '\n' + widgets::fromView(record.reference);
-  if (number.isTimed) return FigureNumbersList::tr("Measured on this computer; differs from run to run");
-  return number.id == "bytes" ? FigureNumbersList::tr("Bytes of the stored representation")
-                              : FigureNumbersList::tr("SNR of the pictures in the figure; their noise is not included");
+  if (number.isTimed) return FigureNumbersList::tr("Measured on this machine; differs from run to run");
+  return number.id == "bytes"
+             ? FigureNumbersList::tr("Size of the stored representation, bytes")
+             : FigureNumbersList::tr("SNR of the pictures in the figure, without their rendering noise");
 }
 
 QString textOf(const figures::FigureNumber& number) {

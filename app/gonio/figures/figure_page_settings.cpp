@@ -74,7 +74,7 @@ void FigurePageSettings::buildPage(QFormLayout& form) {
   m_fontSize->setRange(FigureDescription::minFontSize - step, FigureDescription::maxFontSize);
   m_fontSize->setSingleStep(step);
   m_fontSize->setKeyboardTracking(false);
-  m_fontSize->setToolTip(tr("Size of all text if the figure is included without scaling"));
+  m_fontSize->setToolTip(tr("Font size when the figure is placed at 100 %"));
   m_fontSize->setSuffix(tr(" pt"));
   m_fontSize->setSpecialValueText(tr("Auto"));
   form.addRow(tr("T&itle"), m_title);

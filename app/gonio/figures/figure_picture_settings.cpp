@@ -60,7 +60,8 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
 
 void FigurePictureSettings::build() {
   m_scene->setToolTip(
-      tr("Scene of the pictures; all objects have the material. The first is the scene of every rendered SNR"));
+      tr("Scene of the pictures; all objects have the material. Elsewhere, the rendered SNR uses the first scene of "
+         "this list"));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);
   m_size->setSuffix(tr(" pixels"));
@@ -75,7 +76,7 @@ void FigurePictureSettings::build() {
   m_exposure->setStep(0.5);
   m_exposure->setToolTip(tr("Exposure of the pictures in stops; error maps do not depend on it"));
   m_toneMap->addItems({tr("Clamp"), tr("Filmic")});
-  m_toneMap->setToolTip(tr("Clamp cuts values above 1; filmic compresses highlights"));
+  m_toneMap->setToolTip(tr("Clamp clips values above 1; filmic compresses highlights"));
   // Typed numbers change the figure when they are complete.
   for (QSpinBox* box : {m_size, m_samples}) box->setKeyboardTracking(false);
   auto* form = new QFormLayout(this);

@@ -57,7 +57,7 @@ void FigureView::build() {
   m_bar->setFixedWidth(fontMetrics().averageCharWidth() * 18);
   m_measure->setAutoDefault(false);
   auto* whole = new QCheckBox(tr("W&hole page"));
-  whole->setToolTip(tr("Shows the page so small that all of it is seen"));
+  whole->setToolTip(tr("Scales the page to fit the view"));
   connect(whole, &QCheckBox::toggled, m_page, &widgets::FigurePage::setWhole);
   auto* row = new QHBoxLayout;
   row->addWidget(m_status, 1);
@@ -150,7 +150,7 @@ QString FigureView::restText() const {
   if (m_cells == 0) return {};
   QString text = tr("All %1 cells are measured.").arg(m_cells);
   if (m_maker->description().errorMaps)
-    text += ' ' + tr("The error maps end at %1.").arg(widgets::formatNumber(m_errorMaximum));
+    text += ' ' + tr("Scale of the error maps: 0 to %1.").arg(widgets::formatNumber(m_errorMaximum));
   return text;
 }
 
@@ -158,7 +158,7 @@ void FigureView::refresh() {
   const bool measuring = m_maker->isMeasuring(), writing = m_tasks.isWritingFiles(), busy = measuring || writing;
   const auto task = writing ? m_tasks.topmost() : std::nullopt;
   m_measure->setText(busy ? tr("Cancel") : tr("&Measure"));
-  m_measure->setToolTip(writing     ? tr("Cancels the file; it is not written")
+  m_measure->setToolTip(writing     ? tr("Cancels saving; no file is written")
                         : measuring ? tr("Stops the measurement; finished cells remain (Escape)")
                                     : tr("Encodes and renders the missing cells in the background"));
   m_measure->setEnabled(busy || m_missing > 0);

@@ -19,7 +19,8 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
   m_choice->setItemData(int(Composition::additive), tr("measured + model(edited) - model(fitted): as published"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::logPlus),
-                        tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: a ratio at the highlight"),
+                        tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: nearly a ratio where values "
+                           "are large, a difference where they are small"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::lobes),
                         tr("The ratio of measurement to fit moves with each lobe as it widens (GGX, layered lobes, "

@@ -233,8 +233,8 @@ void Inspector::showEdits() {
   for (int i = 0; i < int(edits.size()); ++i) {
     const editing::Edit& edit = edits[std::size_t(i)];
     const bool curves = std::holds_alternative<editing::FactorEdit>(edit.content);
-    QString tip = curves ? tr("A change of the factor curves (Factor curves dock)")
-                         : tr("A change of the parameters of %1 (sliders)")
+    QString tip = curves ? tr("Edit of the factor curves (Factor curves panel)")
+                         : tr("Edit of the parameters of %1 (sliders)")
                                .arg(widgets::fromView(std::get<DifferentialEdit>(edit.content).model->spec().name));
     if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt has no effect yet.");
     entries.push_back(

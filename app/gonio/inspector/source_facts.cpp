@@ -45,7 +45,7 @@ QString sourceText(const LoadedMaterial& loaded) {
 QString errorText(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
   return snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), sourceText(loaded))
          : measuring ? SourceFactsText::tr("measuring its error")
-                     : SourceFactsText::tr("its error was not measured");
+                     : SourceFactsText::tr("error not measured");
 }
 
 /// The table that is shown, or that stands for what is shown where a method needs one.

@@ -59,7 +59,7 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
   m_spaceBox->setAccessibleName(tr("Interpolation space"));
-  m_show->setToolTip(tr("Shows the blend in the preview while it changes; off shows the open material"));
+  m_show->setToolTip(tr("Shows the blend in the preview while it changes; if off, shows the open material"));
   m_show->setChecked(true);
   m_keep->setToolTip(
       tr("Opens the blend as a material, a table that can be edited, saved and exported.\nUndo restores the previous "
@@ -159,7 +159,7 @@ void InterpolationPanel::setSpace(Space space) {
 void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
-    text += '\n' + tr("Between the ends, the preview blends tables sampled from materials that are not tables.");
+    text += '\n' + tr("Between the ends, the preview blends tables; a material that is not a table is sampled first.");
   m_placeEditor->setExplanation(text);
 }
 
@@ -173,7 +173,7 @@ void InterpolationPanel::moveTo(const QPointF& place) {
 void InterpolationPanel::take(const QStringList& ids) {
   if (ids.size() > widgets::maxBlended)
     return Q_EMIT failed(tr("Cannot interpolate %1 materials").arg(ids.size()),
-                         tr("At most %1 can be blended. Select fewer.").arg(widgets::maxBlended));
+                         tr("At most %1 materials can be blended. Select fewer.").arg(widgets::maxBlended));
   touched();
   if (ids.size() > 1) {
     const int count = int(ids.size());

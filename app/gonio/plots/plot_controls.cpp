@@ -155,7 +155,7 @@ void PlotControls::addSections() {
 void PlotControls::addIncidence() {
   const QString toolTip = tr(
       "Angle of incidence: between the direction to the light and the normal. Drag it in the plot, or Ctrl + drag on "
-      "the sphere of the preview: there it is the angle from which the point is viewed.");
+      "the sphere in the preview to pick the angle from which a point is viewed.");
   m_thetaISlider = new widgets::ParameterSlider;
   m_thetaISlider->setRange(0, widgets::maxThetaI, models::ParameterScale::angle);
   m_thetaISlider->setFixedWidth(fontMetrics().height() * 8);

@@ -67,7 +67,7 @@ QWidget* StudyPanel::buildChoice() {
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
-  m_kinds->setToolTip(tr("Kinds of representations to measure; results stay as long as their kind is selected"));
+  m_kinds->setToolTip(tr("Kinds of representations to measure; deselecting a kind removes its results"));
   buildKinds();
   auto* choice = new QWidget;
   auto* top = new QHBoxLayout(choice);

@@ -15,7 +15,7 @@ const QString studyKey = QStringLiteral("study");
 
 QString kindToolTip(study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::baselines)
-    return StudyRun::tr("Other factorisations of the literature, at the sizes of PDV factors");
+    return StudyRun::tr("Other factorisations from the literature, at the sizes of PDV factors");
   if (family == study::RepresentationFamily::published)
     return StudyRun::tr("PDV factors with the weights and nodes of the papers");
   return StudyRun::tr("Measures representations of this kind");

@@ -44,7 +44,7 @@ QString gestures() {
          row(HelpPagesText::tr("Enter in the library"), HelpPagesText::tr("open the material")) +
          row(HelpPagesText::tr("Ctrl + Enter, Shift + Enter in the library"),
              HelpPagesText::tr("compare, interpolate with the material")) +
-         row(HelpPagesText::tr("Arrow keys, 1 to 4 in the pad of materials"),
+         row(HelpPagesText::tr("Arrow keys, 1 to 4 in the interpolation pad"),
              HelpPagesText::tr("move the point, go to a corner"));
 }
 
@@ -87,7 +87,7 @@ QString formulaePage() {
   QString page = QStringLiteral("<h2>%1</h2><p>%2</p>")
                      .arg(HelpPagesText::tr("Formulae"),
                           HelpPagesText::tr(
-                              "Directions point away from the surface, the normal is z. Values are linear RGB in 1/sr, "
+                              "Directions point away from the surface; the normal is z. Values are linear RGB in 1/sr, "
                               "without the cosine. An edit adds the change of the model to the measurement: edited = "
                               "max(0, measured + model(edited) − model(fitted))."));
   page += factorFormulae();
