@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -26,14 +27,18 @@ const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCo
 class BaselinesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Each keeps a glossy material better than the diffuse mean would, within its budget, without negative values.
+  /// Each represents a glossy material within its budget, without negative values, and within 1 dB as accurately as
+  /// when this mark was set. The diffuse mean has 3.8 dB; McCool's products of powers hardly represent a highlight.
   void rebuildAGlossyMaterial_data() {
-    QTest::addColumn<int>("index");
-    for (std::size_t i = 0; i < baselines().size(); ++i) QTest::newRow(baselines()[i].id.data()) << int(i);
+    QTest::addColumn<double>("mark");
+    const std::map<std::string_view, double> marks{{"kautz-mccool", 32.9}, {"mccool", 5.8},   {"lawrence", 21.3},
+                                                   {"bivariate", 34.1},    {"bilgili", 31.6}, {"nonparametric", 51.6},
+                                                   {"cp", 37.5},           {"hosvd", 33.4},   {"nmf", 32.3}};
+    for (const Baseline& baseline : baselines()) QTest::newRow(baseline.id.data()) << marks.at(baseline.id);
   }
   void rebuildAGlossyMaterial() {
-    QFETCH(int, index);
-    const Baseline& baseline = baselines()[std::size_t(index)];
+    QFETCH(double, mark);
+    const Baseline& baseline = findBaseline(QTest::currentDataTag());
     const auto table = bakeTable(*test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.05), smallGrid);
     const std::vector<std::size_t> budgets = {4'000, 20'000};
     const std::vector<ComparedModel> models = baseline.build(*table, budgets, {});
@@ -43,9 +48,7 @@ class BaselinesTest : public QObject {
     const ComparedModel& model = models[1];
     const double few = metrics::brdfSignalToNoiseRatio(*table, *models[0].brdf),
                  decibels = metrics::brdfSignalToNoiseRatio(*table, *model.brdf);
-    const double diffuse = metrics::brdfSignalToNoiseRatio(*table, test::lambert(Rgb(0.4, 0.2, 0.15)));
-    QVERIFY2(decibels > diffuse + 1 && decibels >= few,
-             qPrintable(QString("%1 %2 %3").arg(diffuse).arg(few).arg(decibels)));
+    QVERIFY2(decibels > mark - 1 && decibels >= few, qPrintable(QString("%1 %2").arg(few).arg(decibels)));
     std::mt19937_64 generator(5);
     for (int i = 0; i < 3000; ++i) {
       const Rgb value = model.brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
