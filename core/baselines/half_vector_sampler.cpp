@@ -7,6 +7,7 @@
 
 #include "core/brdf/lobe_mixture.h"
 #include "core/coordinates/half_out.h"
+#include "core/math/linear_ramp.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -35,12 +36,8 @@ double LinearDensity::sample(const std::vector<double>& nodes, double u) const {
   const double wanted = u * integral();
   const auto after = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, wanted);
   const auto i = std::size_t(after - cumulative_.begin()) - 1;
-  const double mass = cumulative_[i + 1] - cumulative_[i];
-  const double r = mass > 0 ? std::clamp((wanted - cumulative_[i]) / mass, 0.0, 1.0) : 0;
-  const double a = values_[i], b = values_[i + 1];
-  // The root of a t + (b - a) t^2 / 2 = r (a + b) / 2 that does not cancel.
-  const double root = a + std::sqrt(std::max(0.0, a * a + r * (b * b - a * a)));
-  return nodes[i] + (root > 0 ? std::min(1.0, r * (a + b) / root) : r) * (nodes[i + 1] - nodes[i]);
+  const double width = nodes[i + 1] - nodes[i], area = std::max(0.0, wanted - cumulative_[i]) / width;
+  return nodes[i] + inverseOfRamp(values_[i], values_[i + 1], area) * width;
 }
 
 double LinearDensity::at(const std::vector<double>& nodes, double x) const {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/linear_ramp.h"
+
 namespace gonio {
 
 namespace {
@@ -59,12 +61,9 @@ TabulatedNormals::TabulatedNormals(const std::function<double(double)>& weight) 
 Direction TabulatedNormals::sample(const glm::dvec2& u) const {
   const auto& x = circlesOf(density_);
   const std::size_t ring = ringOf(cumulative_, u.x);
-  const double width = x[ring + 1] - x[ring], low = density_[ring], rise = density_[ring + 1] - low;
-  // low t + rise t^2 / 2 = what is left of u over the area, solved without cancellation.
-  const double left = std::max(0.0, u.x - cumulative_[ring]) / (2 * pi * width);
-  const double root = std::sqrt(std::max(0.0, low * low + 2 * rise * left));
-  const double t = low + root > 0 ? std::min(1.0, 2 * left / (low + root)) : 0.5;
-  const double oneMinusCos = x[ring] + t * width;
+  const double width = x[ring + 1] - x[ring];
+  const double area = std::max(0.0, u.x - cumulative_[ring]) / (2 * pi * width);
+  const double oneMinusCos = x[ring] + inverseOfRamp(density_[ring], density_[ring + 1], area) * width;
   const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos)), phi = 2 * pi * u.y;
   return {sine * std::cos(phi), sine * std::sin(phi), 1 - oneMinusCos};
 }

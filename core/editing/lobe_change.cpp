@@ -114,11 +114,7 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, con
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Rgb here = lobe.isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
-    if (lobe.isNew) {
-      changes[i] += edited[i];
-      continue;
-    }
-    const Rgb carried = lobe.isBody ? here : ratios.carried[i];
+    const Rgb carried = lobe.isNew ? Rgb(1) : lobe.isBody ? here : ratios.carried[i];
     changes[i] +=
         edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;
   }

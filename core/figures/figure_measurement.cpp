@@ -34,12 +34,15 @@ study::StudyOptions studyOptions(const FigureDescription& description) {
   return options;
 }
 
-std::map<std::string, fs::file_time_type> fileTimesOf(const FigureDescription& description) {
-  std::map<std::string, fs::file_time_type> times;
-  for (const std::string& source : figureSources(description)) {
-    std::error_code ignored;  // reading the file reports the error
-    times[source] = fs::last_write_time(source, ignored);
-  }
+using FileTimes = decltype(FigureMeasurement::fileTimes);
+
+FileTimes fileTimesOf(const FigureDescription& description) {
+  FileTimes times;
+  for (const std::string& source : figureSources(description))
+    for (const fs::path& file : editing::filesOf(source)) {
+      std::error_code ignored;  // reading the file reports the error
+      times[source].push_back(fs::last_write_time(file, ignored));
+    }
   return times;
 }
 
@@ -108,7 +111,7 @@ FigureMeasurement knownPart(const FigureDescription& description, const FigureMe
   FigureMeasurement part{.pictures = description.pictures, .fileTimes = fileTimesOf(description)};
   const auto timeOf = [](const FigureMeasurement& measurement, const std::string& path) {
     const auto found = measurement.fileTimes.find(path);
-    return found == measurement.fileTimes.end() ? fs::file_time_type::min() : found->second;
+    return found == measurement.fileTimes.end() ? FileTimes::mapped_type() : found->second;
   };
   const auto unchanged = [&](const std::string& path) { return timeOf(part, path) == timeOf(known, path); };
   const bool samePictures = rendersTheSame(description.pictures, known.pictures) &&

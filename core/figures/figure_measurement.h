@@ -40,10 +40,11 @@ struct FigureRow {
 /// The measured content of a figure. It does not depend on labels, layout, exposure or the choice of numbers (except
 /// times): changes of these need no new measurement. Cheap to copy.
 struct FigureMeasurement {
-  FigurePictures pictures;                                           ///< settings of the rendered pictures
-  std::map<std::string, std::filesystem::file_time_type> fileTimes;  ///< of figureSources() when they were read
-  std::vector<FigureRow> rows;                                       ///< one per material
-  double seconds = 0;                                                ///< duration of the measurement
+  FigurePictures pictures;  ///< settings of the rendered pictures
+  /// Of each of figureSources() when it was read: its file and, for a document, the files that it edits.
+  std::map<std::string, std::vector<std::filesystem::file_time_type>> fileTimes;
+  std::vector<FigureRow> rows;  ///< one per material
+  double seconds = 0;           ///< duration of the measurement
 
   std::size_t missingCells() const;
 };

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/math/linear_ramp.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -23,13 +24,6 @@ WarpBracket bracket(const std::vector<float>& nodes, double x) {
   const std::size_t low = std::size_t(above - nodes.begin()) - 1;
   if (above == nodes.end()) return {low, 0};
   return {low, (x - nodes[low]) / (double(*above) - nodes[low])};
-}
-
-/// How far along a cell the integral of what runs straight from `low` to `high` is `area` (both per cell).
-double inverseOfRamp(double low, double high, double area) {
-  const double root = std::sqrt(std::max(0.0, low * low + 2 * area * (high - low)));
-  const double sum = low + root;
-  return sum > 0 ? std::clamp(2 * area / sum, 0.0, 1.0) : 0;
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
   return std::nullopt;
 }
 
+Model::Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {
+  if (functions.shaderParameters)
+    shaderComponents_.assign(shaderParameters(defaultParameters(spec)).size(), 3);
+  else
+    for (const ParameterSpec& parameter : spec.parameters) shaderComponents_.push_back(parameter.perChannel ? 3 : 1);
+}
+
 std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters) const {
   return functions_.create(clamped(spec_, parameters));
 }
@@ -37,13 +44,6 @@ std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters
   const ParameterValues used = clamped(spec_, parameters);
   if (functions_.shaderParameters) return functions_.shaderParameters(used);
   return {used.values.begin(), used.values.end()};
-}
-
-std::vector<int> Model::shaderComponents() const {
-  if (functions_.shaderParameters) return std::vector<int>(shaderParameters(defaultParameters(spec_)).size(), 3);
-  std::vector<int> components;
-  for (const ParameterSpec& parameter : spec_.parameters) components.push_back(parameter.perChannel ? 3 : 1);
-  return components;
 }
 
 std::vector<ModelLobe> Model::lobes(const ParameterValues& parameters) const {

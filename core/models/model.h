@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -75,7 +76,7 @@ class Model {
     ParameterValues (*canonical)(const ParameterValues&) = nullptr;
   };
   /// @param spec must outlive the model.
-  Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {}
+  Model(const ModelSpec& spec, const Functions& functions);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -94,8 +95,8 @@ class Model {
   /// values where float is not sufficient or work can be saved. The number of entries does not depend on the values.
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
-  /// Number of independent components of each entry of shaderParameters(): 3, or 1 if all three are always equal.
-  std::vector<int> shaderComponents() const;
+  /// Number of independent components of each entry of shaderParameters(): 3, or 1 if all three are always equal. O(1).
+  std::span<const int> shaderComponents() const { return shaderComponents_; }
 
   /// Whether the model is a sum of a body and lobes about the half vector, each with a width.
   bool hasLobes() const { return functions_.lobes != nullptr; }
@@ -109,6 +110,7 @@ class Model {
  private:
   const ModelSpec& spec_;
   Functions functions_;
+  std::vector<int> shaderComponents_;
 };
 
 /// The default values of all parameters.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/documents/edit_document.h"
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_number.h"
 #include "core/materials/material.h"
@@ -166,6 +167,20 @@ class FigureMeasurementTest : public QObject {
     std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::seconds(1));
     const FigureMeasurement part = knownPart(figure, first);
     QVERIFY(part.rows[0].isComplete() && !part.rows[1].cells[0] && !part.rows[1].reference);
+  }
+
+  /// The measured file of a document counts too.
+  void changedSourcesOfDocumentsAreMeasuredAgain() {
+    FigureDescription figure = quickFigure();
+    const std::filesystem::path table = figure.materials[0].path,
+                                document = table.parent_path() / "edited-chrome.gonio";
+    editing::writeDocument({.sourcePath = table.string(), .sourceSha256 = std::string(64, 'a')}, document);
+    figure.materials = {{document.string(), ""}};
+    FigureMeasurement known = test::madeUpMeasurement(figure);
+    known.fileTimes = knownPart(figure, {}).fileTimes;
+    QCOMPARE(knownPart(figure, known).missingCells(), std::size_t(0));
+    std::filesystem::last_write_time(table, std::filesystem::last_write_time(table) + std::chrono::seconds(1));
+    QCOMPARE(knownPart(figure, known).missingCells(), figure.representations.size());
   }
 
   /// Measuring cell by cell gives the same bits as measuring all cells at once.

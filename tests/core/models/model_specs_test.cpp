@@ -141,6 +141,14 @@ class ModelSpecsTest : public QObject {
       for (std::size_t i = 0; i < values.values.size(); ++i)
         if (!isSgd || model->spec().parameters[i].id != "c") QCOMPARE(shader[i], glm::vec3(values.values[i]));
     }
+    // Components that a shader stores once are equal.
+    for (const Model* model : allModels()) {
+      const std::vector<glm::vec3> shader = model->shaderParameters(randomParameters(model->spec(), random));
+      const std::span<const int> components = model->shaderComponents();
+      QCOMPARE(components.size(), shader.size());
+      for (std::size_t i = 0; i < shader.size(); ++i)
+        QVERIFY(components[i] == 3 || (components[i] == 1 && shader[i] == glm::vec3(shader[i].x)));
+    }
     // Published values of c that no float holds.
     const std::vector<glm::vec3> shader = sgd().shaderParameters(parametersOf(sgd(), {{"c", 1.6e109}}));
     QVERIFY(std::abs(shader[sgd().spec().find("c").value()].x - std::log(1.6e109)) < 1e-4);

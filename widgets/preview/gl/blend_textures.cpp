@@ -26,20 +26,6 @@ void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::Differen
 
 }  // namespace
 
-void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
-                   QStringList& preamble) {
-  const ModelUniform parameters = modelUniform(model, "modelParameters");
-  definitions << "MODEL_ALONE" << parameters.definition << "MODEL_UNIFORM " + parameters.declaration;
-  addModel(model, values, definitions, preamble);
-}
-
-void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
-              QStringList& preamble) {
-  definitions << "EVALUATE_MODEL " + modelFunction(model)
-              << QString("MODEL_PARAMETERS %1").arg(model.shaderParameters(values).size());
-  preamble << modelFile(model);
-}
-
 void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
   definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size())
               << QString("BLEND_TRANSFORM %1").arg(int(blend.mixture->transform));
@@ -48,8 +34,9 @@ void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitio
     addShaderBase(*blend.own, definitions, preamble);
   }
   if (blend.moves.empty()) return;
-  definitions << "BLEND_MOVES";
-  addModel(*blend.moves[0].model, blend.moves[0].fitted, definitions, preamble);
+  const models::Model& model = *blend.moves[0].model;
+  definitions << "BLEND_MOVES" << QString("MODEL_PARAMETERS %1").arg(model.shaderComponents().size());
+  addModel(model, definitions, preamble);
 }
 
 void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,

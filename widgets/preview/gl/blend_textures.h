@@ -26,11 +26,4 @@ class BlendTextures {
   std::shared_ptr<const editing::TransformedMixture> uploaded_;
 };
 
-/// Adds the definitions and files of a shader that evaluates a model in place of a measurement.
-void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
-                   QStringList& preamble);
-/// Adds the definitions and files of a shader that contains a model's formula.
-void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
-              QStringList& preamble);
-
 }  // namespace gonio::widgets

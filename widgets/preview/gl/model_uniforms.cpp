@@ -29,10 +29,9 @@ QString modelFunction(const models::Model& model) { return "evaluate_" + modelNa
 QString modelFile(const models::Model& model) { return "models/" + modelName(model).replace('_', '-') + ".glsl"; }
 
 ModelUniform modelUniform(const models::Model& model, const QString& name) {
-  const std::vector<int> components = model.shaderComponents();
   QStringList entries;
   int next = 0;
-  for (const int count : components) {
+  for (const int count : model.shaderComponents()) {
     QStringList parts;
     for (int i = 0; i < count; ++i) parts << componentText(name, next++);
     entries << "vec3(" + parts.join(", ") + ')';
@@ -43,7 +42,7 @@ ModelUniform modelUniform(const models::Model& model, const QString& name) {
 
 void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
                      const models::ParameterValues& values) {
-  const std::vector<int> components = model.shaderComponents();
+  const std::span<const int> components = model.shaderComponents();
   const std::vector<glm::vec3> entries = model.shaderParameters(values);
   std::vector<float> packed;
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -51,6 +50,17 @@ void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const m
   const int vectors = vectorsFor(int(packed.size()));
   packed.resize(std::size_t(4 * vectors));
   program.setUniformValueArray(packedName(name).toUtf8().constData(), packed.data(), vectors, 4);
+}
+
+void addModel(const models::Model& model, QStringList& definitions, QStringList& preamble) {
+  definitions << "EVALUATE_MODEL " + modelFunction(model);
+  preamble << modelFile(model);
+}
+
+void addModelAlone(const models::Model& model, QStringList& definitions, QStringList& preamble) {
+  const ModelUniform parameters = modelUniform(model, "modelParameters");
+  definitions << "MODEL_ALONE" << parameters.definition << "MODEL_UNIFORM " + parameters.declaration;
+  addModel(model, definitions, preamble);
 }
 
 }  // namespace gonio::widgets

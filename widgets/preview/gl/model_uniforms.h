@@ -28,4 +28,9 @@ ModelUniform modelUniform(const models::Model& model, const QString& name);
 void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
                      const models::ParameterValues& values);
 
+/// Adds the definitions and files of a shader that contains a model's formula.
+void addModel(const models::Model& model, QStringList& definitions, QStringList& preamble);
+/// The same for a shader that evaluates the model in place of a measurement, with the uniform "modelParameters".
+void addModelAlone(const models::Model& model, QStringList& definitions, QStringList& preamble);
+
 }  // namespace gonio::widgets

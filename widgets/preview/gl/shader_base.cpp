@@ -4,7 +4,6 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/models/model_brdf.h"
-#include "widgets/preview/gl/blend_textures.h"
 #include "widgets/preview/gl/incidence_textures.h"
 #include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/rgl_textures.h"
@@ -59,7 +58,7 @@ void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& prea
   else if (const IncidenceTableBrdf* table = asIncidenceTable(base))
     definitions << IncidenceTextures::definitions(table->table());
   else if (const models::ModelBrdf* model = asModel(base))
-    addModelAlone(model->model(), model->parameters(), definitions, preamble);
+    addModelAlone(model->model(), definitions, preamble);
   definitions << incidentDefinitions(base);
 }
 

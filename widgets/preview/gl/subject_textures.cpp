@@ -15,7 +15,7 @@ void SubjectTextures::addVariant(const PreviewSubject& subject, QStringList& def
     addShaderBase(*edited->base, definitions, preamble);
     EditChain::addVariant(edited->edits, definitions, preamble, factorization::pdvFactorsOf(*edited->base).get());
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject.shown)) {
-    addModelAlone(*alone->model, alone->parameters, definitions, preamble);
+    addModelAlone(*alone->model, definitions, preamble);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {
     BlendTextures::addVariant(*blend, definitions, preamble);
   }
