@@ -101,7 +101,7 @@ std::size_t FigureMeasurement::missingCells() const {
   return missing;
 }
 
-bool rendersTheSame(FigurePictures a, FigurePictures b) {
+bool rendersTheSame(FigurePictures a, const FigurePictures& b) {
   a.exposure = b.exposure;
   a.toneMap = b.toneMap;
   return a == b;

@@ -57,7 +57,7 @@ struct MeasureFigureOptions {
 
 /// Whether two descriptions give the same rendered pictures. Exposure and tone map do not matter: they are applied
 /// after rendering.
-bool rendersTheSame(FigurePictures a, FigurePictures b);
+bool rendersTheSame(FigurePictures a, const FigurePictures& b);
 
 /// The rows and cells of a description that are known from an earlier measurement: of the same scene, size and samples,
 /// of files that have not changed since, and with times if the description shows times. Reads the modification times of

@@ -239,10 +239,10 @@ std::string studySvg(const std::string& title, std::span<const StudyRecord> reco
   SvgDrawing svg(width, panelsTop + panelHeight * double(rows) + noteHeight * double(notes.size()) + 8);
   svg.text({left, 26}, title, {.size = 16, .bold = true});
   paintLegend(svg, {left + 4, titleHeight + 8}, legend);
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    PanelPainter(svg, {panelWidth * double(i % columns), panelsTop + panelHeight * double(i / columns)}, records,
-                 panels[i])
-        .paint();
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::size_t row = i / columns, column = i % columns;
+    PanelPainter(svg, {panelWidth * double(column), panelsTop + panelHeight * double(row)}, records, panels[i]).paint();
+  }
   for (std::size_t i = 0; i < notes.size(); ++i)
     svg.text({left, panelsTop + panelHeight * double(rows) + noteHeight * (double(i) + 0.5)}, notes[i],
              {.size = 11, .colour = "#555555"});

@@ -105,7 +105,7 @@ void EditChain::addVariant(const editing::EditList& edits, QStringList& definiti
 }
 
 void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits,
-                     int unit, std::shared_ptr<const factorization::PdvFactors> base) {
+                     int unit, const std::shared_ptr<const factorization::PdvFactors>& base) {
   std::vector<FactorEdit> factors;
   if (base) factors.push_back({.original = base, .edited = base});
   int number = 0;

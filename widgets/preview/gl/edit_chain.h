@@ -19,7 +19,7 @@ class EditChain {
                          const factorization::PdvFactors* base = nullptr);
   /// Sets the uniforms of a shader of that variant and uploads the curves of factor edits to `unit`.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits, int unit,
-            std::shared_ptr<const factorization::PdvFactors> base = nullptr);
+            const std::shared_ptr<const factorization::PdvFactors>& base = nullptr);
   /// Call with the context of bind() current.
   void release(QOpenGLFunctions_4_1_Core& gl) { factors_.release(gl); }
 

@@ -48,7 +48,7 @@ void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const m
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (int c = 0; c < components[i]; ++c) packed.push_back(entries[i][c]);
   const int vectors = vectorsFor(int(packed.size()));
-  packed.resize(std::size_t(4 * vectors));
+  packed.resize(4 * std::size_t(vectors));
   program.setUniformValueArray(packedName(name).toUtf8().constData(), packed.data(), vectors, 4);
 }
 
