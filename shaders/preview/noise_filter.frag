@@ -4,7 +4,7 @@
 // noise (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering", without the temporal part). Passes, by
 // widgets/preview/gl/noise_filter:
 //   PREPARE  the mean of a pixel where it is covered, and the variance of that mean's luminance
-//   LEVEL    a mean over neighbours `stride` pixels apart
+//   LEVEL    a mean over the neighbours of a square lattice, `stride` being the way to one of them
 //   else     back to premultiplied radiance with the coverage in alpha
 // Between the passes radiance c is c / (1 + luminance): bright samples that few pixels have do not spread.
 in vec2 position;
@@ -12,14 +12,14 @@ out vec4 result;
 
 uniform sampler2D accumulation, features, filtered;
 uniform float samples;
-uniform int stride;
+uniform bool hasFewSamples;  // then the variance is that among neighbours
+uniform ivec2 stride;
 
 const float normalPower = 64.0;
 const float luminanceWidth = 4.0;  // in standard deviations of the noise
 const float leastDeviation = 2e-3;
 // Of the mean over n samples of a low-discrepancy sequence the variance falls faster than 1 / n: measured.
 const float varianceExponent = 1.25;
-const float fewSamples = 4.0;  // below them the variance is that among neighbours
 
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 ivec2 pixel() { return ivec2(gl_FragCoord.xy); }
@@ -55,8 +55,7 @@ float varianceOfSamples(ivec2 at) {
 void main() {
   vec4 sum = texelFetch(accumulation, pixel(), 0);
   vec3 colour = compressed(sum), normal = normalAt(pixel());
-  bool isSpatial = samples < fewSamples;
-  int radius = isSpatial ? 2 : 1;
+  int radius = hasFewSamples ? 2 : 1;
   float weights = 0.0, variances = 0.0, first = 0.0, second = 0.0;
   for (int y = -radius; y <= radius; ++y)
     for (int x = -radius; x <= radius; ++x) {
@@ -64,7 +63,7 @@ void main() {
       vec4 other = texelFetch(accumulation, at, 0);
       float weight = other.a > 0.0 ? normalWeight(normal, normalAt(at)) : 0.0;
       weights += weight;
-      if (isSpatial) {
+      if (hasFewSamples) {
         float l = luminance(compressed(other));
         first += weight * l;
         second += weight * l * l;
@@ -74,7 +73,7 @@ void main() {
     }
   weights = max(weights, 1e-6);
   float mean = first / weights;
-  result = vec4(colour, isSpatial ? max(0.0, second / weights - mean * mean) : variances / weights);
+  result = vec4(colour, hasFewSamples ? max(0.0, second / weights - mean * mean) : variances / weights);
 }
 #elif defined(LEVEL)
 const float kernel[2] = float[](0.5, 0.25);
@@ -92,7 +91,7 @@ void main() {
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       if (x == 0 && y == 0) continue;
-      ivec2 at = inside(filtered, pixel() + stride * ivec2(x, y));
+      ivec2 at = inside(filtered, pixel() + x * stride + y * ivec2(-stride.y, stride.x));
       if (texelFetch(accumulation, at, 0).a <= 0.0) continue;
       vec4 other = texelFetch(filtered, at, 0);
       float weight = kernel[abs(x)] * kernel[abs(y)] * normalWeight(normal, normalAt(at)) *

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QTest>
 #include <QWindow>
+#include <optional>
 #include <random>
 
 #include "app/gonio/window/command_search.h"
@@ -22,7 +23,10 @@ namespace gonio::app::test_support {
 class Monkey : public QObject {
  public:
   /// Disables the commands that end the window, open more of them, or leave the program: the command search finds them.
-  Monkey(MainWindow& window, unsigned seed) : m_window(window), m_random(seed) {
+  /// @param workspace the one that it returns to whenever it would choose one; none: any.
+  Monkey(MainWindow& window, unsigned seed, std::optional<DockLayout::Workspace> workspace = {})
+      : m_window(window), m_random(seed), m_workspace(workspace) {
+    if (workspace) window.docks().showWorkspace(*workspace);
     for (const NamedAction& named : allActions(&window)) {
       static const QStringList excluded{"Quit", "New Window", "Close", "Full Screen"};
       const QString text = named.action->text().remove('&');
@@ -190,7 +194,7 @@ class Monkey : public QObject {
     note("dock " + dock->objectName());
     switch (below(4)) {
       case 0:
-        return m_window.docks().showWorkspace(DockLayout::Workspace(below(4)));
+        return m_window.docks().showWorkspace(m_workspace.value_or(DockLayout::Workspace(below(4))));
       case 1:
         return dock->setFloating(!dock->isFloating());
       case 2:
@@ -202,6 +206,7 @@ class Monkey : public QObject {
 
   MainWindow& m_window;
   std::mt19937 m_random;
+  const std::optional<DockLayout::Workspace> m_workspace;
   QDeadlineTimer m_end;
   QStringList m_acts;
   QPointer<QWidget> m_lastSurface;

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QUrl>
 
+#include "tests/support/resident_memory.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 
@@ -21,11 +22,31 @@ void listen(QtMsgType type, const QMessageLogContext&, const QString& text) {
   messages << text;
 }
 
-/// GONIO_MONKEY_SECONDS and GONIO_MONKEY_SEED in the environment ask for another run than the short one.
+/// The workspace that GONIO_MONKEY_WORKSPACE names.
+std::optional<DockLayout::Workspace> askedWorkspace() {
+  const QList<QByteArray> names{"edit", "compare", "analyse", "acquire"};
+  const qsizetype index = names.indexOf(qgetenv("GONIO_MONKEY_WORKSPACE"));
+  if (index < 0) return std::nullopt;
+  return DockLayout::Workspace(index);
+}
+
+/// GONIO_MONKEY_SECONDS, GONIO_MONKEY_SEED and GONIO_MONKEY_WORKSPACE (edit, compare, analyse, acquire) in the
+/// environment ask for another run than the short one. Qt Test stops a run of more than five minutes unless
+/// QTEST_FUNCTION_TIMEOUT (milliseconds) allows it. After ten minutes and at the end the memory is compared.
 class MonkeyTest : public QObject {
   Q_OBJECT
 
   const QTemporaryDir m_home;
+
+  static constexpr int secondsOfMark = 600;
+
+  /// The same state each time: one material, shown at rest, after all that was running.
+  static void settle(MainWindow& window) {
+    window.docks().reset();
+    window.parts().document.history().setClean();  // else a dialog asks what becomes of the edits
+    window.files().open("library:rgl/satin_purple");
+    QTest::qWait(15000);
+  }
 
  private Q_SLOTS:
   void initTestCase() {
@@ -49,15 +70,25 @@ class MonkeyTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(window));
     messages.clear();
     const QtMessageHandler before = qInstallMessageHandler(listen);
-    test_support::Monkey monkey(*window, seed);
+    test_support::Monkey monkey(*window, seed, askedWorkspace());
     const QPointer<MainWindow> guard = window;
-    for (int second = 0; second < seconds && guard && messages.isEmpty(); ++second) monkey.play(1000);
+    std::size_t marked = 0, last = 0;
+    for (int second = 1; second <= seconds && guard && messages.isEmpty(); ++second) {
+      monkey.play(1000);
+      const bool isMark = second == secondsOfMark, isEnd = second == seconds;
+      if (!guard || (!isMark && !isEnd && second % 60 != 0)) continue;
+      if (isMark || isEnd) settle(*window);
+      last = test::residentMegabytes();
+      if (isMark) marked = last;
+      qInfo("%d s, %d acts: %zu MB resident", second, monkey.count(), last);
+    }
     const bool alive = guard;
     delete guard;
     qInstallMessageHandler(before);
     QVERIFY2(alive, qPrintable("the window closed after " + monkey.lastActs()));
     QVERIFY2(messages.isEmpty(), qPrintable(messages.join('\n') + "\nafter " + monkey.lastActs()));
     QVERIFY(monkey.count() > 0);
+    if (marked > 0) QVERIFY2(double(last) <= 1.05 * double(marked), "memory grew after ten minutes");
   }
 
   void ignore(const QUrl&) {}

@@ -6,7 +6,11 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr int levels = 4;  // neighbours up to 1 + 2 + 4 + 8 pixels away
+// Of the lattice of each level: 1, 2.2, 4.1 and 8.1 pixels apart. No two point the same way: with lattices that all lie
+// along the rows, bright pixels leave a woven pattern.
+constexpr QPoint strides[] = {{1, 0}, {2, 1}, {4, -1}, {7, 4}};
+constexpr QPoint lastStride{1, 1};  // takes the grain that the others leave of the first samples
+constexpr int fewSamples = 8;
 
 void bindTexture(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, int unit, const char* name,
                  GLuint texture) {
@@ -25,23 +29,25 @@ void NoiseFilter::apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resourc
   gl.glViewport(0, 0, picture.size().width(), picture.size().height());
   gl.glDisable(GL_DEPTH_TEST);
   gl.glDisable(GL_BLEND);
-  const auto pass = [&](const QStringList& definitions, int stride) {
+  const auto pass = [&](const QStringList& definitions, QPoint stride) {
     QOpenGLShaderProgram& program = resources.program("preview/noise_filter.frag", definitions);
     program.bind();
     bindTexture(gl, program, accumulationUnit, "accumulation", picture.accumulationTexture());
     bindTexture(gl, program, otherAccumulationUnit, "features", picture.featureTexture());
     bindTexture(gl, program, colourMapUnit, "filtered", targets_[0]->texture());
     program.setUniformValue("samples", float(picture.samples()));
-    program.setUniformValue("stride", stride);
+    program.setUniformValue("hasFewSamples", picture.samples() < fewSamples);
+    gl.glUniform2i(program.uniformLocation("stride"), stride.x(), stride.y());
     targets_[1]->bind();
     resources.drawFullscreen();
     targets_[1]->release();
     program.release();
     std::swap(targets_[0], targets_[1]);
   };
-  pass({"PREPARE"}, 0);
-  for (int level = 0; level < levels; ++level) pass({"LEVEL"}, 1 << level);
-  pass({}, 0);
+  pass({"PREPARE"}, {});
+  for (const QPoint stride : strides) pass({"LEVEL"}, stride);
+  if (picture.samples() < fewSamples) pass({"LEVEL"}, lastStride);
+  pass({}, {});
   gl.glFinish();
 }
 

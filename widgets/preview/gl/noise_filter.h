@@ -15,7 +15,7 @@ namespace gonio::widgets {
 /// without noise does not change, except for rounding. All calls need the picture's context.
 class NoiseFilter {
  public:
-  /// Six passes over the picture, which take as long as about two samples of a sphere.
+  /// Six or seven passes over the picture, which take as long as about two samples of a sphere.
   void apply(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resources, const PreviewRenderer& picture);
   /// The filtered picture; nothing before apply().
   ShownPicture shown() const;
