@@ -60,12 +60,17 @@ std::vector<float> leftOutVariance(const PrincipalComponents& pca, int component
 
 struct PcaOptions {
   int maxComponents = std::numeric_limits<int>::max();
+  /// Columns that need more memory than this are kept in a temporary file (in TMPDIR of the environment, else /tmp) and
+  /// read by blocks of cells. The components equal those learned in memory to rounding.
+  std::uint64_t maxBytes = 6'000'000'000;
 };
 
 /// Learns the components. @param load returns the table of a material; all must have the same grid. Called for one
 /// material after another, so that only one table is in memory. Memory: 4 bytes x 3 materials x cells (411 columns of
-/// 1.1 million cells: 1.8 GB) and some ten MB.
-/// @throws Error if there are no materials, their grids differ, or no cell is valid in all of them; Cancelled.
+/// 1.1 million cells: 1.8 GB) and some ten MB; beyond options.maxBytes, half of that limit, 16 bytes x (3 materials)^2,
+/// and the components themselves, 4 bytes x components x cells.
+/// @throws Error if there are no materials, their grids differ, no cell is valid in all of them, the components alone
+/// need more than options.maxBytes, or the temporary file cannot be written; Cancelled.
 PrincipalComponents learnPrincipalComponents(
     std::size_t materials, const std::function<std::shared_ptr<const TabulatedBrdf>(std::size_t material)>& load,
     const PcaOptions& options = {}, const TaskControl& control = {});

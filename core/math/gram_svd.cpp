@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
@@ -17,6 +18,9 @@ constexpr Eigen::Index blockRows = 512;
 /// The rows are summed in so many parts, each in its order: enough for the cores of most machines.
 constexpr std::size_t parts = 32;
 constexpr double weakest = 1e-6;  // of the largest singular value
+constexpr Eigen::Index tileColumns = 128;
+
+Eigen::MatrixXd projectorOf(const GramSvd& svd) { return svd.v * svd.singularValues.cwiseInverse().asDiagonal(); }
 
 }  // namespace
 
@@ -42,15 +46,49 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control)
   return sums[0].selfadjointView<Eigen::Lower>();
 }
 
-GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control) {
-  constexpr double gramShare = 0.5;
-  const EigenBasis basis = eigenBasis(gramMatrix(matrix, control.between(0, gramShare)));
+void addToGram(Eigen::MatrixXd& gram, const TallMatrix& block, const TaskControl& control) {
+  const Eigen::MatrixXd rows = block.view().cast<double>();
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> tiles;  // first row and column in the result
+  for (Eigen::Index i = 0; i < rows.cols(); i += tileColumns)
+    for (Eigen::Index j = 0; j <= i; j += tileColumns) tiles.emplace_back(i, j);
+  parallelForBlocks(
+      tiles.size(), 1,
+      [&](std::size_t tile, std::size_t) {
+        const auto [i, j] = tiles[tile];
+        const Eigen::Index height = std::min(tileColumns, rows.cols() - i),
+                           width = std::min(tileColumns, rows.cols() - j);
+        gram.block(i, j, height, width).noalias() += rows.middleCols(i, height).transpose() * rows.middleCols(j, width);
+      },
+      control);
+}
+
+GramSvd decomposeGram(const Eigen::MatrixXd& gram, int maxComponents) {
+  const EigenBasis basis = eigenBasis(gram);
   const Eigen::VectorXd sigma = basis.values.cwiseSqrt();
   Eigen::Index count = 0;
   while (count < std::min<Eigen::Index>(maxComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
-  GramSvd result{.u = {}, .singularValues = sigma.head(count), .v = basis.vectors.leftCols(count)};
+  return {.u = {}, .singularValues = sigma.head(count), .v = basis.vectors.leftCols(count)};
+}
 
-  const Eigen::MatrixXd projector = result.v * result.singularValues.cwiseInverse().asDiagonal();
+Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const TaskControl& control) {
+  const Eigen::MatrixXd projector = projectorOf(svd);
+  Eigen::MatrixXf result(block.rows, projector.cols());
+  parallelForBlocks(
+      std::size_t(block.rows), std::size_t(blockRows),
+      [&](std::size_t begin, std::size_t end) {
+        const auto first = Eigen::Index(begin), count = Eigen::Index(end - begin);
+        const Eigen::MatrixXd product = block.view().middleRows(first, count).cast<double>() * projector;
+        result.middleRows(first, count) = product.cast<float>();
+      },
+      control);
+  return result;
+}
+
+GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control) {
+  constexpr double gramShare = 0.5;
+  GramSvd result = decomposeGram(gramMatrix(matrix, control.between(0, gramShare)), maxComponents);
+  const Eigen::Index count = result.singularValues.size();
+  const Eigen::MatrixXd projector = projectorOf(result);
   auto all = matrix.view();
   const auto rows = std::size_t(all.rows());
   parallelForBlocks(

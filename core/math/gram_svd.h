@@ -29,6 +29,16 @@ struct GramSvd {
 /// multiplications by Eigen's symmetric product, in parallel. @throws Cancelled.
 Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control = {});
 
+/// Adds the products of a block of rows to the lower triangle of T^T T, which is to have the block's columns. Parallel
+/// over tiles of the result, so that one matrix suffices however many columns there are; deterministic. Memory: 8 bytes
+/// a value of the block. @throws Cancelled.
+void addToGram(Eigen::MatrixXd& gram, const TallMatrix& block, const TaskControl& control = {});
+
+/// Singular values and V from T^T T, of which the lower triangle is read; `u` stays empty. @see decomposeGramSvd.
+GramSvd decomposeGram(const Eigen::MatrixXd& gram, int maxComponents);
+/// The rows of U that belong to a block of rows of T: T V / Sigma. Parallel over blocks of rows.
+Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const TaskControl& control = {});
+
 /// The thin singular value decomposition by the eigenvectors of the Gram matrix (Sirovich 1987, the method of
 /// snapshots). The Gram matrix squares the condition number, so components with sigma <= 1e-6 of the largest are
 /// dropped, and U is orthonormal to 1e-16 (sigma_1 / sigma)^2 and single precision. U reuses the memory of T.

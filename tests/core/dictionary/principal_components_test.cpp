@@ -3,11 +3,13 @@
 #include "core/dictionary/principal_components.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/brdf/log_relative.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
+#include "core/support/error.h"
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
@@ -78,6 +80,28 @@ class PrincipalComponentsTest : public QObject {
         QVERIFY(std::abs(u.row(Eigen::Index(i)).cast<double>().dot(c) - (mapped[column] - mean)) < 1e-5);
       }
     }
+  }
+
+  /// With the columns in a file, in blocks of 46 cells that do not divide their number, and a cell that one material
+  /// lacks: the same components.
+  void learnedFromAFile() {
+    auto tables = materials(12);
+    const auto cells = [&] { return learn(tables).mapping.cells; };
+    const std::size_t lacking = cells()[100];
+    tables[7] = with(tables[7], lacking, 0, false);
+    const PcaOptions inMemory{.maxComponents = 8}, inFile{.maxComponents = 8, .maxBytes = 40'000};
+    const PrincipalComponents a = learn(tables, inMemory), b = learn(tables, inFile);
+    QCOMPARE(b.mapping.cells, a.mapping.cells);
+    QVERIFY(std::ranges::find(b.mapping.cells, lacking) == b.mapping.cells.end());
+    QCOMPARE(b.mapping.reference, a.mapping.reference);
+    QCOMPARE(b.mean, a.mean);
+    QCOMPARE(b.count(), 8);
+    QVERIFY((a.svd.singularValues - b.svd.singularValues).norm() < 1e-9 * a.svd.singularValues[0]);
+    QVERIFY((a.svd.v - b.svd.v).cwiseAbs().maxCoeff() < 1e-6);
+    QVERIFY((a.svd.u.view() - b.svd.u.view()).cwiseAbs().maxCoeff() < 1e-5);
+    QCOMPARE(b.leftOut.size(), a.leftOut.size());
+    for (std::size_t i = 0; i < a.leftOut.size(); ++i) QVERIFY(std::abs(a.leftOut[i] - b.leftOut[i]) < 1e-5);
+    QVERIFY_THROWS_EXCEPTION(Error, learn(tables, {.maxBytes = 40'000}));  // 35 components alone need more
   }
 
   void exactAtFullRank() {

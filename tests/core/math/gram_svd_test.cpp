@@ -64,6 +64,19 @@ class GramSvdTest : public QObject {
     QVERIFY((part.u.view() - whole.u.view().leftCols(4)).norm() < 1e-6);
   }
 
+  /// Two blocks of rows, more columns than a tile has.
+  void gramMatrixByBlocks() {
+    const TallMatrix matrix = randomTall(300, 150, 3);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(150, 150);
+    for (const auto& [first, count] : {std::pair{0, 170}, {170, 130}}) {
+      TallMatrix block{.values = std::vector<float>(std::size_t(count) * 150), .rows = count, .columns = 150};
+      block.view() = matrix.view().middleRows(first, count);
+      addToGram(sum, block);
+    }
+    const Eigen::MatrixXd expected = gramMatrix(matrix), lower = sum.triangularView<Eigen::Lower>();
+    QVERIFY((lower - Eigen::MatrixXd(expected.triangularView<Eigen::Lower>())).norm() <= 1e-13 * expected.norm());
+  }
+
   /// Repeated, zero and summed columns: as many components as the rank, and those orthonormal.
   void hardCase24WeakComponentsAreDropped() {
     TallMatrix matrix = randomTall(2000, 8, 3);
