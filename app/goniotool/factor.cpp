@@ -192,7 +192,7 @@ void addFactor(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(methods));
   auto* bytes = command->add_option("--bytes", options->bytes, "Max. size of the factors of a baseline, bytes (44680)");
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
-  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +

@@ -214,17 +214,17 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
                      "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
   command
       .add_option("--numbers", options.numbers,
-                  "Numbers under the pictures: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
+                  "Numbers under the images: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
                   "frame-time (rendered-snr,bytes)")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");
   command
       .add_option("--inset", options.inset,
-                  "Magnified part: X Y SIZE in fractions of the picture, from the top left (none)")
+                  "Magnified part: X Y SIZE in fractions of the image, from the top left (none)")
       ->expected(3);
   command.add_flag("--no-error-maps", options.noErrorMaps, "Leave out the error maps");
   command.add_option("--error-maximum", options.errorMaximum,
-                     "Luminance error at the end of the scale of the error maps (from all pictures)");
+                     "Luminance error at the end of the scale of the error maps (from all images)");
   command.add_option("--title", options.title, "Title above the figure (none)");
 }
 
@@ -240,11 +240,11 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
 void addPictureOptions(CLI::App& command, FigureArguments& options) {
   command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere-studio)");
   command.add_option("--environment", options.environment,
-                     bundledEnvironmentList() + " or a picture file (environment of the scene)");
-  command.add_option("--size", options.size, "Size of the pictures, pixels (256)");
+                     bundledEnvironmentList() + " or an image file (environment of the scene)");
+  command.add_option("--size", options.size, "Size of the images, pixels (256)");
   command.add_option("--samples", options.samples, "Samples per pixel (64)");
-  command.add_option("--exposure", options.exposure, "Exposure of the pictures, stops (0)");
-  command.add_option("--tone-map", options.toneMap, "Tone map of the pictures: clamp or filmic (clamp)")
+  command.add_option("--exposure", options.exposure, "Exposure of the images, stops (0)");
+  command.add_option("--tone-map", options.toneMap, "Tone map of the images: clamp or filmic (clamp)")
       ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
 }
 

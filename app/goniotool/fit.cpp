@@ -157,7 +157,7 @@ void addFit(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(orders));
   command
       ->add_option("--samples", options->samples,
-                   "Samples per pixel of the pictures of --all (" + std::to_string(options->samples) + ")")
+                   "Samples per pixel of the images of --all (" + std::to_string(options->samples) + ")")
       ->check(CLI::Range(1, 1 << 20))
       ->needs(command->get_option("--all"));
   command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")

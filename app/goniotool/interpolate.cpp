@@ -171,7 +171,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
 std::string accuracyText(const Json& step) {
   if (!step.contains("snr")) return {};
   std::string text =
-      step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  pictures are identical\n";
+      step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  images are identical\n";
   for (const Json& loss : step["losses"]) text += "  note: " + loss.get<std::string>() + "\n";
   return text;
 }

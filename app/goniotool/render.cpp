@@ -97,7 +97,7 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
 
 int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
-    throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
+    throw UsageError("--out: found nothing, expected an image to write (or --effects alone)");
   if (!options.out.empty()) checkPicture(options.out);
   const RenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));
@@ -171,7 +171,7 @@ void addRender(CLI::App& app, Tool& tool) {
                    "Max. contribution of omitted reflections, as a fraction of the brightest pixel (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
-  command->add_option("--out", options->out, "Picture file to write: .exr (linear) or .png");
+  command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png");
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }
 

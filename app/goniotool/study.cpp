@@ -212,7 +212,7 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--components", options->choice.components, "Numbers of principal components (4,8,..,128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  command->add_option("--size", options->size, "Size of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
+  command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes the same bits");
   command->add_option("--shard", options->shard,

@@ -65,7 +65,7 @@ MadeExport makeExport(const ExportTarget& target, const ExportSource& source, co
   std::vector<std::string> warnings = exportWarnings(*source.brdf);
   MadeExport made = target.make(source, options, control.between(warned, 1));
   if (made.snr < poorSnr)
-    made.warnings.push_back("the target cannot represent this material: its picture looks different");
+    made.warnings.push_back("the target cannot represent this material: its image looks different");
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;

@@ -48,7 +48,7 @@ MadeExport makeSlices(const ExportSource& source, const ExportOptions&, const Ta
 ExportTarget slicesTarget() {
   return {.id = "slices",
           .label = "Slices (OpenEXR)",
-          .description = "A picture of four planes of half-difference space, theta_h by theta_d, for figures.",
+          .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
           .holds =
               "Values at phi_d of 0, 30, 60 and 90 degrees; of an anisotropic material with the half vector over the "
               "tangent. No renderer reads this file.",

@@ -96,7 +96,7 @@ void LayoutBuilder::measureColumns() {
     cellWidth_ = (layout_.width - gridLeft_ - gap * double(columnCount() - 1)) / double(columnCount());
     if (cellWidth_ < minCellWidth)
       throw Error("found " + std::to_string(description_.representations.size()) + " representations in " +
-                  std::to_string(int(layout_.width)) + " mm, expected fewer: a picture would be narrower than " +
+                  std::to_string(int(layout_.width)) + " mm, expected fewer: an image would be narrower than " +
                   std::to_string(int(minCellWidth)) + " mm");
     rowLines_.clear();
     std::size_t most = 0;

@@ -137,7 +137,7 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
             4.25).
         transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
             ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "root", the square root; or "none" (docs/factors.md).
-        weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to pictures;
+        weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
             docs/factors.md) or "equal" (as in the papers).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.

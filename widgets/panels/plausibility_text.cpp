@@ -48,7 +48,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
   if (check.name == "negative")
     return {PlausibilityText::tr("Non-negative"),
             PlausibilityText::tr(
-                "The edit subtracts more than was measured there. The picture shows 0 instead, as black patches."),
+                "The edit subtracts more than was measured there. The image shows 0 instead, as black patches."),
             PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
                 .arg(number(-check.worst), percent(check.fraction)),
             PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
@@ -56,12 +56,12 @@ Text textOf(const metrics::PlausibilityCheck& check) {
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),
             PlausibilityText::tr("Values that are not numbers: %1").arg(check.worst),
             PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
-  return {PlausibilityText::tr("Measured"),
-          PlausibilityText::tr(
-              "Where the table has no data, the picture is black or uses the values of neighbouring cells."),
-          PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
-              .arg(percent(check.worst), percent(check.limit)),
-          PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};
+  return {
+      PlausibilityText::tr("Measured"),
+      PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),
+      PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
+          .arg(percent(check.worst), percent(check.limit)),
+      PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};
 }
 
 }  // namespace

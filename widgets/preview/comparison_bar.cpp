@@ -51,7 +51,7 @@ QWidget* ComparisonBar::buildModes() {
   layout->addWidget(new QLabel(tr("Compare"), row));
   m_modes = new QButtonGroup(row);
   const std::tuple<CompareMode, QString, QString> modes[] = {
-      {CompareMode::off, tr("Off"), tr("Shows one picture")},
+      {CompareMode::off, tr("Off"), tr("Shows one image")},
       {CompareMode::split, tr("Split"),
        tr("Shows the first side left and the second side right of a bar; drag the bar to move the split")},
       {CompareMode::flicker, tr("Flicker"),

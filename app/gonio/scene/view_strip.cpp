@@ -139,7 +139,7 @@ void ViewStrip::fillLights() {
   for (const QString& name : wanted) {
     const QString text = name == own           ? tr("From scene")
                          : name == directional ? tr("Directional")
-                         : name == file        ? tr("Picture (HDR, EXR)...")
+                         : name == file        ? tr("Image (HDR, EXR)...")
                          : name.contains('/')  ? name.section('/', -1)
                                                : sceneTitle(name.toStdString());
     m_lights->addItem(icons.value(name), text, name);

@@ -62,7 +62,7 @@ QWidget* StudyPanel::buildChoice() {
   m_quality->setToolTip(tr("Metric of the vertical axis of the plot and of the errors in the table"));
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
   m_cost->setToolTip(tr("Cost of the horizontal axis of the plot"));
-  m_sheet->setToolTip(tr("The measured representations as pictures side by side, with error maps"));
+  m_sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
   m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));

@@ -159,7 +159,7 @@ void MainWindow::addMenus() {
     view->addPictureActionsTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
-    menu->addAction(tr("Copy Picture"), this,
+    menu->addAction(tr("Copy Image"), this,
                     [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
     menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
         ->setEnabled(m_parts.document.material() != nullptr);
