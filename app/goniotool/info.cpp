@@ -51,7 +51,7 @@ std::string text(const Json& json) {
                                          : "  rendered SNR of its table for fits, factors and codes " +
                                                number(json["tableSnr"].get<double>()) + " dB\n";
   result += std::string("  shown and edited ") +
-            (json["shownAs"] == "measured" ? "in its own form, without a table\n" : "as a table\n");
+            (json["shownAs"] == "measured" ? "in its native form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;
 }

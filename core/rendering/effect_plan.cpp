@@ -129,8 +129,8 @@ void Analysis::decideLights() {
   }
   decide(Effect::directLight, !lamp.empty(),
          !lamp.empty() ? lamp
-         : areLamps    ? "no reflecting surface faces a lamp"
-                       : "there is no lamp");
+         : areLamps    ? "no reflecting surface faces a distant, point or area light"
+                       : "there is no distant, point or area light");
   decide(Effect::environmentLight, !surrounding.empty(),
          !surrounding.empty()  ? surrounding
          : !scene_.environment ? "there is no environment"
@@ -211,9 +211,9 @@ void Analysis::decideInterreflection() {
   if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface sees another");
   std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
   if (plan.reflections == 1)
-    return decide(
-        Effect::interreflection, false,
-        pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest first reflection");
+    return decide(Effect::interreflection, false,
+                  pair + ", but further reflections add at most " + percent(plan.remainder) +
+                      " of the brightest first reflection");
   const std::string rest = std::isfinite(plan.remainder)
                                ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
                                      percent(plan.remainder) + " of the brightest first reflection"

@@ -221,6 +221,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     }
     case BadgeRole:
       return entry.item.badge;
+    case BadgeMeaningRole:
+      return entry.item.badgeMeaning;
     default:
       return {};
   }

@@ -19,11 +19,11 @@ struct EffectText {
 /// In the order of Effect.
 constexpr EffectText texts[effectCount] = {
     {QT_TRANSLATE_NOOP("EffectList", "Emitted light"),
-     QT_TRANSLATE_NOOP("EffectList", "Lamps, and the environment behind the objects, as the camera sees them")},
+     QT_TRANSLATE_NOOP("EffectList", "Area lights and the environment, where the camera sees them directly")},
     {QT_TRANSLATE_NOOP("EffectList", "Direct light"),
-     QT_TRANSLATE_NOOP("EffectList", "Light of lamps after one reflection")},
+     QT_TRANSLATE_NOOP("EffectList", "Light from distant, point and area lights after one reflection")},
     {QT_TRANSLATE_NOOP("EffectList", "Environment light"),
-     QT_TRANSLATE_NOOP("EffectList", "Light of the environment after one reflection")},
+     QT_TRANSLATE_NOOP("EffectList", "Light from the environment after one reflection")},
     {QT_TRANSLATE_NOOP("EffectList", "Cast shadows"),
      QT_TRANSLATE_NOOP("EffectList", "Shadows that one object casts on another")},
     {QT_TRANSLATE_NOOP("EffectList", "Self-shadowing"),
