@@ -126,9 +126,11 @@ void addExport(CLI::App& app, Tool& tool) {
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0, 100));
   command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (128)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--theta-count", options->thetaCount, "Number of incident polar angles, with --size")
+  command
+      ->add_option("--theta-count", options->thetaCount,
+                   "Number of incident polar angles of a .bsdf file; needs --size")
       ->check(CLI::Range(4, 1024));
-  command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
+  command->add_option("--size", options->size, "Nodes along each side of a slice of a .bsdf file; needs --theta-count")
       ->check(CLI::Range(4, 512));
   command
       ->add_option("--scene", options->scene,
@@ -136,8 +138,9 @@ void addExport(CLI::App& app, Tool& tool) {
                        ": a bundled one, a scene file or a mesh (sphere if no name follows)")
       ->expected(0, 1)
       ->default_str(sphereName);
-  command->add_option("--environment", options->environment,
-                      "Environment: a bundled one or an image (the one of the scene); implies --scene");
+  command->add_option(
+      "--environment", options->environment,
+      "Environment of the written scene: a bundled one or an image (that of the scene); implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

@@ -245,8 +245,9 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   ownFormHelp("Material file to write") + "; with the space factors also the curves (" +
-                       suffixOf(FormatId::pdv) + "), with dictionary the code (" + suffixOf(FormatId::code) + ")")
+                   ownFormHelp("Material file to write") + "; for --space factors also the curves (" +
+                       suffixOf(FormatId::pdv) + "), for --space dictionary also the code (" +
+                       suffixOf(FormatId::code) + ")")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

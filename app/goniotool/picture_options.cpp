@@ -21,7 +21,7 @@ std::string suffixOf(const std::string& path) { return std::filesystem::path(pat
 void PictureOptions::apply(Scene& scene) const {
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
-    if (!(glm::length(direction) > 0)) throw UsageError("--light: found a direction of length 0");
+    if (!(glm::length(direction) > 0)) throw UsageError("--light: the direction has length 0");
     scene.environment = nullptr;
     scene.pointLights.clear();
     std::erase_if(scene.objects, [](const SceneObject& object) { return object.emits(); });
@@ -53,8 +53,9 @@ RenderOptions PictureOptions::renderOptions() const {
 }
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
-  auto* environment = command.add_option("--environment", options->environment,
-                                         bundledEnvironmentList() + " or an image file (environment of the scene)");
+  auto* environment =
+      command.add_option("--environment", options->environment,
+                         "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
   command
       .add_option("--light", options->light,
                   "Replace all lights by a distant light in the direction X Y Z (y up, z toward the camera)")

@@ -43,7 +43,7 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
           .description = description,
           .holds =
               "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL file "
-              "keeps its own values. No transmission.",
+              "keeps its stored values. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .choosesSize = true,
           .choosesSnr = true};

@@ -108,7 +108,7 @@ QString spaceExplanation(InterpolationSpace space) {
     case InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "
-          "sharp and a wide one. Detail that the model does not explain is lost between the ends.");
+          "sharp and a wide one. Detail that the model does not explain is lost in between.");
     case InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
           "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
@@ -116,11 +116,11 @@ QString spaceExplanation(InterpolationSpace space) {
     case InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
           "The factor curves of projected-deviation coordinates are mixed: the strength and width of the highlight "
-          "change gradually. Detail that the curves do not explain is lost between the ends.");
+          "change gradually. Detail that the curves do not explain is lost in between.");
     default:
       return InterpolationSpaceText::tr(
           "Each material is a sum of learned patterns with few coefficients; the coefficients, and with them the "
-          "transformed BRDF values, are mixed. Detail that the codes omit is lost between the ends.");
+          "transformed BRDF values, are mixed. Detail that the codes omit is lost in between.");
   }
 }
 

@@ -106,7 +106,7 @@ void TrainingRows::refresh() {
   const QStringList all = training().ids;
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
   QString facts = count < 2 ? tr("%n materials: too few for a training set", nullptr, count)
-                            : tr("%n materials, three signals each", nullptr, count);
+                            : tr("%n materials, one signal for each colour channel", nullptr, count);
   if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n excluded", nullptr, left);
   m_facts->setText(facts);
 }

@@ -59,9 +59,9 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
 }
 
 void FigurePictureSettings::build() {
-  m_scene->setToolTip(
-      tr("Scene of the images; all objects have the material. Elsewhere, the rendered SNR uses the first scene of "
-         "this list"));
+  m_scene->setToolTip(tr(
+      "Scene of the images; all objects have the material. Outside figures, the rendered SNR uses the first scene of "
+      "this list"));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);
   m_size->setSuffix(tr(" pixels"));
