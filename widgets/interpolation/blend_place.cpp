@@ -29,14 +29,14 @@ std::vector<double> weightsAt(int materials, const QPointF& place) {
   return {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
 }
 
-QPointF cornerPlace(int corner) { return {corner % 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0}; }
+QPointF cornerPosition(int corner) { return {corner % 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0}; }
 
-QPointF middlePlace(int materials) {
+QPointF centrePosition(int materials) {
   if (materials == minBlended) return {0.5, 0};
   return materials == triangle ? QPointF(1 / 3.0, 1 / 3.0) : QPointF(0.5, 0.5);
 }
 
-QPointF nearestPlace(int materials, const QPointF& place) {
+QPointF nearestPosition(int materials, const QPointF& place) {
   const double u = place.x(), v = place.y();
   if (materials == minBlended) return {clampedShare(u), 0};
   if (materials != triangle) return {clampedShare(u), clampedShare(v)};
@@ -49,7 +49,7 @@ QPointF nearestPlace(int materials, const QPointF& place) {
   for (int from = 0; from < triangle; ++from) {
     const int to = (from + 1) % triangle;
     const double fraction = nearestShare(p, corners[std::size_t(from)], corners[std::size_t(to)]);
-    const QPointF candidate = (1 - fraction) * cornerPlace(from) + fraction * cornerPlace(to);
+    const QPointF candidate = (1 - fraction) * cornerPosition(from) + fraction * cornerPosition(to);
     const QPointF away = drawnAt(materials, candidate) - p;
     if (dot(away, away) >= bestDistance) continue;
     bestDistance = dot(away, away);
@@ -58,7 +58,7 @@ QPointF nearestPlace(int materials, const QPointF& place) {
   return best;
 }
 
-QPointF wayPlace(int materials, double t) {
+QPointF pathPosition(int materials, double t) {
   if (materials == minBlended) return {t, 0};
   return materials == triangle ? QPointF(t / 2, t / 2) : QPointF(t, t);
 }
@@ -76,7 +76,7 @@ QPointF drawnAt(int materials, const QPointF& place) {
   return drawn;
 }
 
-QPointF placeDrawnAt(int materials, const QPointF& drawn) {
+QPointF positionDrawnAt(int materials, const QPointF& drawn) {
   const std::vector<QPointF> corners = drawnCorners(materials);
   const QPointF p = drawn - corners[0], a = corners[1] - corners[0];
   if (materials == minBlended) return {dot(p, a) / dot(a, a), 0};
