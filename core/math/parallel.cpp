@@ -95,7 +95,7 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
   return total;
 }
 
-void runQuietly(const std::function<void()>& work) {
+void runAtLowPriority(const std::function<void()>& work) {
 #ifdef __linux__
   // A quarter of the fraction of a normal thread: idle priority would starve on a machine that is busy otherwise.
   constexpr int niceness = 5;
