@@ -10,18 +10,18 @@ namespace gonio::fitting {
 namespace {
 
 /// Where a logarithmic range starts whose spec starts at 0.
-constexpr double smallestShare = 1e-4;
+constexpr double minFraction = 1e-4;
 
 }  // namespace
 
 UnitScale::UnitScale(const models::ParameterSpec& spec)
     : logarithmic_(spec.scale == models::ParameterScale::logarithmic), hardMin_(spec.hardMin), hardMax_(spec.hardMax) {
-  const double softMin = logarithmic_ && !(spec.softMin > 0) ? spec.softMax * smallestShare : spec.softMin;
+  const double softMin = logarithmic_ && !(spec.softMin > 0) ? spec.softMax * minFraction : spec.softMin;
   const auto scaled = [&](double value) { return logarithmic_ ? std::log(value) : value; };
   origin_ = scaled(softMin);
   extent_ = scaled(spec.softMax) - origin_;
   if (!(extent_ > 0)) extent_ = 1;
-  const double lowest = logarithmic_ && !(spec.hardMin > 0) ? softMin * smallestShare : spec.hardMin;
+  const double lowest = logarithmic_ && !(spec.hardMin > 0) ? softMin * minFraction : spec.hardMin;
   lowest_ = (scaled(lowest) - origin_) / extent_;
   highest_ = (scaled(spec.hardMax) - origin_) / extent_;
 }

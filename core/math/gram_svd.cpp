@@ -43,8 +43,8 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control)
 }
 
 GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control) {
-  constexpr double gramShare = 0.5;
-  const EigenBasis basis = eigenBasis(gramMatrix(matrix, control.between(0, gramShare)));
+  constexpr double gramFraction = 0.5;
+  const EigenBasis basis = eigenBasis(gramMatrix(matrix, control.between(0, gramFraction)));
   const Eigen::VectorXd sigma = basis.values.cwiseSqrt();
   Eigen::Index count = 0;
   while (count < std::min<Eigen::Index>(maxComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
@@ -60,7 +60,7 @@ GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl
         const Eigen::MatrixXd product = block.cast<double>() * projector;
         block.leftCols(count) = product.cast<float>();
       },
-      control.between(gramShare, 1));
+      control.between(gramFraction, 1));
   matrix.columns = count;
   matrix.values.resize(rows * std::size_t(count));
   // Giving memory back takes a copy for a moment: not worth it for a few columns of gigabytes.

@@ -14,7 +14,7 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double stickyPixels = 7, keyStep = 0.02, fine = 0.1, pointRadius = 7;
-constexpr double smallestPicture = 28, largestPicture = 72, pictureShare = 0.22;
+constexpr double smallestPicture = 28, largestPicture = 72, pictureFraction = 0.22;
 constexpr int smallestLines = 9, usualLines = 14;
 
 QChar letter(int corner) { return QChar(u'A' + corner); }
@@ -57,7 +57,7 @@ QSize BlendPad::sizeHint() const { return QSize(usualLines, usualLines) * fontMe
 QSize BlendPad::minimumSizeHint() const { return QSize(smallestLines, smallestLines) * fontMetrics().height(); }
 
 double BlendPad::pictureSide() const {
-  return std::clamp(pictureShare * std::min(width(), height()), smallestPicture, largestPicture);
+  return std::clamp(pictureFraction * std::min(width(), height()), smallestPicture, largestPicture);
 }
 
 QRectF BlendPad::area() const {

@@ -12,12 +12,12 @@ namespace {
 constexpr int triangle = 3;
 constexpr double side = 1, top = 0.067, bottom = 0.933;  // an equilateral triangle in the middle of the square
 
-double clampedShare(double x) { return std::clamp(x, 0.0, 1.0); }
+double clampedFraction(double x) { return std::clamp(x, 0.0, 1.0); }
 double dot(const QPointF& a, const QPointF& b) { return QPointF::dotProduct(a, b); }
 
 /// The fraction of the way from a to b that is nearest to p.
-double nearestShare(const QPointF& p, const QPointF& a, const QPointF& b) {
-  return clampedShare(dot(p - a, b - a) / dot(b - a, b - a));
+double nearestFraction(const QPointF& p, const QPointF& a, const QPointF& b) {
+  return clampedFraction(dot(p - a, b - a) / dot(b - a, b - a));
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ QPointF centrePosition(int materials) {
 
 QPointF nearestPosition(int materials, const QPointF& place) {
   const double u = place.x(), v = place.y();
-  if (materials == minBlended) return {clampedShare(u), 0};
-  if (materials != triangle) return {clampedShare(u), clampedShare(v)};
+  if (materials == minBlended) return {clampedFraction(u), 0};
+  if (materials != triangle) return {clampedFraction(u), clampedFraction(v)};
   if (u >= 0 && v >= 0 && u + v <= 1) return place;
   // On the edges, in the metric of the drawing; in fractions of an edge the corners come out exactly.
   const QPointF p = drawnAt(materials, place);
@@ -48,7 +48,7 @@ QPointF nearestPosition(int materials, const QPointF& place) {
   double bestDistance = HUGE_VAL;
   for (int from = 0; from < triangle; ++from) {
     const int to = (from + 1) % triangle;
-    const double fraction = nearestShare(p, corners[std::size_t(from)], corners[std::size_t(to)]);
+    const double fraction = nearestFraction(p, corners[std::size_t(from)], corners[std::size_t(to)]);
     const QPointF candidate = (1 - fraction) * cornerPosition(from) + fraction * cornerPosition(to);
     const QPointF away = drawnAt(materials, candidate) - p;
     if (dot(away, away) >= bestDistance) continue;

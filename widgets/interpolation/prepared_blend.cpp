@@ -18,7 +18,7 @@ struct InterpolationSpaceText {
   Q_DECLARE_TR_FUNCTIONS(InterpolationSpace)
 };
 
-constexpr double preparedShare = 0.9;
+constexpr double preparedFraction = 0.9;
 
 editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
   const auto curves = std::make_shared<const factorization::PdvFactors>(std::move(factors));
@@ -42,7 +42,7 @@ void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heavies
     if (i != heaviest) second = std::max(second, shown.weights[i]);
   shown.own = end.base;
   shown.ownIndex = heaviest;
-  shown.ownShare = shown.weights[heaviest] - second;
+  shown.ownFraction = shown.weights[heaviest] - second;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   blend->model = options.model ? options.model : &models::ggx();
   for (const editing::InterpolationEnd& end : ends)
     blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.material()));
-  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
+  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedFraction));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
     blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));

@@ -66,11 +66,11 @@ void ExportController::tryOut(const ExportSubject& subject, const exports::Expor
   m_tasks.run<ExportTrialPtr>(
       {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
       [subject, &target, options](const TaskControl& control) {
-        constexpr double madeShare = 0.8;
+        constexpr double madeFraction = 0.8;
         auto trial = std::make_shared<ExportTrial>();
         const exports::ExportSource source = subject.source();
-        trial->made = exports::makeExport(target, source, options, control.between(0, madeShare));
-        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeShare, 0.9));
+        trial->made = exports::makeExport(target, source, options, control.between(0, madeFraction));
+        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
         trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 1));
         return trial;
       },

@@ -249,9 +249,9 @@ void InterpolationPanel::keep() {
   m_tasks.run<LoadedMaterialPtr>(
       {text, keepKey},
       [blend, source](const TaskControl& control) {
-        constexpr double blendShare = 0.6;
-        auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendShare));
-        return measuredMaterial(std::move(material), source, control.between(blendShare, 1));
+        constexpr double blendFraction = 0.6;
+        auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
+        return measuredMaterial(std::move(material), source, control.between(blendFraction, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot save the blend"), error); });
