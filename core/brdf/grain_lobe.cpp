@@ -21,7 +21,7 @@ constexpr double searchFraction = 0.7;
 constexpr std::array fractions{0.2, 0.4, 0.6, 0.75, 0.9};
 /// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
 /// the light, have no less noise.
-constexpr double leastLobeGain = 0.5;
+constexpr double minLobeGain = 0.5;
 
 /// The second moment of the estimator as a function of the grain.
 class Moment {
@@ -103,7 +103,7 @@ GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, 
     other.fraction = fraction;
     best.consider(moments, other);
   }
-  return best.moment < (1 - leastLobeGain) * without ? best.grain : GrainLobe{};
+  return best.moment < (1 - minLobeGain) * without ? best.grain : GrainLobe{};
 }
 
 bool areSimilar(const GrainLobe& a, const GrainLobe& b) {

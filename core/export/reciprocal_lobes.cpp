@@ -16,7 +16,7 @@ using fitting::LinearMatrix;
 using fitting::LinearVector;
 
 constexpr double sharpestAlpha = 0.002, widestAlpha = 1;
-constexpr double largestStrength = 1e3;  // of F_0 and F_90: what a fit never reaches
+constexpr double maxStrength = 1e3;  // of F_0 and F_90: what a fit never reaches
 constexpr std::size_t widthCandidates = 14;
 constexpr int coarseIterations = 6, fineIterations = 25, colourIterations = 15;
 
@@ -64,7 +64,7 @@ LinearMatrix solveStrengths(const LinearMatrix& normal, const LinearMatrix& righ
   constexpr double ridge = 1e-9;
   LinearMatrix regularised = normal, result(normal.rows(), 3);
   regularised.diagonal() *= 1 + ridge;
-  LinearVector upper = LinearVector::Constant(normal.rows(), largestStrength);
+  LinearVector upper = LinearVector::Constant(normal.rows(), maxStrength);
   upper(0) = 1;
   for (int channel = 0; channel < 3; ++channel)
     result.col(channel) =
@@ -204,8 +204,8 @@ template <typename Visit>
 void visitColours(ReciprocalLobes& lobes, Visit visit) {
   visit(lobes.diffuse, 1.0);
   for (ReciprocalLobes::Lobe& lobe : lobes.lobes) {
-    visit(lobe.normal, largestStrength);
-    visit(lobe.edge, largestStrength);
+    visit(lobe.normal, maxStrength);
+    visit(lobe.edge, maxStrength);
     visit(lobe.tint82, 1.0);
   }
 }

@@ -164,7 +164,7 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
   std::vector<std::vector<double>> sentOn(count);
   for (std::size_t i = 0; i < count; ++i)
     for (const std::size_t j : visible[i])
-      sentOn[i].push_back(materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])));
+      sentOn[i].push_back(materials_[i]->bound().at(maxFormFactor(scene_.objects[i], scene_.objects[j])));
   // bound[i]: what leaves object i after so many reflections, as a fraction of the brightest first one.
   std::vector<double> bound(count, 1), additions;
   constexpr int horizon = 4096;
@@ -176,7 +176,7 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
         sum += sentOn[i][k] * bound[visible[i][k]];
         largest = std::max(largest, bound[visible[i][k]]);
       }
-      if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().largestAlbedo() * largest);
+      if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().maxAlbedo() * largest);
     }
     bound = next;
     additions.push_back(count > 0 ? *std::ranges::max_element(bound) : 0);

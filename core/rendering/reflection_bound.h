@@ -24,8 +24,8 @@ class ReflectionBound {
 
   /// A(F), non-decreasing, 0 for F = 0. @param fraction F in [0, 1].
   double at(double fraction) const;
-  double largestAlbedo() const { return at(1); }
-  bool isBlack() const { return !(largestAlbedo() > 0); }
+  double maxAlbedo() const { return at(1); }
+  bool isBlack() const { return !(maxAlbedo() > 0); }
 
  private:
   ReflectionBound() = default;

@@ -174,7 +174,7 @@ bool maySee(const SceneObject& receiver, const SceneObject& other) {
   return someLiesBefore(receiver.shape, other.shape) && someLiesBefore(other.shape, receiver.shape);
 }
 
-double largestFormFactor(const SceneObject& receiver, const SceneObject& other) {
+double maxFormFactor(const SceneObject& receiver, const SceneObject& other) {
   if (&receiver == &other) return 1;
   const Sphere bound = boundingSphere(other.shape);
   const double ratio = bound.radius / std::max(bound.radius, distanceFrom(receiver.shape, bound.centre));

@@ -14,8 +14,8 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double stickyPixels = 7, keyStep = 0.02, fine = 0.1, pointRadius = 7;
-constexpr double smallestPicture = 28, largestPicture = 72, pictureFraction = 0.22;
-constexpr int smallestLines = 9, usualLines = 14;
+constexpr double minPicture = 28, maxPicture = 72, pictureFraction = 0.22;
+constexpr int minLines = 9, usualLines = 14;
 
 QChar letter(int corner) { return QChar(u'A' + corner); }
 }  // namespace
@@ -54,10 +54,10 @@ void BlendPad::setPlace(const QPointF& place) {
 }
 
 QSize BlendPad::sizeHint() const { return QSize(usualLines, usualLines) * fontMetrics().height(); }
-QSize BlendPad::minimumSizeHint() const { return QSize(smallestLines, smallestLines) * fontMetrics().height(); }
+QSize BlendPad::minimumSizeHint() const { return QSize(minLines, minLines) * fontMetrics().height(); }
 
 double BlendPad::pictureSide() const {
-  return std::clamp(pictureFraction * std::min(width(), height()), smallestPicture, largestPicture);
+  return std::clamp(pictureFraction * std::min(width(), height()), minPicture, maxPicture);
 }
 
 QRectF BlendPad::area() const {

@@ -22,7 +22,7 @@ namespace gonio::app {
 namespace {
 
 const QString pictureFolder = QStringLiteral("plot");
-constexpr int side = 256, samples = 32, firstCount = 8, smallestTile = 96, largestTile = 384, firstTile = 160;
+constexpr int side = 256, samples = 32, firstCount = 8, minTile = 96, maxTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedColumns = 6;
 
 QImage imageOf(const std::vector<std::uint8_t>& rgba) {
@@ -73,7 +73,7 @@ void ContactSheetWindow::build() {
   m_maps->setChecked(true);
   m_maps->setToolTip(tr("Shows the absolute luminance difference from the material, on one scale for all images"));
   auto* size = new QSlider(Qt::Horizontal);
-  size->setRange(smallestTile, largestTile);
+  size->setRange(minTile, maxTile);
   size->setValue(firstTile);
   size->setFixedWidth(8 * em);
   size->setAccessibleName(tr("Image size"));
