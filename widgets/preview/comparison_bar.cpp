@@ -88,7 +88,7 @@ QWidget* ComparisonBar::buildSides() {
     list->setMinimumContentsLength(8);
     for (int i = 0; i <= otherMaterialEntry; ++i) list->addItem({});
     list->setItemText(otherMaterialEntry, tr("Another material..."));
-    connect(list, &QComboBox::activated, this, [this, side] { tellSides(side); });
+    connect(list, &QComboBox::activated, this, [this, side] { emitSides(side); });
     layout->addWidget(list, 1);
     if (side == 0) layout->addWidget(new QLabel(tr("against"), row));
   }
@@ -168,7 +168,7 @@ void ComparisonBar::setFoundRange(double range) {
   if (m_comparison.range == 0) m_range->setValue(range);
 }
 
-void ComparisonBar::tellSides(int changed) {
+void ComparisonBar::emitSides(int changed) {
   const int entry = m_sides[std::size_t(changed)]->currentIndex();
   const auto before = m_chosen;
   setSides(before[0], before[1]);  // until it is set otherwise
