@@ -15,7 +15,7 @@ RenderedComparison exportComparison(const ExportSource& source, const ExportOpti
   return RenderedComparison(*source.brdf, pictures, control);
 }
 
-void measureExport(MadeExport& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
+void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control) {
   made.snr = comparison.signalToNoiseRatio(comparison.render(*brdf, control));
   made.brdf = std::move(brdf);

@@ -83,7 +83,7 @@ std::string grainNodes(double rotation) {
              .text();
 }
 
-MadeExport makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   auto [made, lobes] = makeLobesExport(mtlxLobeCounts, schlickLobesBrdf, source, options, control);
   made.parts.push_back(textPart(lobesSuffix, schlickLobesDocument(lobes, source.name, originText(source, made.snr))));
   return std::move(made);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf";
 
 template <bool bothSides>
-MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   RglOptions rgl;
   rgl.bothSides = bothSides;
   rgl.snr = options.snr;
@@ -21,7 +21,7 @@ MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, co
   rgl.pictureSize = options.pictureSize;
   rgl.samples = options.samples;
   RglExport files = exportRgl(source, rgl, control);
-  MadeExport made;
+  ExportResult made;
   made.snr = files.snr;
   made.brdf = std::move(files.brdf);
   made.facts = {{"thetaCount", "Incident polar angles", files.size.thetaCount},
