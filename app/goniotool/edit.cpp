@@ -57,8 +57,8 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
   const std::string name = assignment.substr(0, equals);
   const auto index = spec.find(name);
   if (!index || equals == std::string::npos) {
-    throw UsageError("edit: found '" + assignment + "', expected name=value with a name of " + std::string(spec.id) +
-                     ": " + namesOf(spec));
+    throw UsageError("edit: found '" + assignment + "', expected name=value with a parameter of " +
+                     std::string(spec.id) + ": " + namesOf(spec));
   }
   const models::ParameterSpec& parameter = spec.parameters[*index];
   const std::string text = assignment.substr(equals + 1);
@@ -144,7 +144,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   const models::ParameterValues after = change.target();
   std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
-    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
+    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
   const bool averaged = !writesDocument(options) && !isOwnForm(options.out) && editing::isAnisotropic(edit);
   if (averaged) text += averagedText();

@@ -89,7 +89,7 @@ void addInfo(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   CLI::Option* tableError =
       command->add_flag("--table-error", options->tableError,
-                        "Also measure the rendered SNR of the material's table, which takes some seconds");
+                        "Also measure the rendered SNR of the material's table, which takes a few seconds");
   command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")->needs(tableError);
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")
       ->check(CLI::Range(1, 1 << 20))

@@ -97,7 +97,7 @@ void report(const PlanArguments& options, const SamplingPlan& plan, const Sample
   if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
   print(tool, json,
         options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
-            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", path of the arms " +
+            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
             number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
             std::to_string(basis.learnedFrom.size()) + " materials, learned in " + number(trainingSeconds) + " s\n" +
             (selection.warning.empty() ? "" : selection.warning + "\n"));

@@ -215,7 +215,7 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::PositiveNumber);
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
-  command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes the same bits");
+  command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");
   command->add_option("--shard", options->shard,
                       "I/N: measure only every Nth material, starting with the Ith; goniotool merge joins the shards");
   command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");

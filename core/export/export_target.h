@@ -50,7 +50,7 @@ struct ExportTarget {
   bool choosesSize = false;                ///< uses ExportOptions::size
   bool choosesSnr = false;                 ///< uses ExportOptions::snr: files grow with it
   const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
-  /// Makes the export. Takes some seconds. @throws Error; Cancelled.
+  /// Makes the export. Takes a few seconds. @throws Error; Cancelled.
   ExportResult (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
 
   /// The paths of all files: `name` with each suffix, including those of a scene, if given.

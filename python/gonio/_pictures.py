@@ -102,12 +102,12 @@ class Comparison:
 
 def compare(reference: Material, other: Material, max_polar_angle: float = math.radians(85), size: int = 256, samples: int = 64,
             pictures: bool = False, progress: Progress = None) -> Comparison:
-    """Computes every metric between two materials and between their images. Takes some seconds.
+    """Computes every metric between two materials and between their images. Takes a few seconds.
 
     Args:
         reference: The reference.
         other: The material to compare with the reference. If it is anisotropic, the metrics use its mean over the azimuths.
-        max_polar_angle: Max polar angle of both directions in rad; `errors` leave out cells beyond it.
+        max_polar_angle: Maximum polar angle of both directions in rad; `errors` leave out cells beyond it.
         size: Width and height of the images in pixels.
         samples: Samples per pixel of the images.
         pictures: Whether the result contains the images.
@@ -224,7 +224,7 @@ class Export:
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
            scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None) -> Export:
-    """Writes a material, with its edits, as files for a renderer. Takes some seconds.
+    """Writes a material, with its edits, as files for a renderer. Takes a few seconds.
 
     Args:
         material: The material to export.

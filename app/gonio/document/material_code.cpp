@@ -23,7 +23,7 @@ struct MaterialCodeText {
 };
 QString number(double value) { return QString::number(value, 'g', 3); }
 
-/// Prepared once, in the background; matrices in single precision, some MB.
+/// Prepared once, in the background; matrices in single precision, a few MB.
 struct Coder {
   std::shared_ptr<const materials::NamedEnsemble> dictionary = materials::bundledDictionary();
   dictionary::Encoder encoder{dictionary->ensemble};

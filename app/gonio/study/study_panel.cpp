@@ -218,7 +218,7 @@ void StudyPanel::refresh() {
                   : m_model.rowCount() == 0
                       ? tr("Choose at least one kind of representation.")
                       : tr("Press Measure to measure the error and cost of every representation of this material "
-                           "in the background (some minutes)."));
+                           "in the background (a few minutes)."));
   QStringList facts;
   for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
   m_footer->setText(facts.join(QStringLiteral(" · ")));
