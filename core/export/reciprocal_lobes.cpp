@@ -133,12 +133,12 @@ struct WidthCoding {
         v.start.push_back(std::log(alpha) - stretch);
       }
     }
-    v.lowest.assign(v.start.size(), std::log(sharpestAlpha / 2));
-    v.highest.assign(v.start.size(), std::log(widestAlpha));
+    v.minimum.assign(v.start.size(), std::log(sharpestAlpha / 2));
+    v.maximum.assign(v.start.size(), std::log(widestAlpha));
     if (isotropic) return v;
     v.start.push_back(rotation);
-    v.lowest.push_back(rotation - halfPi);
-    v.highest.push_back(rotation + halfPi);
+    v.minimum.push_back(rotation - halfPi);
+    v.maximum.push_back(rotation + halfPi);
     return v;
   }
 };
@@ -247,8 +247,8 @@ ReciprocalLobes refineLobes(const Brdf& material, const PictureCells& cells, con
   visitColours(lobes, [&](Rgb& colour, double largest) {
     for (int c = 0; c < 3; ++c) {
       variables.start.push_back(colour[c]);
-      variables.lowest.push_back(0);
-      variables.highest.push_back(largest);
+      variables.minimum.push_back(0);
+      variables.maximum.push_back(largest);
     }
   });
   const auto set = [&](std::span<const double> x) {

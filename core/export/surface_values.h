@@ -51,7 +51,7 @@ enum class SurfaceField {
 /// A parameter of a shader, with its limits.
 struct SurfaceLimit {
   SurfaceField field;
-  double lowest, highest;
+  double minimum, maximum;
 };
 
 /// A metallic-roughness shader.
