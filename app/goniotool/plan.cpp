@@ -128,7 +128,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   materials::writePlan(
       plan, options.out,
       {"training set: " + std::to_string(basis->learnedFrom.size()) + " materials",
-       "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
+       "angles in degrees, i is the light, o the viewer; for isotropic materials only phi_o - phi_i matters"});
   report(options, plan, selection, *basis, kept, trainingSeconds, seconds, tool);
   return 0;
 }

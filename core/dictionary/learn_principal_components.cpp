@@ -135,8 +135,7 @@ PrincipalComponents learnPrincipalComponents(
     control.report(readShare * double(material + 1) / double(materials));
   }
   compact(pca.mapping, columns, missing);
-  if (pca.mapping.cells.empty())
-    throw Error("no cell is valid in all materials: the training set has nothing in common");
+  if (pca.mapping.cells.empty()) throw Error("no cell is valid in all materials of the training set");
 
   std::vector<std::span<const float>> spans;
   for (std::size_t column = 0; column < std::size_t(columns.columns); ++column)

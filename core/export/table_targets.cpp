@@ -144,7 +144,7 @@ ExportTarget csvTarget() {
           .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
           .holds =
               "Values every 15 degrees of the light's polar angle to 75, every 5 of the viewer's to 85 and every 15 "
-              "of azimuth; of anisotropic materials every 30 of the light's azimuth too.",
+              "of azimuth; for anisotropic materials also every 30 of the light's azimuth.",
           .suffixes = {".csv"},
           .make = makeCsv};
 }

@@ -159,7 +159,7 @@ void InterpolationPanel::setSpace(Space space) {
 void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
-    text += '\n' + tr("The preview of a mixture blends tables; a material that is not a table is sampled first.");
+    text += '\n' + tr("The preview blends tables; a material that is not a table is sampled to one first.");
   m_placeEditor->setExplanation(text);
 }
 
