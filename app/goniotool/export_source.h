@@ -33,6 +33,6 @@ inline std::string ownFormHelp(const std::string& what) { return what + " (.bina
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =
-    "Show one wavelength of a spectral RGL file, nm, as grey instead of all wavelengths under D65";
+    "Use one wavelength of a spectral RGL file, nm, in grey, instead of all wavelengths under D65";
 
 }  // namespace gonio::tool

@@ -99,7 +99,7 @@ std::vector<Case> cases() {
           {Effect::interreflection, true, with({ring}), "ring sees itself; all after the 10th reflection add at most"},
           {Effect::interreflection, true, with({sphere, sphereAt(2.5)}), "sphere sees sphere; all after the"},
           {Effect::interreflection, false, with({sphere}), "no reflecting surface sees another"},
-          {Effect::interreflection, false, with({sphere, sphereAt(50)}), "but more reflections add at most 0.02"},
+          {Effect::interreflection, false, with({sphere, sphereAt(50)}), "but further reflections add at most 0.02"},
           {Effect::anisotropicFrames, true, with({sphere}), "the material of sphere is anisotropic", brushed()},
           {Effect::anisotropicFrames, false, with({sphere}), "every material is isotropic"},
           {Effect::areaLightSampling, true, with({sphere, lampAt({0, 3, 0})}), "an area light illuminates a surface"},
