@@ -24,7 +24,7 @@ SECTIONS = {
                                       "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation"],
     "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan",
                     "Readings", "Reconstruction", "Basis"],
-    "Pictures, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
+    "Images, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
                                    "Effect", "Record", "Export", "Target"],
 }
 

@@ -60,11 +60,11 @@ int compare(const CompareArguments& options, const Tool& tool) {
 void addCompare(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<CompareArguments>();
   CLI::App* command =
-      app.add_subcommand("compare", "Computes every metric between two materials and between their pictures");
+      app.add_subcommand("compare", "Computes every metric between two materials and between their images");
   command->add_option("A", options->reference, "Reference material")->required();
   command->add_option("B", options->test, "Material to compare with the reference")->required();
-  command->add_option("--image", options->image, "PNG file to write: both pictures side by side and the error map");
-  command->add_option("--size", options->picture.size, "Size of the pictures, pixels (256)");
+  command->add_option("--image", options->image, "PNG file to write: both images side by side and the error map");
+  command->add_option("--size", options->picture.size, "Size of the images, pixels (256)");
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });
 }

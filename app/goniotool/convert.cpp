@@ -56,7 +56,7 @@ void addConvert(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix sets the format"))->required();
   command->add_flag("--whole-circle", options->wholeCircle,
-                    "Write a table of 90 x 90 x 360 cells for non-reciprocal materials (90 x 90 x 180)");
+                    "Write a table of 90 x 90 x 360 instead of 90 x 90 x 180 cells, as non-reciprocal materials need");
   command->callback([=, &tool] { tool.run = [=, &tool] { return convert(*options, tool); }; });
 }
 

@@ -151,13 +151,13 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--subspace-loss", training.subspaceLoss,
-                   "Max. fraction of the energy that the shared subspace leaves to the last sweep (3e-5)")
+                   "Max. fraction of the energy that the shared subspace may omit (3e-5)")
       ->check(CLI::Range(0.0, 0.5));
-  command->add_option("--seed", training.seed, "Seed of the initial partition (1)");
+  command->add_option("--seed", training.seed, "Seed of the initial assignment of materials to dictionaries (1)");
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");
   command->add_flag("--only-complete", options->onlyComplete,
-                    "Write nothing after an interrupt (write the best dictionary so far)");
+                    "After an interrupt, write nothing instead of the best dictionary so far");
   command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
 }
 

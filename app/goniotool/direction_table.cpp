@@ -33,7 +33,7 @@ DirectionTable readDirections(const std::filesystem::path& path) {
     for (const io::CsvText::Row& row : csv.rows)
       table.rows.push_back({csv.number(row, columns[0]), csv.number(row, columns[1]), csv.number(row, columns[2]),
                             csv.number(row, columns[3])});
-    if (table.rows.empty()) throw Error("found no directions");
+    if (table.rows.empty()) throw Error("contains no directions");
     return table;
   });
 }

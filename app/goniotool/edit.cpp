@@ -57,8 +57,8 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
   const std::string name = assignment.substr(0, equals);
   const auto index = spec.find(name);
   if (!index || equals == std::string::npos) {
-    throw UsageError("edit: found '" + assignment + "', expected name=value with a name of " + std::string(spec.id) +
-                     ": " + namesOf(spec));
+    throw UsageError("edit: found '" + assignment + "', expected name=value with a parameter of " +
+                     std::string(spec.id) + ": " + namesOf(spec));
   }
   const models::ParameterSpec& parameter = spec.parameters[*index];
   const std::string text = assignment.substr(equals + 1);
@@ -112,19 +112,19 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
 
 /// What a table cannot hold, for people.
 std::string averagedText() {
-  return "  note: the edit is anisotropic, the table is not: it holds the mean over " +
+  return "  note: the edit is anisotropic, the table is not: it contains the mean over " +
          std::to_string(editing::bakedAzimuths) + " azimuths\n";
 }
 
 int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
-                     " is a document, which is replayed: leave out --model, --set and --control");
+                     " is a document, which contains its own edits: leave out --model, --set and --control");
   if (isOwnForm(options.out)) {
-    const OpenedSource source = openForExport(options.material, tool.control("replaying"));
+    const OpenedSource source = openForExport(options.material, tool.control("applying the edits"));
     writeOwnForm(source.material, source.base, options.out, tool.control("writing"));
   } else {
-    materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
+    materials::writeMaterial(openMaterial(options.material, tool.control("applying the edits")), options.out);
   }
   const auto edits = editing::readDocument(options.material).edits;
   const bool averaged = !isOwnForm(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
@@ -144,7 +144,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   const models::ParameterValues after = change.target();
   std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
-    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
+    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
   const bool averaged = !writesDocument(options) && !isOwnForm(options.out) && editing::isAnisotropic(edit);
   if (averaged) text += averagedText();
@@ -222,7 +222,7 @@ int edit(const EditArguments& options, const Tool& tool) {
 void addEdit(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EditArguments>();
   CLI::App* command =
-      app.add_subcommand("edit", "Edits a material by the change of a fitted model, or replays a document");
+      app.add_subcommand("edit", "Edits a material through a fitted model, or applies the edits of a document");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "Model to fit and edit")->check(CLI::IsMember(modelIds()));
   command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable");
@@ -231,14 +231,14 @@ void addEdit(CLI::App& app, Tool& tool) {
       "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()));
   command
       ->add_option("--compose", options->composition,
-                   "Composition of the change with the material: additive, log-plus or lobes (default of the model)")
+                   "How the change is combined with the material: additive, log-plus or lobes (default of the model)")
       ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
-  command->add_option("--strength", options->strength, "Strength: fraction of the change that is added (1)")
+  command->add_option("--strength", options->strength, "Strength: fraction of the change that is applied (1)")
       ->check(CLI::Range(0.0, 1.0));
   command
-      ->add_option(
-          "--out", options->out,
-          ownFormHelp("The material") + ", or the edit without the data (" + std::string(editing::documentSuffix) + ")")
+      ->add_option("--out", options->out,
+                   ownFormHelp("Material file to write") + ", or the edit without measured data (" +
+                       std::string(editing::documentSuffix) + ")")
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });
 }

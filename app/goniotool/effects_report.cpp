@@ -37,7 +37,7 @@ std::string planText(const EffectPlan& plan, const EffectCosts* costs) {
     if (decision.simulated != decision.calledFor) text += " (forced)";
     text += ", " + decision.reason;
     if (costs)
-      text += "; " + timeText(costs->effects[i]) + ", changes the picture by " +
+      text += "; " + timeText(costs->effects[i]) + ", changes the image by " +
               number(100 * costs->effects[i].difference) + " % (noise " + number(100 * costs->effects[i].noise) + " %)";
     text += "\n";
   }

@@ -115,20 +115,20 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0, 65535));
   command
       ->add_option("--error", options->relativeError,
-                   "Stop when the squared error is at most this fraction of the signal's energy")
+                   "Use fewer coefficients if the squared error is then at most this fraction of the signal's energy")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--bytes", options->bytes, "Max. size of the file, bytes")->check(CLI::PositiveNumber);
   command
       ->add_option("--rendered-snr", options->renderedSnr,
-                   "Use the fewest coefficients that reach this rendered SNR, dB; at most --coefficients")
+                   "Use the smallest number of coefficients that reaches this rendered SNR, dB")
       ->check(CLI::Range(1.0, 200.0));
   command
       ->add_option("--transform", options->transform,
                    "Transform: log-plus or cosine-log (the one with the smaller error)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
-  command->add_option("--gamma", options->encoding.gamma, "Gamma of the error that chooses the transform (2)")
+  command->add_option("--gamma", options->encoding.gamma, "Exponent of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
-  command->add_flag("--single", options->single, "Store values in single precision (half)");
+  command->add_flag("--single", options->single, "Store values in single instead of half precision");
   command->add_option("--out", options->out, "Code file to write (" + suffixOf(materials::FormatId::code) + ")");
   command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
 }
@@ -137,7 +137,8 @@ void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "Decodes a sparse code to a material");
   command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
-  command->add_option("--dictionary", options->dictionary, "Dictionary file that encoded it (bundled dictionary)");
+  command->add_option("--dictionary", options->dictionary,
+                      "Dictionary with which the code was encoded (bundled dictionary)");
   command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }

@@ -43,13 +43,12 @@ void addEvaluate(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "Evaluates the BRDF at given directions");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--directions", options->directions, "CSV file of theta_i, phi_i, theta_o, phi_o, degrees")
+  command->add_option("--directions", options->directions, "CSV file with theta_i, phi_i, theta_o, phi_o in degrees")
       ->required();
-  command->add_option("--out", options->out, "CSV file to write: the directions, then BRDF values r, g, b, 1/sr")
+  command->add_option("--out", options->out, "CSV file to write: the directions, then the BRDF values r, g, b in 1/sr")
       ->required();
-  command->add_flag(
-      "--as-stored", options->asStored,
-      "Use the light as the incident direction of an RGL or UTIA file (the viewer, as in Mitsuba and pbrt)");
+  command->add_flag("--as-stored", options->asStored,
+                    "Use the light instead of the viewer as the incident direction of an RGL or UTIA file");
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
 }

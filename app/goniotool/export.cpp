@@ -30,7 +30,7 @@ std::string textOf(const exports::MadeExport& made, std::span<const exports::Exp
   std::string text;
   for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
-  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  pictures are identical\n";
+  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  images are identical\n";
   for (const std::string& warning : made.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
@@ -124,11 +124,13 @@ void addExport(CLI::App& app, Tool& tool) {
       ->required()
       ->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0, 100));
-  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (128)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (128)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--theta-count", options->thetaCount, "Number of incident polar angles, with --size")
+  command
+      ->add_option("--theta-count", options->thetaCount,
+                   "Number of incident polar angles of a .bsdf file; needs --size")
       ->check(CLI::Range(4, 1024));
-  command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
+  command->add_option("--size", options->size, "Nodes along each side of a slice of a .bsdf file; needs --theta-count")
       ->check(CLI::Range(4, 512));
   command
       ->add_option("--scene", options->scene,
@@ -136,8 +138,9 @@ void addExport(CLI::App& app, Tool& tool) {
                        ": a bundled one, a scene file or a mesh (sphere if no name follows)")
       ->expected(0, 1)
       ->default_str(sphereName);
-  command->add_option("--environment", options->environment,
-                      "Environment: a bundled one or a picture (the one of the scene); implies --scene");
+  command->add_option(
+      "--environment", options->environment,
+      "Environment of the written scene: a bundled one or an image (that of the scene); implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

@@ -26,13 +26,13 @@ using exports::isOwnForm;
 using exports::writeOwnForm;
 
 /// The help of an option that names a material to write in any form.
-inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; of UTIA files .bin)"; }
+inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; for UTIA files also .bin)"; }
 
 /// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error with
 /// the name of a file without spectra.
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =
-    "Export one wavelength of a spectral RGL file, nm, as three equal channels (all wavelengths, under D65)";
+    "Use one wavelength of a spectral RGL file, nm, in grey, instead of all wavelengths under D65";
 
 }  // namespace gonio::tool

@@ -159,9 +159,9 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
                                      "Weights of the cells: projected-solid-angle, or equal, as in the papers "
                                      "(projected-solid-angle)");
   weights->check(CLI::IsMember(std::vector<std::string>(pdvWeightNames.begin(), pdvWeightNames.end())));
-  auto* deviations =
-      command.add_option("--deviations", options->deviations,
-                         "Nodes of |Dp|: those of the material, or the common nodes of the library (material)");
+  auto* deviations = command.add_option(
+      "--deviations", options->deviations,
+      "Nodes of |Dp|: adapted to the material, or common to all materials of the library (material)");
   deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary}));
   return {terms,
           form,
@@ -171,7 +171,7 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
           command.add_flag("--as-published", options->asPublished,
                            "Published method: --transform log-plus --weights equal --deviations library"),
           command.add_option("--decode", options->decode,
-                             outputHelp("Bake the material that the factors represent to this file")),
+                             outputHelp("File to write: the material that the factors represent")),
           command.add_option("--swap-f1", options->swapF1,
                              "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
           command.add_option("--swap-f2", options->swapF2,
@@ -188,11 +188,11 @@ void addFactor(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   std::vector<std::string> methods = baselineIds();
   methods.insert(methods.begin(), pdvMethod);
-  command->add_option("--method", options->method, "Factorisation: PDV or one of the literature (pdv)")
+  command->add_option("--method", options->method, "Factorisation: pdv, or a baseline from the literature (pdv)")
       ->check(CLI::IsMember(methods));
   auto* bytes = command->add_option("--bytes", options->bytes, "Max. size of the factors of a baseline, bytes (44680)");
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
-  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +

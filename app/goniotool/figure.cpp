@@ -86,8 +86,8 @@ FigureDescription describe(const FigureArguments& options) {
   if (options.errorMaximum) figure.errorMaximum = options.errorMaximum;
   applyPictures(options, figure.pictures);
   if (figure.materials.empty() || figure.representations.empty())
-    throw UsageError("figure: found no " + std::string(figure.materials.empty() ? "materials" : "representations") +
-                     ", expected a DESCRIPTION, or --materials and --representations");
+    throw UsageError("figure: no " + std::string(figure.materials.empty() ? "materials" : "representations") +
+                     " were given; use a DESCRIPTION, or --materials and --representations");
   checkFigure(figure);
   checkFigureFits(figure);
   return figure;
@@ -186,7 +186,7 @@ std::optional<FigureMeasurement> makeFigure(const FigureArguments& options, cons
 
 int runFigure(const FigureArguments& options, const Tool& tool) {
   const std::vector<std::string> outputs = outputsOf(options);
-  if (outputs.empty()) throw UsageError("figure: found no output, expected --out, --csv, --latex or --save");
+  if (outputs.empty()) throw UsageError("figure: no output was given; use --out, --csv, --latex or --save");
   const FigureDescription figure = describe(options);
   checkOutputs(options, figure, tool);
   FigureFiles files;
@@ -214,22 +214,24 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
                      "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
   command
       .add_option("--numbers", options.numbers,
-                  "Numbers under the pictures: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
+                  "Numbers under the images: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
                   "frame-time (rendered-snr,bytes)")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");
   command
       .add_option("--inset", options.inset,
-                  "Magnified part: X Y SIZE in fractions of the picture, from the top left (none)")
+                  "Magnified part: X Y SIZE in fractions of the image, from the top left (none)")
       ->expected(3);
   command.add_flag("--no-error-maps", options.noErrorMaps, "Leave out the error maps");
   command.add_option("--error-maximum", options.errorMaximum,
-                     "Luminance error at the end of the scale of the error maps (from all pictures)");
+                     "Luminance error at the end of the scale of the error maps (from the data)");
   command.add_option("--title", options.title, "Title above the figure (none)");
 }
 
 void addPageOptions(CLI::App& command, FigureArguments& options) {
-  command.add_option("--columns", options.columns, "Width: one column (84 mm) or two (177 mm) of a page (two)")
+  command
+      .add_option("--columns", options.columns,
+                  "Width of the figure: one column (84 mm) or two columns (177 mm) of a page (two)")
       ->check(CLI::IsMember({"one", "two"}));
   command.add_option("--font", options.font, "Font family (Helvetica)");
   command.add_option("--font-size", options.fontSize, "Font size, pt (7 in one column, 8 in two)");
@@ -240,11 +242,11 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
 void addPictureOptions(CLI::App& command, FigureArguments& options) {
   command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere-studio)");
   command.add_option("--environment", options.environment,
-                     bundledEnvironmentList() + " or a picture file (environment of the scene)");
-  command.add_option("--size", options.size, "Size of the pictures, pixels (256)");
+                     "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
+  command.add_option("--size", options.size, "Size of the images, pixels (256)");
   command.add_option("--samples", options.samples, "Samples per pixel (64)");
-  command.add_option("--exposure", options.exposure, "Exposure of the pictures, stops (0)");
-  command.add_option("--tone-map", options.toneMap, "Tone map of the pictures: clamp or filmic (clamp)")
+  command.add_option("--exposure", options.exposure, "Exposure of the images, stops (0)");
+  command.add_option("--tone-map", options.toneMap, "Tone map of the images: clamp or filmic (clamp)")
       ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
 }
 

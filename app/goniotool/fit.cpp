@@ -152,17 +152,17 @@ void addFit(CLI::App& app, Tool& tool) {
   orders.emplace_back(bySnr);
   command->add_option("--metric", options->metric, "Metric that is minimised (log)")->check(CLI::IsMember(metricNames));
   command->add_option("--gamma", options->gamma,
-                      "Gamma of the metric gamma: 1 to 3 (2), or auto for the highest rendered SNR");
+                      "Exponent of the metric gamma: 1 to 3, or auto for the highest rendered SNR (2)");
   command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (the minimised metric)")
       ->check(CLI::IsMember(orders));
   command
       ->add_option("--samples", options->samples,
-                   "Samples per pixel of the pictures of --all (" + std::to_string(options->samples) + ")")
+                   "Samples per pixel of the images of --all (" + std::to_string(options->samples) + ")")
       ->check(CLI::Range(1, 1 << 20))
       ->needs(command->get_option("--all"));
   command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
-  command->add_option("--out", options->out, "Bake the fitted model to this file");
+  command->add_option("--out", options->out, outputHelp("File to write: the fitted model as a table"));
   command->callback([options, &tool] { tool.run = [options, &tool] { return fit(*options, tool); }; });
 }
 

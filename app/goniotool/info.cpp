@@ -51,7 +51,7 @@ std::string text(const Json& json) {
                                          : "  rendered SNR of its table for fits, factors and codes " +
                                                number(json["tableSnr"].get<double>()) + " dB\n";
   result += std::string("  shown and edited ") +
-            (json["shownAs"] == "measured" ? "in its own form, without a table\n" : "as a table\n");
+            (json["shownAs"] == "measured" ? "in its native form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;
 }
@@ -87,10 +87,10 @@ void addInfo(CLI::App& app, Tool& tool) {
   CLI::App* command =
       app.add_subcommand("info", "Shows format, grid, ranges, fraction of invalid cells and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  CLI::Option* tableError = command->add_flag("--table-error", options->tableError,
-                                              "Also measure the rendered SNR of the material's table (some seconds)");
-  command->add_option("--size", options->picture.size, "Size of the rendered pictures, pixels (256)")
-      ->needs(tableError);
+  CLI::Option* tableError =
+      command->add_flag("--table-error", options->tableError,
+                        "Also measure the rendered SNR of the material's table, which takes a few seconds");
+  command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")->needs(tableError);
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")
       ->check(CLI::Range(1, 1 << 20))
       ->needs(tableError);

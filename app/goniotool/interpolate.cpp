@@ -171,7 +171,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
 std::string accuracyText(const Json& step) {
   if (!step.contains("snr")) return {};
   std::string text =
-      step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  pictures are identical\n";
+      step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  images are identical\n";
   for (const Json& loss : step["losses"]) text += "  note: " + loss.get<std::string>() + "\n";
   return text;
 }
@@ -245,8 +245,9 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   ownFormHelp("Material file to write") + "; with the space factors also the curves (" +
-                       suffixOf(FormatId::pdv) + "), with dictionary the code (" + suffixOf(FormatId::code) + ")")
+                   ownFormHelp("Material file to write") + "; for --space factors also the curves (" +
+                       suffixOf(FormatId::pdv) + "), for --space dictionary also the code (" +
+                       suffixOf(FormatId::code) + ")")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

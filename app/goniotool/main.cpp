@@ -44,8 +44,9 @@ int work(const tool::Tool& tool, const CLI::App& command) {
 
 int parseAndWork(int argc, char** argv) {
   CLI::App app(
-      "Command-line tool for measured materials (BRDFs): read, check, convert, fit, edit, factor, encode, blend, "
-      "plan\nmeasurements and reconstruct from them, export, render, compare, study, make figures.",
+      "Command-line tool for measured materials (BRDFs): reads, checks, converts, fits, edits, factorises, encodes "
+      "and\n"
+      "blends them, plans measurements, exports, renders, compares, and makes studies and figures.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -55,11 +56,11 @@ int parseAndWork(int argc, char** argv) {
   app.add_flag("--progress", tool.showProgress, "Show progress on standard error even if it is not a terminal");
   app.add_flag("--force", tool.force, "Allow outputs to replace input files, and exports to replace existing files");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
-  app.footer("A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " +
-             std::string(editing::documentSuffix) +
-             " document, or a bundled material such as library:merl-copy/chrome or\nlibrary:rgl/paper_blue. Exit code: "
-             "0 success, 1 "
-             "failure, 2 wrong usage.");
+  app.footer(
+      "A MATERIAL is a file, recognised by its content (" + formatsText() + "),\na " +
+      std::string(editing::documentSuffix) +
+      " document, or a bundled material such as library:merl-copy/chrome or library:rgl/paper_blue.\n"
+      "Parentheses at the end of an option contain its default. Exit code: 0 success, 1 failure, 2 wrong usage.");
   for (const auto add :
        {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
         tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,

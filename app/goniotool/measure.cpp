@@ -40,13 +40,13 @@ void addMeasure(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 100.0));
   command
       ->add_option("--floor", options->noise.absolute,
-                   "Additional standard deviation of a reading in the dark, 1/sr (0)")
+                   "Noise floor: standard deviation of a reading in the dark, 1/sr (0)")
       ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--misalignment", options->misalignmentDegrees,
                    "Standard deviation of the direction of each arm about each of two axes, degrees (0)")
       ->check(CLI::Range(0.0, 90.0));
-  command->add_option("--seed", options->noise.seed, "Seed of the errors (1)");
+  command->add_option("--seed", options->noise.seed, "Seed of the random errors (1)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return measure(*options, tool); }; });
 }
 

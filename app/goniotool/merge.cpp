@@ -18,7 +18,7 @@ int merge(const MergeArguments& options, const Tool& tool) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const std::vector<ReadStudy> joined = joinShards(options.shards);
-  if (joined.empty()) throw Error("found no material in the shards");
+  if (joined.empty()) throw Error("the shards contain no materials");
   const StudyFacts& facts = joined.front().facts;
   makeFolder(options.out);
   StudyOutput output(options.out, facts);

@@ -21,7 +21,7 @@ std::string suffixOf(const std::string& path) { return std::filesystem::path(pat
 void PictureOptions::apply(Scene& scene) const {
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
-    if (!(glm::length(direction) > 0)) throw UsageError("--light: found a direction of length 0");
+    if (!(glm::length(direction) > 0)) throw UsageError("--light: the direction has length 0");
     scene.environment = nullptr;
     scene.pointLights.clear();
     std::erase_if(scene.objects, [](const SceneObject& object) { return object.emits(); });
@@ -53,8 +53,9 @@ RenderOptions PictureOptions::renderOptions() const {
 }
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
-  auto* environment = command.add_option("--environment", options->environment,
-                                         bundledEnvironmentList() + " or a picture file (environment of the scene)");
+  auto* environment =
+      command.add_option("--environment", options->environment,
+                         "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
   command
       .add_option("--light", options->light,
                   "Replace all lights by a distant light in the direction X Y Z (y up, z toward the camera)")
@@ -64,12 +65,12 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
                      "Rotation of the environment about the vertical axis, degrees (0)");
   command.add_flag("--show-environment", options->showEnvironment, "Show the environment behind the objects");
   command.add_flag("--blur-background", options->blurBackground, "Blur the environment behind the objects");
-  command.add_option("--size", options->size, "Size of the picture, pixels: a number or WIDTHxHEIGHT (256)");
+  command.add_option("--size", options->size, "Size of the image, pixels: a number or WIDTHxHEIGHT (256)");
   command.add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command.add_option("--seed", options->seed, "Seed of the random numbers (1)");
-  command.add_option("--exposure", options->exposure, "Exposure of PNG pictures, stops (0)")
+  command.add_option("--exposure", options->exposure, "Exposure of PNG images, stops (0)")
       ->check(CLI::Range(-30.0, 30.0));
-  command.add_option("--tone-map", options->toneMap, "Tone map of PNG pictures: clamp or filmic (clamp)")
+  command.add_option("--tone-map", options->toneMap, "Tone map of PNG images: clamp or filmic (clamp)")
       ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
 }
 

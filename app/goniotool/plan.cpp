@@ -97,7 +97,7 @@ void report(const PlanArguments& options, const SamplingPlan& plan, const Sample
   if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
   print(tool, json,
         options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
-            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", path of the arms " +
+            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
             number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
             std::to_string(basis.learnedFrom.size()) + " materials, learned in " + number(trainingSeconds) + " s\n" +
             (selection.warning.empty() ? "" : selection.warning + "\n"));
@@ -128,7 +128,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   materials::writePlan(
       plan, options.out,
       {"training set: " + std::to_string(basis->learnedFrom.size()) + " materials",
-       "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
+       "angles in degrees, i is the light, o the viewer; for isotropic materials only phi_o - phi_i matters"});
   report(options, plan, selection, *basis, kept, trainingSeconds, seconds, tool);
   return 0;
 }
@@ -155,11 +155,11 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
   command
       ->add_option("--components", selection.components,
-                   "Number of components for the selection of directions (as many as samples)")
+                   "Number of components that the selection of directions uses (as many as samples)")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--basis-components", options->basisComponents,
-                   "Number of components in the basis file (as many as the choice needs)")
+                   "Number of components in the basis file (as many as the selection uses)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--max-polar", options->largestPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));
@@ -172,9 +172,11 @@ void addPlan(CLI::App& app, Tool& tool) {
           "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees; repeatable")
       ->allow_extra_args(false);
   command->add_option("--seed", selection.seed, "Seed of the methods condition-number and random (1)");
-  command->add_option("--restarts", selection.restarts, "Restarts of the method condition-number")
+  command
+      ->add_option("--restarts", selection.restarts,
+                   "Number of searches of the method condition-number, the best of which is used (5)")
       ->check(CLI::Range(1, 10000));
-  command->add_flag("--single", options->single, "Store the basis in single precision (half)");
+  command->add_flag("--single", options->single, "Store the basis in single instead of half precision");
   command->callback([options, &tool] { tool.run = [options, &tool] { return plan(*options, tool); }; });
 }
 

@@ -151,7 +151,8 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
 void addReconstruct(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ReconstructArguments>();
   ReconstructionOptions& reconstruction = options->reconstruction;
-  CLI::App* command = app.add_subcommand("reconstruct", "Reconstructs a whole material from values measured by a plan");
+  CLI::App* command = app.add_subcommand(
+      "reconstruct", "Reconstructs a whole material from values measured at the directions of a plan");
   command->add_option("--plan", options->plan, "CSV file of the plan")->required();
   command->add_option("--values", options->values, "CSV file of the measured values")->required();
   command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
@@ -175,7 +176,7 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--atoms", reconstruction.atoms, "Number of components of the method sparse (by leave-one-out)")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--equal-noise", reconstruction.equalNoise,
-                    "Give all samples the same weight, as in the published equation: the ridge is --ridge alone");
+                    "Give all samples the same weight, as in the published equation, whatever their known noise");
   command->add_flag("--as-published", options->asPublished,
                     "Published method: --method ridge --ridge 40 --equal-noise, with as many components as samples");
   command->add_option("--uncertainty", options->uncertainty,

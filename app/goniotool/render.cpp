@@ -87,17 +87,16 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"error", cost.error},
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
-    text += std::string("  samples of ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; error in the time that sampling both takes " +
-            number(100 * cost.equalTimeError) + " %; time until the error of sampling both " +
-            number(cost.equalErrorTime) + " s\n";
+    text += std::string("  sampling ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
+            number(100 * cost.error) + " %; error at equal time " + number(100 * cost.equalTimeError) +
+            " %; time to equal error " + number(cost.equalErrorTime) + " s\n";
   }
   json["strategies"] = list;
 }
 
 int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
-    throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
+    throw UsageError("--out is missing: name an image to write, or use --effects alone");
   if (!options.out.empty()) checkPicture(options.out);
   const RenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));
@@ -168,10 +167,10 @@ void addRender(CLI::App& app, Tool& tool) {
   command->add_flag("--everything", options->everything, "Simulate all effects, to verify the plan");
   command
       ->add_option("--remainder", options->remainder,
-                   "Max. contribution of omitted reflections, as a fraction of the brightest pixel (1/512)")
+                   "Max. light that omitted reflections may add, relative to the brightest first reflection (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
-  command->add_option("--out", options->out, "Picture file to write: .exr (linear) or .png");
+  command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png");
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }
 

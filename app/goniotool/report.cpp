@@ -80,7 +80,7 @@ std::string imageErrorsText(const std::vector<double>& errors) {
   std::string text;
   const auto records = metrics::imageMetricRecords();
   for (std::size_t i = 0; i < errors.size(); ++i)
-    text += metricLine(records[i].id, number(errors[i]), std::string(records[i].name) + " of the pictures");
+    text += metricLine(records[i].id, number(errors[i]), std::string(records[i].name) + " of the images");
   return text;
 }
 

@@ -190,8 +190,9 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
   command
-      ->add_option("--terms", options->choice.terms,
-                   "Numbers of terms of the factors; their bytes are the budgets of baselines (1,2,3,5,8,10,14,20)")
+      ->add_option(
+          "--terms", options->choice.terms,
+          "Numbers of terms of the factors, whose sizes are also the budgets of the baselines (1,2,3,5,8,10,14,20)")
       ->delimiter(',')
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command
@@ -201,8 +202,8 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
       ->add_option("--dictionary", options->dictionaries,
-                   "Dictionary file of the codes (bundled dictionary); of several, each material is encoded with the "
-                   "first one that was not trained on it")
+                   "Dictionary file of the codes (bundled dictionary); repeatable: each material is encoded with the "
+                   "first dictionary that was not trained on it")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
@@ -212,11 +213,11 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--components", options->choice.components, "Numbers of principal components (4,8,..,128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  command->add_option("--size", options->size, "Size of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
+  command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
-  command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes the same bits");
+  command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");
   command->add_option("--shard", options->shard,
-                      "I/N: every Nth material from the Ith; goniotool merge joins the shards");
+                      "I/N: measure only every Nth material, starting with the Ith; goniotool merge joins the shards");
   command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
                       "Max. frame time of the best representation, ms");

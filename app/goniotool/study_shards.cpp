@@ -52,7 +52,7 @@ std::string difference(const std::string& settingsA, const std::string& settings
 void checkSameStudy(const ShardFile& a, const ShardFile& b) {
   const std::string folders = a.folder.string() + " and " + b.folder.string() + " are not shards of one study: ";
   if (a.settings != b.settings) throw Error(folders + "found " + difference(a.settings, b.settings));
-  if (a.stems != b.stems) throw Error(folders + "found other materials");
+  if (a.stems != b.stems) throw Error(folders + "they contain different materials");
   if (a.shard.count != b.shard.count)
     throw Error(folders + "found the shards " + a.shard.text() + " and " + b.shard.text());
 }

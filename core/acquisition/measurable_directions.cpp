@@ -20,10 +20,10 @@ void checkAngle(double angle, double largest, const std::string& what) {
 }
 
 void checkRange(const AngleRange& range, double largest, const std::string& what) {
-  checkAngle(range.lowest, largest, "the lowest " + what);
-  checkAngle(range.highest, largest, "the highest " + what);
+  checkAngle(range.lowest, largest, "the minimum " + what);
+  checkAngle(range.highest, largest, "the maximum " + what);
   if (range.lowest > range.highest)
-    throw Error("the lowest " + what + ", " + numberText(degrees(range.lowest)) + " degrees, is above the highest, " +
+    throw Error("the minimum " + what + ", " + numberText(degrees(range.lowest)) + " degrees, is above the maximum, " +
                 numberText(degrees(range.highest)));
 }
 

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double minAlpha = 1e-3, maxAlpha = 1;
 /// A share while the widths are sought.
-constexpr double searchShare = 0.7;
+constexpr double searchFraction = 0.7;
 constexpr std::array fractions{0.2, 0.4, 0.6, 0.75, 0.9};
 /// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
 /// the light, have no less noise.
-constexpr double leastLobeGain = 0.5;
+constexpr double minLobeGain = 0.5;
 
 /// The second moment of the estimator as a function of the grain.
 class Moment {
@@ -64,12 +64,12 @@ Rated coarseGrain(const Moment& moments) {
   Rated best;
   for (int i = 0; i < widths; ++i) {
     const double alpha = minAlpha * std::pow(maxAlpha / minAlpha, double(i) / (widths - 1));
-    best.consider(moments, {alpha, alpha, 0, searchShare});
+    best.consider(moments, {alpha, alpha, 0, searchFraction});
   }
   const double round = best.grain.alphaX;
   for (const double stretch : {1.6, 3.0})
     for (int direction = 0; direction < directions; ++direction)
-      best.consider(moments, {round / stretch, round * stretch, pi * direction / directions, searchShare});
+      best.consider(moments, {round / stretch, round * stretch, pi * direction / directions, searchFraction});
   return best;
 }
 
@@ -103,13 +103,13 @@ GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, 
     other.fraction = fraction;
     best.consider(moments, other);
   }
-  return best.moment < (1 - leastLobeGain) * without ? best.grain : GrainLobe{};
+  return best.moment < (1 - minLobeGain) * without ? best.grain : GrainLobe{};
 }
 
 bool areSimilar(const GrainLobe& a, const GrainLobe& b) {
-  constexpr double sameShare = 0.1, sameWidth = 0.25;
+  constexpr double sameFraction = 0.1, sameWidth = 0.25;
   if (a.fraction == 0 && b.fraction == 0) return true;
-  if (std::abs(a.fraction - b.fraction) > sameShare) return false;
+  if (std::abs(a.fraction - b.fraction) > sameFraction) return false;
   const auto apart = [](double one, double other) { return std::abs(std::log(one / other)); };
   if (std::max(apart(a.alphaX, b.alphaX), apart(a.alphaY, b.alphaY)) > sameWidth) return false;
   // A long ridge is missed where it is turned by its own width.

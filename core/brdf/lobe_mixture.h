@@ -59,7 +59,7 @@ class LobeMixture {
  public:
   /// @param fractions of the lobes, >= 0, adding up to 1.
   LobeMixture(const std::array<double, sizeof...(Lobes)>& fractions, Lobes... lobes)
-      : shares_(fractions), lobes_(lobes...) {}
+      : fractions_(fractions), lobes_(lobes...) {}
 
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     Direction wi = drawn<0>(wo, u.x, {u.y, u.z});
@@ -81,7 +81,7 @@ class LobeMixture {
   template <std::size_t index>
   Direction drawn(const Direction& wo, double which, const glm::dvec2& u) const {
     if constexpr (index + 1 < sizeof...(Lobes))
-      if (!(which < shares_[index])) return drawn<index + 1>(wo, which - shares_[index], u);
+      if (!(which < fractions_[index])) return drawn<index + 1>(wo, which - fractions_[index], u);
     return std::get<index>(lobes_).sample(wo, u);
   }
 
@@ -90,10 +90,11 @@ class LobeMixture {
     if constexpr (index == sizeof...(Lobes))
       return 0;
     else
-      return (shares_[index] > 0 ? shares_[index] * std::get<index>(lobes_).density(w, wo) : 0) + sum<index + 1>(w, wo);
+      return (fractions_[index] > 0 ? fractions_[index] * std::get<index>(lobes_).density(w, wo) : 0) +
+             sum<index + 1>(w, wo);
   }
 
-  std::array<double, sizeof...(Lobes)> shares_;
+  std::array<double, sizeof...(Lobes)> fractions_;
   std::tuple<Lobes...> lobes_;
 };
 

@@ -52,7 +52,7 @@ NeuralBrdf::NeuralBrdf(std::span<const float> weights) {
 
 void NeuralBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
   // exp(80) is within the range of float.
-  constexpr float largestExponent = 80;
+  constexpr float maxExponent = 80;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [wi, wo] = pairs[i];
     const HalfDifference at = toHalfDifference(wi, wo);
@@ -63,7 +63,7 @@ void NeuralBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> v
     const auto second = rectified(layer<hidden, hidden>(weights, first));
     const auto result = layer<hidden, outputs>(weights, second);
     for (int c = 0; c < 3; ++c)
-      values[i][c] = std::max(0.0f, std::expm1(std::min(result[std::size_t(c)], largestExponent)));
+      values[i][c] = std::max(0.0f, std::expm1(std::min(result[std::size_t(c)], maxExponent)));
   }
 }
 

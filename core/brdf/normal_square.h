@@ -37,12 +37,12 @@ inline Direction reflected(const Direction& w, const Direction& normal) {
 /// of them.
 inline double squarePerSolidAngle(const glm::dvec2& square, const Direction& sum, const Direction& w) {
   // The stretch vanishes within some nano-radians of the pole, where nothing is sampled.
-  constexpr double smallestStretch = 1e-12;
+  constexpr double minStretch = 1e-12;
   const double length = glm::length(sum);
   const double sinTheta = std::sqrt(sum.x * sum.x + sum.y * sum.y) / length;
   const double stretch = 2 * pi * pi * square.x * sinTheta;
   const double cosD = std::abs(glm::dot(sum, w)) / length;
-  return 1 / (std::max(stretch, smallestStretch) * 4 * std::max(cosD, smallestStretch));
+  return 1 / (std::max(stretch, minStretch) * 4 * std::max(cosD, minStretch));
 }
 
 }  // namespace gonio

@@ -13,7 +13,7 @@ namespace {
 
 constexpr SliceBlend onlyEditSlice{1, {0}, {1}};
 /// As RglBrdf divides: not by less.
-constexpr double leastLightCosine = 1e-3;
+constexpr double minLightCosine = 1e-3;
 
 /// The nodes of one slice: directions, and what a BRDF value is multiplied by to be a value of the field.
 struct SliceNodes {
@@ -37,7 +37,7 @@ SliceNodes nodesOf(const RglBrdf::Tables& tables, std::size_t slice) {
       const double ndf = data.jacobian ? interpolate<double>(data.ndf, onlyEditSlice, square) : 4 * sigma;
       const bool seen = light.z > horizonTolerance && ndf > 0 && viewer.z > horizonTolerance;
       nodes.pairs.push_back({seen ? glm::normalize(light) : viewer, viewer});
-      nodes.scale.push_back(seen ? std::max(light.z, leastLightCosine) * 4 * sigma / ndf : 0);
+      nodes.scale.push_back(seen ? std::max(light.z, minLightCosine) * 4 * sigma / ndf : 0);
     }
   return nodes;
 }

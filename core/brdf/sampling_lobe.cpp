@@ -14,32 +14,32 @@ namespace gonio {
 
 namespace {
 
-constexpr double minRoughness = 1e-3, maxRoughness = 1, maxSpecularShare = 0.95;
+constexpr double minRoughness = 1e-3, maxRoughness = 1, maxSpecularFraction = 0.95;
 
 }  // namespace
 
 DirectionSample SamplingLobe::sample(const Direction& wo, const glm::dvec3& u) const {
   const glm::dvec2 point(u.y, u.z);
   const Direction wi =
-      u.x < specularShare ? VisibleNormalLobe{roughness}.sample(wo, point) : CosineLobe{}.sample(wo, point);
+      u.x < specularFraction ? VisibleNormalLobe{roughness}.sample(wo, point) : CosineLobe{}.sample(wo, point);
   return {wi, pdf(wi, wo)};
 }
 
 double SamplingLobe::pdf(const Direction& wi, const Direction& wo) const {
   if (!(wi.z > 0)) return 0;
-  return (1 - specularShare) * CosineLobe{}.density(wi, wo) +
-         specularShare * VisibleNormalLobe{roughness}.density(wi, wo);
+  return (1 - specularFraction) * CosineLobe{}.density(wi, wo) +
+         specularFraction * VisibleNormalLobe{roughness}.density(wi, wo);
 }
 
 bool areSimilar(const SamplingLobe& a, const SamplingLobe& b) {
-  constexpr double sameShare = 0.15, sameWidth = 0.4;  // more than a step of the fit
-  return std::abs(a.specularShare - b.specularShare) < sameShare &&
+  constexpr double sameFraction = 0.15, sameWidth = 0.4;  // more than a step of the fit
+  return std::abs(a.specularFraction - b.specularFraction) < sameFraction &&
          std::abs(std::log(a.roughness / b.roughness)) < sameWidth;
 }
 
 SamplingLobe estimateSamplingLobe(const Brdf& brdf) {
   constexpr int roughnessSteps = 25;
-  constexpr std::array fractions{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, maxSpecularShare};
+  constexpr std::array fractions{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, maxSpecularFraction};
 
   // The second moment of the estimator is what the fit makes small.
   const std::vector<MomentProbe> probes = isotropicMomentProbes(brdf);
@@ -55,13 +55,13 @@ SamplingLobe estimateSamplingLobe(const Brdf& brdf) {
         moments[std::size_t(step)][fraction] += probe.energy / density;
       }
     }
-  SamplingLobe best{.roughness = 0.3, .specularShare = 0};
+  SamplingLobe best{.roughness = 0.3, .specularFraction = 0};
   double smallest = moments[0][0];
   for (int step = 0; step < roughnessSteps; ++step)
     for (std::size_t fraction = 0; fraction < fractions.size(); ++fraction)
       if (moments[std::size_t(step)][fraction] < smallest * (1 - 1e-9)) {
         smallest = moments[std::size_t(step)][fraction];
-        best = {.roughness = roughnessAt(step), .specularShare = fractions[fraction]};
+        best = {.roughness = roughnessAt(step), .specularFraction = fractions[fraction]};
       }
   return best;
 }

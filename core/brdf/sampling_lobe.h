@@ -10,8 +10,8 @@ namespace gonio {
 /// of a GGX lobe (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"). The preview's shader uses the same
 /// two parameters. pdf > 0 over the whole hemisphere, so estimates are unbiased even if the lobe fits badly.
 struct SamplingLobe {
-  double roughness = 0.3;      ///< GGX alpha, [1e-3, 1]
-  double specularShare = 0.5;  ///< fraction of samples taken from the lobe, [0, 0.95]
+  double roughness = 0.3;         ///< GGX alpha, [1e-3, 1]
+  double specularFraction = 0.5;  ///< fraction of samples taken from the lobe, [0, 0.95]
 
   /// Samples wi for a viewer wo (z > 0). `u`: three numbers in [0, 1), one to select the part and two for the
   /// direction.

@@ -42,8 +42,8 @@ Rgb directionalAlbedo(const Brdf& brdf, double theta) {
 Rgb directionalAlbedo(const Brdf& brdf, double theta, SamplingLobe lobe, std::uint32_t sampleCount) {
   // A fixed number of points for each of the lobe's two parts, each stratified on its own (multiple importance
   // sampling with the balance heuristic): the choice of a part adds no noise.
-  const auto specularCount = static_cast<std::uint32_t>(lobe.specularShare * sampleCount);
-  lobe.specularShare = double(specularCount) / sampleCount;
+  const auto specularCount = static_cast<std::uint32_t>(lobe.specularFraction * sampleCount);
+  lobe.specularFraction = double(specularCount) / sampleCount;
   const Direction wo = fromSpherical(theta, 0);
   std::vector<DirectionPair> pairs;
   std::vector<double> weights;
@@ -52,7 +52,7 @@ Rgb directionalAlbedo(const Brdf& brdf, double theta, SamplingLobe lobe, std::ui
   for (std::uint32_t i = 0; i < sampleCount; ++i) {
     const bool specular = i < specularCount;
     const glm::dvec2 u = specular ? scrambledSobol(i, 11) : scrambledSobol(i - specularCount, 12);
-    const DirectionSample sample = lobe.sample(wo, {specular ? 0.0 : lobe.specularShare, u.x, u.y});
+    const DirectionSample sample = lobe.sample(wo, {specular ? 0.0 : lobe.specularFraction, u.x, u.y});
     if (!(sample.pdf > 0)) continue;
     pairs.push_back({sample.wi, wo});
     weights.push_back(sample.wi.z / sample.pdf);

@@ -24,7 +24,7 @@ void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::spa
   for (const SparseCode& code : codes) {
     checkCode(ensemble, code);
     if (code.transform != codes.front().transform)
-      throw Error("interpolation: found codes of different transforms, " +
+      throw Error("interpolation: the codes have different transforms, " +
                   std::string(dataTransformNames[std::size_t(codes.front().transform)]) + " and " +
                   std::string(dataTransformNames[std::size_t(code.transform)]) + ": encode one of them again");
   }

@@ -9,7 +9,7 @@ namespace gonio::dictionary {
 namespace {
 
 /// The fraction of the progress at which the materials are read, and at which they are mapped.
-constexpr double readShare = 0.4, mappedShare = 0.5;
+constexpr double readFraction = 0.4, mappedFraction = 0.5;
 
 }  // namespace
 
@@ -30,14 +30,14 @@ PrincipalComponents learnPrincipalComponents(
     control.throwIfStopped();
     if (material > 0) table = load(material);
     appendColumns(*table, pca.mapping, columns, missing);
-    control.report(readShare * double(material + 1) / double(materials));
+    control.report(readFraction * double(material + 1) / double(materials));
   }
   keepRows(columns, keepCommonCells(pca.mapping, missing));
   pca.mapping.reference = rowMedians(columns);
-  pca.mean = mapAndCentre(pca.mapping.reference, columns, control.between(readShare, mappedShare));
+  pca.mean = mapAndCentre(pca.mapping.reference, columns, control.between(readFraction, mappedFraction));
   std::vector<float> variance;
   if (options.maxComponents < columns.columns) variance = rowVariance(columns);
-  pca.svd = decomposeGramSvd(std::move(columns), options.maxComponents, control.between(mappedShare, 1));
+  pca.svd = decomposeGramSvd(std::move(columns), options.maxComponents, control.between(mappedFraction, 1));
   if (!variance.empty()) pca.leftOut = unexplainedVariance(pca, std::move(variance));
   return pca;
 }

@@ -49,7 +49,7 @@ std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < missing.size(); ++i)
     if (!missing[i]) kept.push_back(i);
-  if (kept.empty()) throw Error("no cell is valid in all materials: the training set has nothing in common");
+  if (kept.empty()) throw Error("no cell is valid in all materials of the training set");
   for (std::size_t i = 0; i < kept.size(); ++i) {
     mapping.cells[i] = mapping.cells[kept[i]];
     mapping.weights[i] = mapping.weights[kept[i]];

@@ -54,7 +54,7 @@ materials::Material blendedMaterial(const BlendSource& blend, const Interpolatio
 std::vector<std::filesystem::path> sourceFiles(const EditDocument& document);
 
 /// Reads the source of a document, without the document's own edits: the file, or the blend of all its files (up to
-/// some seconds, in addition to reading and editing each material). @param documentPath relative paths are resolved
+/// a few seconds, in addition to reading and editing each material). @param documentPath relative paths are resolved
 /// against its folder. @throws Error that names the file; Cancelled.
 materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
                                const TaskControl& control = {});

@@ -53,14 +53,14 @@ constexpr ParameterSpec controls[] = {
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 10, .defaultValue = 1,
      .description = "Saturation of the whole material at equal luminance: 0 is grey, 2 twice as saturated.",
      .formula = "rho' = max(0, Y + s (rho - Y)), Y the luminance of rho"},
-    ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the body so that their ratio changes by this factor.",
+    ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the diffuse term so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),
     strengthControl("coat-strength", "Coat strength", "x",
                     "Strength of the clear coat: 0 removes it; above 1 a coat with the reflectance of lacquer (0.04) "
                     "is added to it.",
                     "F_0' = x F_0 + 0.04 max(0, x - 1)"),
     strengthControl("edge-brightness", "Edge brightness", "x",
-                    "Brightens or dims the highlights toward grazing angles by this factor; head-on they stay as they are.",
+                    "Brightens or dims the highlights toward grazing angles by this factor; at normal incidence nothing changes.",
                     "F_90' = x F_90"),
 };
 

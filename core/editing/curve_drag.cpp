@@ -57,12 +57,12 @@ std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const 
 }
 
 std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double fraction,
-                                  int most) {
+                                  int maxNodes) {
   if (nodes.size() < 2) return {nodes.begin(), nodes.end()};
   double largest = 0;
   for (const double value : curve) largest = std::max(largest, std::abs(value));
   std::vector<std::size_t> chosen{0, nodes.size() - 1};
-  while (int(chosen.size()) < most) {
+  while (int(chosen.size()) < maxNodes) {
     std::vector<double> places, values;
     for (const std::size_t i : chosen) {
       places.push_back(nodes[i]);

@@ -26,9 +26,9 @@ struct CurveDrag {
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag);
 
 /// Selects nodes, including the ends, such that a monotone cubic through them approximates the curve to within
-/// `fraction` of its largest absolute value. Returns at most `most` nodes, but at least two (one for a curve of one
+/// `fraction` of its largest absolute value. Returns at most `maxNodes` nodes, but at least two (one for a curve of one
 /// node).
 std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double fraction,
-                                  int most);
+                                  int maxNodes);
 
 }  // namespace gonio::editing

@@ -11,7 +11,7 @@ namespace {
 using models::ParameterRole;
 
 /// Smaller changes have no word of their own: natural logarithm of the ratio, and of that between channels.
-constexpr double leastChange = 0.02, leastHue = 0.02;
+constexpr double minChange = 0.02, minHue = 0.02;
 constexpr std::size_t maxWords = 2;
 
 /// Natural logarithms of after / before; 0 where one of them is not positive.
@@ -55,7 +55,7 @@ Changes changesOf(const DifferentialEdit& edit) {
       default:
         break;
     }
-    changes.coloured |= spread > leastHue;
+    changes.coloured |= spread > minHue;
   }
   changes.coloured |= edit.changesColours();
   return changes;
@@ -64,11 +64,11 @@ Changes changesOf(const DifferentialEdit& edit) {
 std::string wordsOf(const DifferentialEdit& edit) {
   const Changes changes = changesOf(edit);
   std::vector<std::string> words;
-  if (std::abs(changes.width) > leastChange) words.emplace_back(changes.width > 0 ? "rougher" : "smoother");
+  if (std::abs(changes.width) > minChange) words.emplace_back(changes.width > 0 ? "rougher" : "smoother");
   if (changes.coloured) words.emplace_back("recoloured");
-  if (std::abs(changes.highlight) > leastChange)
+  if (std::abs(changes.highlight) > minChange)
     words.emplace_back(changes.highlight > 0 ? "stronger highlight" : "weaker highlight");
-  if (std::abs(changes.body) > leastChange) words.emplace_back(changes.body > 0 ? "lighter" : "darker");
+  if (std::abs(changes.body) > minChange) words.emplace_back(changes.body > 0 ? "lighter" : "darker");
   if (words.empty()) return "edited";
   std::string text = words.front();
   for (std::size_t i = 1; i < std::min(words.size(), maxWords); ++i) text += ", " + words[i];

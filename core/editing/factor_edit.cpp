@@ -13,7 +13,7 @@ using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
-constexpr std::size_t mostNodes = 4096;
+constexpr std::size_t maxCurveNodes = 4096;
 
 nlohmann::json numbersToJson(const std::vector<double>& numbers) {
   for (const double number : numbers)
@@ -87,9 +87,9 @@ PdvFactors factorsFromJson(const JsonObject& object) {
   f.form = flat ? PdvForm::twoFactors : PdvForm::threeFactors;
   f.transform = transformFromJson(object);
   f.highest = object.number("highest", 0, 1e30);
-  f.thetaNodes = nodesFromJson(object, "thetaNodes", 2, mostNodes);
-  f.deviationNodes = nodesFromJson(object, "deviationNodes", 2, mostNodes);
-  f.phiNodes = nodesFromJson(object, "phiNodes", flat ? 1 : 2, flat ? 1 : mostNodes);
+  f.thetaNodes = nodesFromJson(object, "thetaNodes", 2, maxCurveNodes);
+  f.deviationNodes = nodesFromJson(object, "deviationNodes", 2, maxCurveNodes);
+  f.phiNodes = nodesFromJson(object, "phiNodes", flat ? 1 : 2, flat ? 1 : maxCurveNodes);
   const nlohmann::json& channels = object.array("channels");
   if (channels.size() != 3) object.fail("channels", "a list of 3");
   for (std::size_t c = 0; c < 3; ++c) {

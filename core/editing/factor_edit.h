@@ -38,7 +38,7 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 /// {"type": "factors", "original": F, "edited": F, "keepDetail": true}, where F is
 ///   {"form": "2d", "transform": "log-plus", "highest": y, "thetaNodes": [..], "deviationNodes": [..],
 ///    "phiNodes": [..], "channels": [[{"f1": [..], "f2": [..], "f3": [..]}, one per term], one per channel]}.
-/// Both sets of curves are stored (some ten kB per term), so that a document does not depend on how later versions
+/// Both sets of curves are stored (about ten kB per term), so that a document does not depend on how later versions
 /// factorise the measurement. @throws Error if a set of curves is missing or contains a number that is not finite.
 nlohmann::json toJson(const FactorEdit& edit);
 /// @throws Error that states the key, what was found and what was expected.

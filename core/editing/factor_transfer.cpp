@@ -19,7 +19,7 @@ using factorization::widened;
 using Curve = std::vector<double>;
 
 /// A ratio is given only where there is something to compare with, and stays within what a hand would do.
-constexpr double smallestShare = 1e-3, largestRatio = 100;
+constexpr double minFraction = 1e-3, maxRatio = 100;
 
 double largestSize(const Curve& curve) {
   double largest = 0;
@@ -41,10 +41,10 @@ double halfWidth(const Curve& nodes, const Curve& curve) {
 }
 
 Curve ratios(const Curve& from, const Curve& to) {
-  const double smallest = smallestShare * largestSize(from);
+  const double smallest = minFraction * largestSize(from);
   Curve result(from.size(), 1);
   for (std::size_t i = 0; i < result.size(); ++i)
-    if (std::abs(from[i]) > smallest) result[i] = std::clamp(to[i] / from[i], -largestRatio, largestRatio);
+    if (std::abs(from[i]) > smallest) result[i] = std::clamp(to[i] / from[i], -maxRatio, maxRatio);
   return result;
 }
 

@@ -84,10 +84,10 @@ std::vector<PartChange> partChanges(const DifferentialEdit& edit) {
 }
 
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
-  constexpr double darkest = 1e-30, leastChannel = 1e-6;
+  constexpr double darkest = 1e-30, minChannel = 1e-6;
   const double before = luminance(fitted), after = luminance(edited);
   if (before < darkest || after < darkest) return ratio;
-  const Rgb kept = glm::min(Rgb(1), (fitted / before) / glm::max(edited / after, Rgb(leastChannel)));
+  const Rgb kept = glm::min(Rgb(1), (fitted / before) / glm::max(edited / after, Rgb(minChannel)));
   return glm::mix(Rgb(luminance(fitted * ratio) / before), ratio, kept);
 }
 

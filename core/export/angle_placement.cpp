@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t probeSize = 16;  // a power of two
 /// A jump between two angles, which tables have, is not worth more of them.
-constexpr double leastWidth = radians(0.5);
+constexpr double minWidth = radians(0.5);
 /// The rest of the sphere's rim is 1/3000 of its disk.
 constexpr double firstAngles[] = {0, radians(89), radians(75), radians(45)};
 
@@ -44,7 +44,7 @@ double errorOfAllSizes(std::span<const Rgb> differences) {
 /// Error of the interpolated file at the slice between, as light in the picture of a sphere.
 double interpolationError(const RglLayout& layout, const Interval& interval) {
   const double width = double(interval.high->theta) - double(interval.low->theta);
-  if (width < leastWidth) return 0;
+  if (width < minWidth) return 0;
   const RglSlice* const ends[] = {interval.low.get(), interval.high.get()};
   const RglBrdf file(assemble(layout, ends));
   const RglSlice& truth = *interval.middle;

@@ -107,9 +107,9 @@ std::string pythonText(const Json& json) {
   return text;
 }
 
-MadeExport makeScript(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeScript(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.2));
-  MadeExport made;
+  ExportResult made;
   ViewLobes best;
   double done = 0.2;
   for (const ViewLobesSize& size : sizes) {

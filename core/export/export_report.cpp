@@ -15,14 +15,14 @@ RenderedComparison exportComparison(const ExportSource& source, const ExportOpti
   return RenderedComparison(*source.brdf, pictures, control);
 }
 
-void measureExport(MadeExport& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
+void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control) {
   made.snr = comparison.signalToNoiseRatio(comparison.render(*brdf, control));
   made.brdf = std::move(brdf);
 }
 
 std::string originText(const ExportSource& source, double snr) {
-  char accuracy[80] = ". Pictures are identical.";
+  char accuracy[80] = ". Images are identical.";
   if (std::isfinite(snr)) std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (sphere-studio).", snr);
   return source.origin + accuracy;
 }

@@ -13,7 +13,7 @@ RenderedComparison exportComparison(const ExportSource& source, const ExportOpti
                                     const TaskControl& control);
 
 /// Renders `brdf` and sets the members `brdf` and `snr` of the export. @throws Cancelled.
-void measureExport(MadeExport& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
+void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control);
 
 /// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (sphere-studio)."

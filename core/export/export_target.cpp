@@ -18,7 +18,7 @@ namespace gonio::exports {
 
 namespace fs = std::filesystem;
 
-std::uint64_t MadeExport::bytes() const {
+std::uint64_t ExportResult::bytes() const {
   std::uint64_t sum = 0;
   for (const ExportPart& part : parts) sum += part.bytes.size();
   return sum;
@@ -59,24 +59,24 @@ const ExportTarget* findExportTarget(std::string_view id) {
   return found == targets.end() ? nullptr : &*found;
 }
 
-MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
-                      const TaskControl& control) {
+ExportResult makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
+                        const TaskControl& control) {
   constexpr double warned = 0.02, poorSnr = 10;
   std::vector<std::string> warnings = exportWarnings(*source.brdf);
-  MadeExport made = target.make(source, options, control.between(warned, 1));
+  ExportResult made = target.make(source, options, control.between(warned, 1));
   if (made.snr < poorSnr)
-    made.warnings.push_back("the target cannot represent this material: its picture looks different");
+    made.warnings.push_back("the target cannot represent this material: its image looks different");
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;
 }
 
-void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const fs::path& name) {
+void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const fs::path& name) {
   for (ExportPart& part : sceneParts(*target.scene, scene, name.filename().string()))
     made.parts.push_back(std::move(part));
 }
 
-std::vector<ExportFile> filesOf(const MadeExport& made, const fs::path& name) {
+std::vector<ExportFile> filesOf(const ExportResult& made, const fs::path& name) {
   std::vector<ExportFile> files;
   for (const ExportPart& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
   return files;

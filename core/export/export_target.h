@@ -28,7 +28,7 @@ struct ExportFact {
 };
 
 /// An export in memory.
-struct MadeExport {
+struct ExportResult {
   std::vector<ExportPart> parts;
   double snr = 0;                    ///< rendered SNR of `brdf` against the material, dB; +infinity for equal pictures
   std::shared_ptr<const Brdf> brdf;  ///< the files as the renderer evaluates them, by the target's own formula
@@ -37,6 +37,7 @@ struct MadeExport {
 
   std::uint64_t bytes() const;
 };
+using MadeExport = ExportResult;  ///< the earlier name, in app/goniotool/export.cpp
 
 /// A renderer or format to which a material can be exported. exportTargets() is the table that the dialog, goniotool
 /// and the documentation use.
@@ -49,8 +50,8 @@ struct ExportTarget {
   bool choosesSize = false;                ///< uses ExportOptions::size
   bool choosesSnr = false;                 ///< uses ExportOptions::snr: files grow with it
   const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
-  /// Makes the export. Takes some seconds. @throws Error; Cancelled.
-  MadeExport (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
+  /// Makes the export. Takes a few seconds. @throws Error; Cancelled.
+  ExportResult (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
 
   /// The paths of all files: `name` with each suffix, including those of a scene, if given.
   std::vector<std::filesystem::path> paths(const std::filesystem::path& name, const Scene* withScene = nullptr) const;
@@ -65,11 +66,11 @@ std::span<const ExportTarget> exportTargets();
 const ExportTarget* findExportTarget(std::string_view id);
 
 /// Makes an export. Its warnings include exportWarnings() and one for an SNR below 10 dB.
-MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
-                      const TaskControl& control = {});
+ExportResult makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
+                        const TaskControl& control = {});
 /// Adds the files of a scene. Precondition: target.scene is not null.
-void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
+void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The files of an export for writeExport().
-std::vector<ExportFile> filesOf(const MadeExport& made, const std::filesystem::path& name);
+std::vector<ExportFile> filesOf(const ExportResult& made, const std::filesystem::path& name);
 
 }  // namespace gonio::exports

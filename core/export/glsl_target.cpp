@@ -70,7 +70,7 @@ std::string glslArray(const ReciprocalLobes& lobes, const std::string& type, con
   return text + ");\n";
 }
 
-MadeExport makeGlsl(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeGlsl(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   auto [made, lobes] = makeLobesExport(glslLobeCounts, reciprocalLobesBrdf, source, options, control);
   made.parts.push_back(textPart(glslSuffix, glslFunction(lobes, originText(source, made.snr))));
   return std::move(made);
@@ -101,8 +101,8 @@ ExportTarget glslTarget() {
           .label = "GLSL function",
           .description = "A self-contained function gonioBrdf(wi, wo) for your own shaders, GLSL 3.30 or GLSL ES 3.00.",
           .holds =
-              "An approximation by a diffuse lobe and up to six GGX lobes; isotropic or with one direction of the "
-              "grain; reciprocal. Single scattering.",
+              "An approximation by a diffuse lobe and up to six GGX lobes; isotropic, or anisotropic with one fixed "
+              "direction; reciprocal. Single scattering.",
           .suffixes = {glslSuffix},
           .choosesSnr = true,
           .make = makeGlsl};

@@ -11,7 +11,7 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr double gltfDielectricF0 = 0.04, gltfLeastAlpha = 1e-4;
+constexpr double gltfDielectricF0 = 0.04, gltfMinAlpha = 1e-4;
 
 // Of specularColour: 25 makes a dielectric of index 1.5 a mirror.
 constexpr SurfaceLimit gltfLimits[] = {
@@ -28,9 +28,9 @@ struct GltfFormula {
   GgxWidths alpha, coatAlpha;
 
   explicit GltfFormula(const SurfaceValues& values) : v(values), alpha(1), coatAlpha(1) {
-    const double a = std::max(gltfLeastAlpha, v.roughness * v.roughness);
+    const double a = std::max(gltfMinAlpha, v.roughness * v.roughness);
     alpha = GgxWidths(glm::mix(a, 1.0, v.anisotropy * v.anisotropy), a);
-    coatAlpha = GgxWidths(std::max(gltfLeastAlpha, v.coatRoughness * v.coatRoughness));
+    coatAlpha = GgxWidths(std::max(gltfMinAlpha, v.coatRoughness * v.coatRoughness));
   }
 
   Rgb operator()(const models::SurfaceGeometry& g) const {

@@ -15,7 +15,7 @@ namespace gonio::exports {
 namespace {
 
 constexpr std::size_t cosineCount = 64, widthCount = 48;
-constexpr double leastCosine = 1e-3, leastRoot = 0.04;  // of cosines and of sqrt(alpha)
+constexpr double minCosine = 1e-3, minRoot = 0.04;  // of cosines and of sqrt(alpha)
 constexpr int strata = 24;
 
 /// Linear between nodes in the cosine and in sqrt(alpha), which spreads the narrow lobes.
@@ -24,15 +24,15 @@ class AlbedoTable {
   explicit AlbedoTable(GgxAlbedo (*integrate)(double cosine, double alpha)) : values_(cosineCount * widthCount) {
     parallelForBlocks(widthCount, 1, [&](std::size_t width, std::size_t) {
       for (std::size_t k = 0; k < cosineCount; ++k) {
-        const double root = leastRoot + (1 - leastRoot) * double(width) / double(widthCount - 1);
-        const double cosine = std::max(leastCosine, double(k) / double(cosineCount - 1));
+        const double root = minRoot + (1 - minRoot) * double(width) / double(widthCount - 1);
+        const double cosine = std::max(minCosine, double(k) / double(cosineCount - 1));
         values_[width * cosineCount + k] = integrate(cosine, root * root);
       }
     });
   }
 
   GgxAlbedo at(double cosine, double alpha) const {
-    const double root = std::clamp((std::sqrt(std::max(0.0, alpha)) - leastRoot) / (1 - leastRoot), 0.0, 1.0);
+    const double root = std::clamp((std::sqrt(std::max(0.0, alpha)) - minRoot) / (1 - minRoot), 0.0, 1.0);
     const double y = root * double(widthCount - 1), x = std::clamp(cosine, 0.0, 1.0) * double(cosineCount - 1);
     const std::size_t row = std::min(std::size_t(y), widthCount - 2),
                       column = std::min(std::size_t(x), cosineCount - 2);

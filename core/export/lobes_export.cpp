@@ -6,20 +6,20 @@
 
 namespace gonio::exports {
 
-std::pair<MadeExport, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
-                                                       const ExportSource& source, const ExportOptions& options,
-                                                       const TaskControl& control) {
+std::pair<ExportResult, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
+                                                         const ExportSource& source, const ExportOptions& options,
+                                                         const TaskControl& control) {
   constexpr double rendered = 0.1;
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, rendered));
   const PictureCells cells(source.brdf->isIsotropic());
-  MadeExport best;
+  ExportResult best;
   ReciprocalLobes chosen;
   const double fraction = (1 - rendered) / double(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const TaskControl part = control.between(rendered + fraction * double(i), rendered + fraction * double(i + 1));
     const ReciprocalLobes start = fitReciprocalLobes(*source.brdf, cells, counts[i], part.between(0, 0.3));
     ReciprocalLobes lobes = refineLobes(*source.brdf, cells, start, formula, part.between(0.3, 0.8));
-    MadeExport made;
+    ExportResult made;
     measureExport(made, formula(lobes), comparison, part.between(0.8, 1));
     if (best.brdf && !(made.snr > best.snr)) continue;
     best = std::move(made);

@@ -12,8 +12,8 @@ namespace gonio::exports {
 /// Fits lobes for a target's own formula and measures the result, without writing files. @param counts numbers of GGX
 /// lobes to try, ascending; the first that reaches options.snr is used, or the one with the highest SNR.
 /// @throws Cancelled.
-std::pair<MadeExport, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
-                                                       const ExportSource& source, const ExportOptions& options,
-                                                       const TaskControl& control);
+std::pair<ExportResult, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
+                                                         const ExportSource& source, const ExportOptions& options,
+                                                         const TaskControl& control);
 
 }  // namespace gonio::exports

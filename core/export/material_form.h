@@ -49,7 +49,7 @@ std::vector<std::string> writeOwnForm(const ExportSource& source, const material
                                       const std::filesystem::path& path, const TaskControl& control = {});
 
 /// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB; +infinity for equal
-/// pictures. Takes some seconds. @throws Cancelled.
+/// pictures. Takes a few seconds. @throws Cancelled.
 double formError(const FormFile& file, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

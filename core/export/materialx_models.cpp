@@ -12,7 +12,7 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr double mtlxLeastAlpha = 1e-4;
+constexpr double mtlxMinAlpha = 1e-4;
 
 constexpr SurfaceLimit mtlxLimits[] = {
     {SurfaceField::baseColour, 0, 1}, {SurfaceField::metalness, 0, 1}, {SurfaceField::roughness, 0.03, 1},
@@ -20,7 +20,7 @@ constexpr SurfaceLimit mtlxLimits[] = {
     {SurfaceField::ior, 1, 3},        {SurfaceField::coat, 0, 1},      {SurfaceField::coatRoughness, 0.03, 1},
 };
 
-double peakWidth(double alpha) { return std::clamp(alpha, mtlxLeastAlpha, 1.0); }
+double peakWidth(double alpha) { return std::clamp(alpha, mtlxMinAlpha, 1.0); }
 
 /// A lobe without its Fresnel term, and its albedo for the viewer: masking knows the mean of both widths alone.
 struct MtlxLobe {
@@ -78,7 +78,7 @@ struct OpenPbrFormula {
 };
 
 struct StandardSurfaceFormula {
-  static constexpr double coatIor = 1.5, highestReflectivity = 0.99;
+  static constexpr double coatIor = 1.5, maxReflectivity = 0.99;
   SurfaceValues v;
   GgxWidths alpha, coatAlpha;
   models::ComplexIndex index[3];
@@ -88,7 +88,7 @@ struct StandardSurfaceFormula {
     alpha = GgxWidths(peakWidth(squared / aspect), peakWidth(squared * aspect));
     coatAlpha = GgxWidths(peakWidth(v.coatRoughness * v.coatRoughness));
     for (int c = 0; c < 3; ++c)
-      index[c] = models::indexFromEdgeTint(std::min(highestReflectivity, v.baseColour[c]), v.specularColour[c]);
+      index[c] = models::indexFromEdgeTint(std::min(maxReflectivity, v.baseColour[c]), v.specularColour[c]);
   }
 
   Rgb operator()(const models::SurfaceGeometry& g) const {

@@ -83,7 +83,7 @@ std::string grainNodes(double rotation) {
              .text();
 }
 
-MadeExport makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   auto [made, lobes] = makeLobesExport(mtlxLobeCounts, schlickLobesBrdf, source, options, control);
   made.parts.push_back(textPart(lobesSuffix, schlickLobesDocument(lobes, source.name, originText(source, made.snr))));
   return std::move(made);
@@ -140,8 +140,8 @@ ExportTarget materialXTarget() {
               "A MaterialX 1.39 document that adds a diffuse lobe and up to four generalized_schlick_bsdf lobes: the "
               "closest approximation of a measured material in MaterialX.",
           .holds =
-              "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic or with one "
-              "direction of the grain. Multiple scattering is compensated as in MaterialX.",
+              "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic, or anisotropic "
+              "with one fixed direction. Multiple scattering is compensated as in MaterialX.",
           .suffixes = {lobesSuffix},
           .choosesSnr = true,
           .make = makeSchlickLobes};
@@ -152,8 +152,8 @@ ExportTarget openPbrTarget() {
           .label = "OpenPBR (MaterialX)",
           .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists edit further.",
           .holds =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
-              "grain.",
+              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+              "direction.",
           .suffixes = {openPbrSuffix},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeSurfaceExport(
@@ -170,8 +170,8 @@ ExportTarget standardSurfaceTarget() {
           .label = "Standard Surface (MaterialX)",
           .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
           .holds =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
-              "grain.",
+              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+              "direction.",
           .suffixes = {standardSuffix},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeSurfaceExport(

@@ -121,7 +121,7 @@ std::vector<double> mirrored(const Brdf& material, const Rings& rings, const Dir
 /// What rises above the rest of what a viewer sees mirrored, normalised; how much of a highlight it is, from 0 for less
 /// than twice the rest to 1.
 double toHighlight(const Rings& rings, std::vector<double>& values) {
-  constexpr double leastMass = 1e-3, restCosine = 0.75;
+  constexpr double minMass = 1e-3, restCosine = 0.75;
   const auto isNear = [&](std::size_t node) { return rings.direction(node).z > restCosine && values[node] >= 0; };
   double rest = values.front(), largest = 0;
   for (std::size_t node = 0; node < rings.size(); ++node) {
@@ -133,7 +133,7 @@ double toHighlight(const Rings& rings, std::vector<double>& values) {
     double& value = values[node];
     value = isNear(node) && value > rest ? (value - rest) * (value - rest) / value : 0;  // without a kink
   }
-  if (!(largest > 2 * rest) || rings.project(values, {0, 0, 1}) < leastMass * rest) return 0;
+  if (!(largest > 2 * rest) || rings.project(values, {0, 0, 1}) < minMass * rest) return 0;
   normalise(rings, values);
   return 1 - 2 * rest / largest;
 }
@@ -142,13 +142,13 @@ double toHighlight(const Rings& rings, std::vector<double>& values) {
 /// wide they are: coats are seen at a slant alone, and many highlights widen there. A highlight over a bright body
 /// would have few nodes beside the many normals that turn to the viewer.
 void emphasiseHighlights(const Brdf& material, const Rings& rings, std::vector<double>& density) {
-  constexpr double highlightShare = 0.5, largestSquaredSine = 0.95;
+  constexpr double highlightShare = 0.5, maxSquaredSine = 0.95;
   constexpr int polarViewers = 6;
   const std::size_t azimuths = material.isIsotropic() ? 1 : 5;  // odd: a grain looks the same from both sides
   const double share = highlightShare / double(polarViewers * azimuths);
   std::vector<double> highlights(rings.size());
   double rest = 1;
-  for (const double squaredSine : gaussLegendre(polarViewers, 0, largestSquaredSine).nodes)
+  for (const double squaredSine : gaussLegendre(polarViewers, 0, maxSquaredSine).nodes)
     for (std::size_t i = 0; i < azimuths; ++i) {
       const double phi = 2 * pi * double(i) / double(azimuths);
       std::vector<double> seen = mirrored(material, rings, fromSpherical(std::asin(std::sqrt(squaredSine)), phi));

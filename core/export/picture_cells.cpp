@@ -18,7 +18,7 @@ constexpr int viewerPolarCount = 10, grainPolarCount = 5;
 constexpr std::size_t grainAzimuthCount = 5;
 /// Of the viewer: to 77 degrees. Beyond, shaders rise to a mirror, measurements are uncertain and the picture is
 /// narrow.
-constexpr double largestSquaredSine = 0.95;
+constexpr double maxSquaredSine = 0.95;
 constexpr double lampSolidAngle = 0.5;  // sr: a disk of 23 degrees about its centre
 constexpr int meanAzimuths = 16;
 
@@ -29,7 +29,7 @@ using PairFunction = std::function<void(std::span<const DirectionPair>, std::spa
 PictureCells::PictureCells(bool isotropic)
     : isotropic_(isotropic), nodes_{polarNodes, isotropic ? halfCircleNodes : 2 * halfCircleNodes} {
   // Over the squared sine, in which the picture of a sphere is even.
-  const QuadratureRule areas = gaussLegendre(isotropic ? viewerPolarCount : grainPolarCount, 0, largestSquaredSine);
+  const QuadratureRule areas = gaussLegendre(isotropic ? viewerPolarCount : grainPolarCount, 0, maxSquaredSine);
   const std::size_t turns = isotropic ? 1 : grainAzimuthCount;
   for (std::size_t k = 0; k < areas.nodes.size(); ++k)
     for (std::size_t j = 0; j < turns; ++j)

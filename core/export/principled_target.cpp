@@ -101,8 +101,8 @@ ExportTarget principledTarget() {
               "A Python script that sets one Principled BSDF, which artists edit further and other programs import: "
               "run it in Blender, or with blender --background --python.",
           .holds =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
-              "grain. The stated accuracy is that of Blender 3.4; in Blender 4 this node is another shader.",
+              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+              "direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this node.",
           .suffixes = {principledSuffix},
           .scene = &principledSceneFormat(),
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {

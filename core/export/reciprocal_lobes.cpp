@@ -16,7 +16,7 @@ using fitting::LinearMatrix;
 using fitting::LinearVector;
 
 constexpr double sharpestAlpha = 0.002, widestAlpha = 1;
-constexpr double largestStrength = 1e3;  // of F_0 and F_90: what a fit never reaches
+constexpr double maxStrength = 1e3;  // of F_0 and F_90: what a fit never reaches
 constexpr std::size_t widthCandidates = 14;
 constexpr int coarseIterations = 6, fineIterations = 25, colourIterations = 15;
 
@@ -64,7 +64,7 @@ LinearMatrix solveStrengths(const LinearMatrix& normal, const LinearMatrix& righ
   constexpr double ridge = 1e-9;
   LinearMatrix regularised = normal, result(normal.rows(), 3);
   regularised.diagonal() *= 1 + ridge;
-  LinearVector upper = LinearVector::Constant(normal.rows(), largestStrength);
+  LinearVector upper = LinearVector::Constant(normal.rows(), maxStrength);
   upper(0) = 1;
   for (int channel = 0; channel < 3; ++channel)
     result.col(channel) =
@@ -133,12 +133,12 @@ struct WidthCoding {
         v.start.push_back(std::log(alpha) - stretch);
       }
     }
-    v.lowest.assign(v.start.size(), std::log(sharpestAlpha / 2));
-    v.highest.assign(v.start.size(), std::log(widestAlpha));
+    v.minimum.assign(v.start.size(), std::log(sharpestAlpha / 2));
+    v.maximum.assign(v.start.size(), std::log(widestAlpha));
     if (isotropic) return v;
     v.start.push_back(rotation);
-    v.lowest.push_back(rotation - halfPi);
-    v.highest.push_back(rotation + halfPi);
+    v.minimum.push_back(rotation - halfPi);
+    v.maximum.push_back(rotation + halfPi);
     return v;
   }
 };
@@ -204,8 +204,8 @@ template <typename Visit>
 void visitColours(ReciprocalLobes& lobes, Visit visit) {
   visit(lobes.diffuse, 1.0);
   for (ReciprocalLobes::Lobe& lobe : lobes.lobes) {
-    visit(lobe.normal, largestStrength);
-    visit(lobe.edge, largestStrength);
+    visit(lobe.normal, maxStrength);
+    visit(lobe.edge, maxStrength);
     visit(lobe.tint82, 1.0);
   }
 }
@@ -247,8 +247,8 @@ ReciprocalLobes refineLobes(const Brdf& material, const PictureCells& cells, con
   visitColours(lobes, [&](Rgb& colour, double largest) {
     for (int c = 0; c < 3; ++c) {
       variables.start.push_back(colour[c]);
-      variables.lowest.push_back(0);
-      variables.highest.push_back(largest);
+      variables.minimum.push_back(0);
+      variables.maximum.push_back(largest);
     }
   });
   const auto set = [&](std::span<const double> x) {

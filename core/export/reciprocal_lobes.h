@@ -34,8 +34,8 @@ std::unique_ptr<const Brdf> reciprocalLobesBrdf(const ReciprocalLobes& lobes);
 /// Fits the lobes with the least squared residuals of the cells, by variable projection (Golub and Pereyra 1973): a
 /// non-linear search over the widths, which starts from a greedy selection of one lobe at a time, and inside it a
 /// non-negative linear fit of the strengths per channel (Stark and Parker 1995). Anisotropic lobes share one grain
-/// direction; the search starts from four. Under 0.2 s for isotropic cells and four lobes, some seconds for anisotropic
-/// ones. @param count number of GGX lobes, >= 1; the result has fewer if more do not lower the error.
+/// direction; the search starts from four. Under 0.2 s for isotropic cells and four lobes, a few seconds for
+/// anisotropic ones. @param count number of GGX lobes, >= 1; the result has fewer if more do not lower the error.
 /// @throws Cancelled.
 ReciprocalLobes fitReciprocalLobes(const Brdf& material, const PictureCells& cells, std::size_t count,
                                    const TaskControl& control = {});

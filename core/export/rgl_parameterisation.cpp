@@ -14,7 +14,7 @@ namespace {
 
 constexpr double densityFloor = 0.02;
 /// After three sizes of the ladder in a row, which have more angles and more nodes, something else limits the SNR.
-constexpr int mostWithoutGain = 3;
+constexpr int maxWithoutGain = 3;
 constexpr double leastGain = 0.1;  // dB
 
 /// From small to large, then of one size with ever more nodes. What a mirror-like material lacks is angles, what a
@@ -84,7 +84,7 @@ RglParameterisation parameterise(const Brdf& material, const RglOptions& options
     next.snr = comparison.signalToNoiseRatio(comparison.render(RglBrdf(next.data), part.between(0.5, 1)));
     sizesWithoutGain = best && next.snr < best->snr + leastGain ? sizesWithoutGain + 1 : 0;
     if (!best || next.snr > best->snr) best = std::move(next);
-    if (best->snr >= options.snr || sizesWithoutGain == mostWithoutGain) break;
+    if (best->snr >= options.snr || sizesWithoutGain == maxWithoutGain) break;
   }
   return std::move(*best);
 }

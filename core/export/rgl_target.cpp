@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf";
 
 template <bool bothSides>
-MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   RglOptions rgl;
   rgl.bothSides = bothSides;
   rgl.snr = options.snr;
@@ -21,7 +21,7 @@ MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, co
   rgl.pictureSize = options.pictureSize;
   rgl.samples = options.samples;
   RglExport files = exportRgl(source, rgl, control);
-  MadeExport made;
+  ExportResult made;
   made.snr = files.snr;
   made.brdf = std::move(files.brdf);
   made.facts = {{"thetaCount", "Incident polar angles", files.size.thetaCount},
@@ -43,7 +43,7 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
           .description = description,
           .holds =
               "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL file "
-              "keeps its own values. No transmission.",
+              "keeps its stored values. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .choosesSize = true,
           .choosesSnr = true};

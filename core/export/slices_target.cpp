@@ -16,7 +16,7 @@ constexpr int slicesSide = 180;
 /// Degrees. A reciprocal material that is the same on both sides of the plane of incidence has no others.
 constexpr int slicesPhiD[] = {0, 30, 60, 90};
 
-MadeExport makeSlices(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
+ExportResult makeSlices(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
   Image image(int(std::size(slicesPhiD)) * slicesSide, slicesSide);
   std::string azimuths;
   for (std::size_t i = 0; i < std::size(slicesPhiD); ++i) {
@@ -30,7 +30,7 @@ MadeExport makeSlices(const ExportSource& source, const ExportOptions&, const Ta
             glm::vec3(slice.cells.values[slice.index(column, row)]);
     azimuths += (i ? ", " : "") + std::to_string(slicesPhiD[i]);
   }
-  MadeExport made;
+  ExportResult made;
   made.snr = std::numeric_limits<double>::infinity();
   made.brdf = source.brdf;
   made.parts.push_back(
@@ -48,9 +48,9 @@ MadeExport makeSlices(const ExportSource& source, const ExportOptions&, const Ta
 ExportTarget slicesTarget() {
   return {.id = "slices",
           .label = "Slices (OpenEXR)",
-          .description = "A picture of four planes of half-difference space, theta_h by theta_d, for figures.",
+          .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
           .holds =
-              "Values at phi_d of 0, 30, 60 and 90 degrees; of an anisotropic material with the half vector over the "
+              "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector above the "
               "tangent. No renderer reads this file.",
           .suffixes = {slicesSuffix},
           .make = makeSlices};

@@ -18,11 +18,11 @@ SurfaceValues writtenValues(SurfaceValues values) {
   return values;
 }
 
-MadeExport makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
-                             const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
+                               const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.15));
   const SurfaceValues values = writtenValues(fitSurface(shader, *source.brdf, control.between(0.15, 0.85)));
-  MadeExport made;
+  ExportResult made;
   measureExport(made, shader.brdf(values), comparison, control.between(0.85, 1));
   made.facts = {{"metalness", "Metalness", values.metalness},
                 {"roughness", "Roughness", values.roughness},

@@ -15,8 +15,8 @@ using SurfaceText = std::string (*)(const ExportSource& source, const SurfaceVal
 SurfaceValues writtenValues(SurfaceValues values);
 
 /// An export with one file, fitted by fitSurface(). @throws Cancelled.
-MadeExport makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
-                             const ExportSource& source, const ExportOptions& options, const TaskControl& control);
+ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
+                               const ExportSource& source, const ExportOptions& options, const TaskControl& control);
 
 /// A number with up to six significant digits: "0.25", "1e-05".
 std::string decimalText(double number);

@@ -67,8 +67,8 @@ class SurfaceSearch {
     for (const SurfaceLimit& limit : limits_)
       for (const double number : numbersOf(start, limit.field)) {
         variables.start.push_back(number);
-        variables.lowest.push_back(limit.lowest);
-        variables.highest.push_back(limit.highest);
+        variables.minimum.push_back(limit.minimum);
+        variables.maximum.push_back(limit.maximum);
       }
     const auto function = [&](std::span<const double> x, std::span<double> residuals) {
       differences(at(x), residuals);
@@ -91,7 +91,8 @@ class SurfaceSearch {
     SurfaceValues values = shader_.defaults;
     std::size_t next = 0;
     for (const SurfaceLimit& limit : limits_)
-      for (double& number : numbersOf(values, limit.field)) number = std::clamp(x[next++], limit.lowest, limit.highest);
+      for (double& number : numbersOf(values, limit.field))
+        number = std::clamp(x[next++], limit.minimum, limit.maximum);
     return values;
   }
   void differences(const SurfaceValues& values, std::span<double> residuals) const {

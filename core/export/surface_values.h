@@ -51,7 +51,7 @@ enum class SurfaceField {
 /// A parameter of a shader, with its limits.
 struct SurfaceLimit {
   SurfaceField field;
-  double lowest, highest;
+  double minimum, maximum;
 };
 
 /// A metallic-roughness shader.
@@ -67,7 +67,7 @@ struct SurfaceShader {
 
 /// Fits the shader's own formula to a material within its limits: least squared residuals of PictureCells. Starts from
 /// a metal and a dielectric, each without and with a coat, with the widths and colours of fitReciprocalLobes(). Takes
-/// some seconds for an isotropic material. Deterministic. @throws Cancelled.
+/// a few seconds for an isotropic material. Deterministic. @throws Cancelled.
 SurfaceValues fitSurface(const SurfaceShader& shader, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

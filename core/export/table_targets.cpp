@@ -16,22 +16,22 @@ namespace gonio::exports {
 namespace {
 
 /// Measures what a table shows.
-MadeExport tableExport(std::string_view suffix, std::vector<std::byte> bytes, std::shared_ptr<const Brdf> table,
-                       const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-  MadeExport made;
+ExportResult tableExport(std::string_view suffix, std::vector<std::byte> bytes, std::shared_ptr<const Brdf> table,
+                         const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+  ExportResult made;
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.5));
   measureExport(made, std::move(table), comparison, control.between(0.5, 1));
   made.parts.push_back({std::string(suffix), std::move(bytes)});
   return made;
 }
 
-MadeExport makeMerl(std::string_view suffix, const HalfDifferenceGrid& grid, const ExportSource& source,
-                    const ExportOptions& options, const TaskControl& control) {
+ExportResult makeMerl(std::string_view suffix, const HalfDifferenceGrid& grid, const ExportSource& source,
+                      const ExportOptions& options, const TaskControl& control) {
   const TabulatedBrdf* own = source.brdf->asTable();
   const auto table = own && own->grid() == grid
                          ? std::shared_ptr<const TabulatedBrdf>(source.brdf, own)
                          : bakeTable(*source.brdf, grid, control.between(0, 0.5), editing::bakedAzimuths);
-  MadeExport made = tableExport(suffix, io::encodeMerl(*table), table, source, options, control.between(0.5, 1));
+  ExportResult made = tableExport(suffix, io::encodeMerl(*table), table, source, options, control.between(0.5, 1));
   if (!source.brdf->isIsotropic()) made.warnings.push_back(azimuthLoss());
   if (grid.reciprocal && !source.brdf->isReciprocal())
     made.warnings.push_back("the material is not reciprocal: the table contains the mean of both orders of directions");
@@ -63,12 +63,12 @@ std::vector<glm::vec3> utiaValues(const Brdf& material, std::size_t& clipped, co
   return values;
 }
 
-MadeExport makeUtia(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeUtia(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   std::size_t clipped = 0;
   std::vector<glm::vec3> values = utiaValues(*source.brdf, clipped, control.between(0, 0.3));
   std::vector<std::byte> bytes = io::encodeUtia(values);
-  MadeExport made = tableExport(".bin", std::move(bytes), std::make_shared<const UtiaBrdf>(std::move(values)), source,
-                                options, control.between(0.3, 1));
+  ExportResult made = tableExport(".bin", std::move(bytes), std::make_shared<const UtiaBrdf>(std::move(values)), source,
+                                  options, control.between(0.3, 1));
   made.facts = {{"clippedValues", "Negative values set to 0", clipped}};
   return made;
 }
@@ -77,7 +77,7 @@ MadeExport makeUtia(const ExportSource& source, const ExportOptions& options, co
 constexpr int lightPolarStep = 15, lightPolarEnd = 75, lightAzimuthStep = 30, viewerPolarStep = 5, viewerPolarEnd = 85,
               viewerAzimuthStep = 15;
 
-MadeExport makeCsv(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
+ExportResult makeCsv(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
   const bool isotropic = source.brdf->isIsotropic();
   std::string text =
       commentLines(source.origin, "# ") +
@@ -94,7 +94,7 @@ MadeExport makeCsv(const ExportSource& source, const ExportOptions&, const TaskC
           text += colourText(value, ",") + "\n";
         }
     }
-  MadeExport made;
+  ExportResult made;
   made.snr = std::numeric_limits<double>::infinity();
   made.brdf = source.brdf;
   made.parts.push_back(textPart(".csv", text));
@@ -144,7 +144,7 @@ ExportTarget csvTarget() {
           .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
           .holds =
               "Values every 15 degrees of the light's polar angle to 75, every 5 of the viewer's to 85 and every 15 "
-              "of azimuth; of anisotropic materials every 30 of the light's azimuth too.",
+              "of azimuth; for anisotropic materials also every 30 of the light's azimuth.",
           .suffixes = {".csv"},
           .make = makeCsv};
 }

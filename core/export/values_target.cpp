@@ -94,16 +94,16 @@ constexpr ValuesProgram programs[] = {
     {"snrArnold", "Rendered SNR in Arnold", standardSurfaceShader, arnoldRows},
 };
 
-MadeExport makeValues(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeValues(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.1));
-  MadeExport worst;
+  ExportResult worst;
   std::vector<ExportFact> facts;
   std::string rows;
   for (std::size_t i = 0; i < std::size(programs); ++i) {
     const TaskControl part = control.between(0.1 + 0.3 * double(i), 0.4 + 0.3 * double(i));
     const SurfaceShader& shader = programs[i].shader();
     const SurfaceValues values = writtenValues(fitSurface(shader, *source.brdf, part.between(0, 0.8)));
-    MadeExport made;
+    ExportResult made;
     measureExport(made, shader.brdf(values), comparison, part.between(0.8, 1));
     facts.push_back({programs[i].key, programs[i].label, made.snr});
     rows += programs[i].rows(values);
@@ -121,16 +121,17 @@ MadeExport makeValues(const ExportSource& source, const ExportOptions& options, 
 }  // namespace
 
 ExportTarget valuesTarget() {
-  return {.id = "values",
-          .label = "Values (Unreal, Unity, Arnold)",
-          .description =
-              "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
-              "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
-          .holds =
-              "An approximation by a diffuse lobe and one highlight, for Arnold a coat too. The accuracy is that of "
-              "the worst of the three.",
-          .suffixes = {valuesSuffix},
-          .make = makeValues};
+  return {
+      .id = "values",
+      .label = "Values (Unreal, Unity, Arnold)",
+      .description =
+          "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
+          "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
+      .holds =
+          "An approximation by a diffuse lobe and one highlight, and for Arnold also a coat. The accuracy is that of "
+          "the worst of the three.",
+      .suffixes = {valuesSuffix},
+      .make = makeValues};
 }
 
 }  // namespace gonio::exports

@@ -18,7 +18,7 @@ using fitting::LinearMatrix;
 using fitting::LinearVector;
 
 constexpr double lastKnotDegrees = 85;
-constexpr double smallestAlpha = 0.002;
+constexpr double minAlpha = 0.002;
 constexpr std::size_t candidateWidths = 18;
 
 /// G_1 / (2 cos theta): nothing is divided by a cosine.
@@ -152,7 +152,7 @@ std::shared_ptr<const Brdf> viewLobesBrdf(ViewLobes lobes) {
 ViewLobes fitViewLobes(const Brdf& material, const ViewLobesSize& size, const TaskControl& control) {
   std::vector<double> alphas(candidateWidths);
   for (std::size_t j = 0; j < candidateWidths; ++j)
-    alphas[j] = std::pow(smallestAlpha, 1 - double(j) / double(candidateWidths - 1));
+    alphas[j] = std::pow(minAlpha, 1 - double(j) / double(candidateWidths - 1));
   ViewLobes result;
   for (std::size_t k = 0; k < size.knots; ++k)
     result.thetas.push_back(radians(lastKnotDegrees) * double(k) / double(size.knots - 1));

@@ -56,8 +56,8 @@ class LayoutBuilder {
   double fontHeight() const { return layout_.fontSize * millimetresPerPoint; }
   std::size_t columnCount() const { return 1 + description_.representations.size(); }
   double columnLeft(std::size_t column) const { return gridLeft_ + double(column) * (cellWidth_ + gap); }
-  std::vector<std::string> lines(const std::string& text, double most, bool bold) const {
-    return brokenLines(text, most, layout_.fontSize, textWidth_, bold);
+  std::vector<std::string> lines(const std::string& text, double maxWidth, bool bold) const {
+    return brokenLines(text, maxWidth, layout_.fontSize, textWidth_, bold);
   }
 
   double tileWidth() const;
@@ -96,15 +96,15 @@ void LayoutBuilder::measureColumns() {
     cellWidth_ = (layout_.width - gridLeft_ - gap * double(columnCount() - 1)) / double(columnCount());
     if (cellWidth_ < minCellWidth)
       throw Error("found " + std::to_string(description_.representations.size()) + " representations in " +
-                  std::to_string(int(layout_.width)) + " mm, expected fewer: a picture would be narrower than " +
+                  std::to_string(int(layout_.width)) + " mm, expected fewer: an image would be narrower than " +
                   std::to_string(int(minCellWidth)) + " mm");
     rowLines_.clear();
-    std::size_t most = 0;
+    std::size_t maxLines = 0;
     for (const std::string& name : texts_.rowNames) {
       rowLines_.push_back(lines(name, stackHeight(), true));
-      most = std::max(most, rowLines_.back().size());
+      maxLines = std::max(maxLines, rowLines_.back().size());
     }
-    if (most <= count) return;
+    if (maxLines <= count) return;
   }
 }
 
@@ -126,12 +126,12 @@ void LayoutBuilder::placeColumnLabels() {
   std::vector<std::vector<std::string>> all{lines(std::string(referenceLabel), cellWidth_, true)};
   for (const FigureRepresentation& one : description_.representations)
     all.push_back(lines(one.shownLabel(), cellWidth_, true));
-  std::size_t most = 0;
-  for (const auto& lines : all) most = std::max(most, lines.size());
+  std::size_t maxLines = 0;
+  for (const auto& lines : all) maxLines = std::max(maxLines, lines.size());
   for (std::size_t column = 0; column < all.size(); ++column)
-    layout_.columnLabels.push_back(
-        label(all[column], columnLeft(column), cellWidth_, top_ + double(most - all[column].size()) * lineHeight()));
-  top_ += double(most) * lineHeight() + inside;
+    layout_.columnLabels.push_back(label(all[column], columnLeft(column), cellWidth_,
+                                         top_ + double(maxLines - all[column].size()) * lineHeight()));
+  top_ += double(maxLines) * lineHeight() + inside;
 }
 
 CellLayout LayoutBuilder::cellAt(double left) const {
@@ -213,9 +213,9 @@ double fontSizeOf(const FigureDescription& description) {
   return description.width == FigureWidth::oneColumn ? oneColumnFont : twoColumnsFont;
 }
 
-std::vector<std::string> brokenLines(const std::string& text, double most, double size, const TextWidth& width,
+std::vector<std::string> brokenLines(const std::string& text, double maxWidth, double size, const TextWidth& width,
                                      bool bold) {
-  const auto fits = [&](const std::string& line) { return width(trimmed(line), size, bold) <= most; };
+  const auto fits = [&](const std::string& line) { return width(trimmed(line), size, bold) <= maxWidth; };
   std::vector<std::string> lines(1);
   for (const std::string& part : partsOf(text)) {
     if (fits(lines.back() + part)) {

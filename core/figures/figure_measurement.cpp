@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Fraction of a material's progress that reading takes.
-constexpr double readingShare = 0.1;
+constexpr double readingFraction = 0.1;
 
 bool showsTimes(const FigureDescription& description) {
   return std::ranges::any_of(description.numbers, [](const std::string& id) { return figureNumber(id).isTimed; });
@@ -71,8 +71,8 @@ std::vector<study::Representation> missingOf(const FigureRow& row, const FigureD
 /// Measures the missing cells of a row.
 void completeRow(FigureRow& row, const FigureDescription& description, study::StudyOptions options,
                  const std::function<void()>& measured, const TaskControl& control) {
-  const materials::Material material = editing::openMaterial(row.path, control.between(0, 0.5 * readingShare));
-  const auto table = material.tabulated(control.between(0.5 * readingShare, readingShare));
+  const materials::Material material = editing::openMaterial(row.path, control.between(0, 0.5 * readingFraction));
+  const auto table = material.tabulated(control.between(0.5 * readingFraction, readingFraction));
   row.name = material.name;
   options.referenceRendered = [&](const Image& picture) { row.reference = std::make_shared<const Image>(picture); };
   options.measured = [&](const study::StudiedRepresentation& studied) {
@@ -81,7 +81,7 @@ void completeRow(FigureRow& row, const FigureDescription& description, study::St
       if (!row.cells[i] && description.representations[i].representation == cell->representation) row.cells[i] = cell;
     if (measured) measured();
   };
-  study::runStudy({table, material.brdf}, missingOf(row, description), options, control.between(readingShare, 1));
+  study::runStudy({table, material.brdf}, missingOf(row, description), options, control.between(readingFraction, 1));
   if (!row.isComplete()) throw Cancelled();
 }
 

@@ -16,7 +16,7 @@ constexpr int triesOfStep = 8;
 class BoundedSearch {
  public:
   BoundedSearch(const ResidualFunction& function, std::size_t residualCount, const BoundedVariables& variables)
-      : function_(function), lower_(asVector(variables.lowest)), upper_(asVector(variables.highest)) {
+      : function_(function), lower_(asVector(variables.minimum)), upper_(asVector(variables.maximum)) {
     x_ = asVector(variables.start).cwiseMax(lower_).cwiseMin(upper_);
     residuals_ = residualsAt(x_, residualCount);
   }

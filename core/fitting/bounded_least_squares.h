@@ -11,7 +11,7 @@ namespace gonio::fitting {
 
 /// Variables of a search, with bounds.
 struct BoundedVariables {
-  std::vector<double> start, lowest, highest;  ///< of equal size; lowest <= highest
+  std::vector<double> start, minimum, maximum;  ///< of equal size; minimum <= maximum
 };
 
 /// Computes the residuals at `x`. Called from one thread at a time.

@@ -69,11 +69,11 @@ CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
   std::vector<std::size_t> used((size + block - 1) / block, 0);
   // Angles cost more than cosines: they decide only what rounding could turn.
   constexpr double rounding = 1e-9;
-  const double leastCosine = std::cos(maxPolarAngle);
+  const double minCosine = std::cos(maxPolarAngle);
   const GridDirections directions(table.grid());
   const auto isWithin = [&](std::size_t cell) {
     const DirectionPair pair = directions.at(cell).pair;
-    const double excess = std::min(pair.wi.z, pair.wo.z) - leastCosine;
+    const double excess = std::min(pair.wi.z, pair.wo.z) - minCosine;
     return std::abs(excess) > rounding ? excess > 0 : table.grid().nodeWithin(cell, maxPolarAngle);
   };
   parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {

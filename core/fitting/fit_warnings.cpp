@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<const char*, 3> channelNames{"red", "green", "blue"};
 
-constexpr double noticeableShare = 0.01;
+constexpr double noticeableFraction = 0.01;
 
 /// One channel over the cells that count.
 struct ChannelCensus {
@@ -59,7 +59,7 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   if (const std::string names = namesOf(channels, isBlack); !names.empty())
     warnings.push_back("No BRDF value above 0 in " + names + ": left black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
-  if (double(negative) > noticeableShare * 3 * double(valid))
+  if (double(negative) > noticeableFraction * 3 * double(valid))
     warnings.push_back(std::to_string(std::lround(100 * double(negative) / double(3 * valid))) +
                        " % of the measured values are below 0; the fit treats them as 0.");
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };

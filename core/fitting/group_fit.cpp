@@ -22,7 +22,7 @@ constexpr double sameStart = 0.12;
 constexpr SolveOptions searchOptions{.maxIterations = 20, .functionTolerance = 1e-4};
 constexpr SolveOptions polishOptions{.maxIterations = 40, .functionTolerance = 1e-6};
 
-constexpr double startsShare = 0.25, searchShare = 0.35, finalistsShare = 0.05, polishShare = 0.35;
+constexpr double startsFraction = 0.25, searchFraction = 0.35, finalistsFraction = 0.05, polishFraction = 0.35;
 
 struct Candidate {
   models::ParameterValues parameters;
@@ -183,21 +183,21 @@ models::ParameterValues fitGroup(const models::Model& model, const FitTarget& se
     if (model.spec().parameters[i].group != models::ParameterGroup::shadowing) early.push_back(i);
   const bool isStaged = early.size() < all.size();
   GroupFit group(model, channels, stop, progress, fraction);
-  std::vector<Candidate> rated = group.rate(search, startingPoints(model, base, early), early, startsShare);
+  std::vector<Candidate> rated = group.rate(search, startingPoints(model, base, early), early, startsFraction);
   if (symmetry == DataSymmetry::anisotropic)
     std::ranges::move(group.rate(search, grainStarts(model.spec(), cheapest(rated).parameters), early, 0),
                       std::back_inserter(rated));
   std::vector<Candidate> candidates = selectDistinct(std::move(rated), refinedStarts);
   std::vector<models::ParameterValues> finalists{base, candidates[0].parameters};
-  group.refine(search, candidates, early, searchOptions, isStaged ? searchShare / 2 : searchShare);
+  group.refine(search, candidates, early, searchOptions, isStaged ? searchFraction / 2 : searchFraction);
   if (isStaged) {
     candidates = selectDistinct(std::move(candidates), 2);
-    group.refine(search, candidates, all, searchOptions, searchShare / 2);
+    group.refine(search, candidates, all, searchOptions, searchFraction / 2);
   }
   // What is best on few cells need not be on many.
   for (const Candidate& candidate : candidates) finalists.push_back(candidate.parameters);
-  std::vector<Candidate> best{cheapest(group.rate(polish, finalists, all, finalistsShare))};
-  group.refine(polish, best, all, polishOptions, polishShare);
+  std::vector<Candidate> best{cheapest(group.rate(polish, finalists, all, finalistsFraction))};
+  group.refine(polish, best, all, polishOptions, polishFraction);
   return merged(model.spec(), base, best[0].parameters, channels);
 }
 

@@ -63,11 +63,11 @@ void minimise(ProjectedProblem& problem, std::vector<double> start, const SolveO
   problemOptions.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem ceresProblem(problemOptions);
   for (int k = 0; k < problem.unknownCount(); ++k)
-    start[k] = std::clamp(start[k], problem.scale(k).lowest(), problem.scale(k).highest());
+    start[k] = std::clamp(start[k], problem.scale(k).minimum(), problem.scale(k).maximum());
   ceresProblem.AddResidualBlock(&cost, nullptr, start.data());
   for (int k = 0; k < problem.unknownCount(); ++k) {
-    ceresProblem.SetParameterLowerBound(start.data(), k, problem.scale(k).lowest());
-    ceresProblem.SetParameterUpperBound(start.data(), k, problem.scale(k).highest());
+    ceresProblem.SetParameterLowerBound(start.data(), k, problem.scale(k).minimum());
+    ceresProblem.SetParameterUpperBound(start.data(), k, problem.scale(k).maximum());
   }
   ceres::Solver::Options solverOptions;
   solverOptions.linear_solver_type = ceres::DENSE_QR;

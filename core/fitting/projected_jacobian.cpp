@@ -18,7 +18,7 @@ namespace {
 constexpr double differenceStep = 1e-6;
 
 double stepFrom(double unit, const UnitScale& scale) {
-  return unit + differenceStep <= scale.highest() ? differenceStep : -differenceStep;
+  return unit + differenceStep <= scale.maximum() ? differenceStep : -differenceStep;
 }
 
 /// One channel's residuals linearised at its solution.

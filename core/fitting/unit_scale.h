@@ -16,14 +16,14 @@ class UnitScale {
   double toValue(double unit) const;
   /// The hard range in units. For a logarithmic scale with a hard minimum of 0 it ends some decades below the soft
   /// range.
-  double lowest() const { return lowest_; }
-  double highest() const { return highest_; }
+  double minimum() const { return minimum_; }
+  double maximum() const { return maximum_; }
 
  private:
   bool logarithmic_;
   double hardMin_, hardMax_;
   double origin_, extent_;  ///< of the soft range, on the linear or logarithmic scale
-  double lowest_, highest_;
+  double minimum_, maximum_;
 };
 
 }  // namespace gonio::fitting

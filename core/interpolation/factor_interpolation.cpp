@@ -53,11 +53,11 @@ factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, 
 
 std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
                                                     const InterpolationOptions& options, const TaskControl& control) {
-  constexpr double nodesShare = 0.1;
-  const factorization::PdvOptions shared = sharedOptions(ends, options, control.between(0, nodesShare));
+  constexpr double nodesFraction = 0.1;
+  const factorization::PdvOptions shared = sharedOptions(ends, options, control.between(0, nodesFraction));
   std::vector<Factors> factors;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const double each = (1 - nodesShare) / double(ends.size()), begin = nodesShare + double(i) * each;
+    const double each = (1 - nodesFraction) / double(ends.size()), begin = nodesFraction + double(i) * each;
     factors.push_back(ends[i].factors
                           ? ends[i].factors
                           : std::make_shared<const PdvFactors>(

@@ -100,7 +100,7 @@ std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, Int
   };
   if (!all(ends, weights, isRgl)) return std::nullopt;
   OwnFormBlend best = bestRglBlend(ends, weights, *blend, control);
-  if (best.accuracy < leastBlendAccuracy) return std::nullopt;
+  if (best.accuracy < minBlendAccuracy) return std::nullopt;
   return best;
 }
 

@@ -20,14 +20,14 @@ struct OwnFormBlend {
 
 /// Minimum accuracy, dB, of blends of RGL files. It fails e.g. for a mirror-like and a wide highlight, which need
 /// different nodes.
-inline constexpr double leastBlendAccuracy = 30;
+inline constexpr double minBlendAccuracy = 30;
 
 /// Whether a space mixes materials in their own form: `linear` and `differential`.
 bool mixesOwnForms(InterpolationSpace space);
 
 /// For UTIA files a UTIA file, exact for linear blends. For RGL files (all isotropic, or all anisotropic) an RGL file
 /// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix own
-/// forms, if a material has another form, or below leastBlendAccuracy. Materials of weight 0 are ignored. @throws Error
+/// forms, if a material has another form, or below minBlendAccuracy. Materials of weight 0 are ignored. @throws Error
 /// for invalid weights; Cancelled.
 std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,
                                          std::span<const double> weights, const TaskControl& control = {});

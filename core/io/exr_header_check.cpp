@@ -153,7 +153,7 @@ bool checkOneHeader(Cursor& cursor, std::size_t fileBytes) {
 }  // namespace
 
 void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t mostPixelsPerByte) {
-  const std::string size = "found a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  const std::string size = "found an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1 || width > maxSide || height > maxSide || width * height > maxPixels)
     throw Error(size + ", expected 1 to " + std::to_string(maxSide) + " per side and at most " +
                 std::to_string(maxPixels) + " in total");

@@ -21,8 +21,8 @@ using nlohmann::json;
 
 constexpr std::uint64_t maxGltfBytes = std::uint64_t(2) << 30;
 constexpr std::size_t maxGltfTriangles = 100'000'000;
-constexpr double largestCount = 4294967295.0;
-constexpr int mostDepth = 256;
+constexpr double maxCount = 4294967295.0;
+constexpr int maxDepth = 256;
 
 enum ComponentType { unsignedByte = 5121, unsignedShort = 5123, unsignedInt = 5125, floatingPoint = 5126 };
 enum PrimitiveMode { triangleList = 4, triangleStrip = 5, triangleFan = 6 };
@@ -56,10 +56,10 @@ class GltfReader {
   };
 
   static std::size_t numberOr(const JsonObject& object, std::string_view key, double otherwise) {
-    return std::size_t(object.contains(key) ? object.number(key, 0, largestCount) : otherwise);
+    return std::size_t(object.contains(key) ? object.number(key, 0, maxCount) : otherwise);
   }
   static std::size_t index(const JsonObject& object, std::string_view key) {
-    return std::size_t(object.number(key, 0, largestCount));
+    return std::size_t(object.number(key, 0, maxCount));
   }
   static std::size_t indexIn(const JsonObject& object, std::string_view key, std::size_t i) {
     const json& value = object.array(key)[i];
@@ -84,7 +84,7 @@ class GltfReader {
   /// Each node has one parent, so that a tree is walked once; a circle is found by its depth.
   void addNode(std::size_t number, const glm::dmat4& parent, int depth) {
     const JsonObject node = item(root_, "nodes", number);
-    if (depth > mostDepth || ++nodesSeen_ > root_.array("nodes").size())
+    if (depth > maxDepth || ++nodesSeen_ > root_.array("nodes").size())
       throw Error(node.place("children") + ": found a node with two parents or in a cycle");
     const glm::dmat4 placed = parent * transformOf(node);
     if (node.contains("mesh")) addMesh(index(node, "mesh"), placed);
@@ -126,7 +126,7 @@ class GltfReader {
     const auto positions = vectors(attributes, "POSITION");
     const auto normals = attributes.contains("NORMAL") ? vectors(attributes, "NORMAL") : std::vector<glm::vec3>();
     const std::size_t first = arrays_.positions.size();
-    if (double(first) + double(positions.size()) > largestCount) throw Error("found too many vertices");
+    if (double(first) + double(positions.size()) > maxCount) throw Error("found too many vertices");
     for (const glm::vec3& p : positions) arrays_.positions.emplace_back(placed * glm::dvec4(p, 1));
     const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(placed)));
     const bool isMirrored = glm::determinant(glm::dmat3(placed)) < 0;

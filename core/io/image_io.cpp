@@ -80,8 +80,8 @@ Image decodeHdr(std::span<const std::byte> bytes) {
   const std::unique_ptr<float, decltype(&stbi_image_free)> pixels(
       stbi_loadf_from_callbacks(&hdrCallbacks, &stream, &width, &height, &channels, 3), stbi_image_free);
   if (stream.endedEarly)
-    throw Error("the Radiance HDR picture ends at byte " + std::to_string(bytes.size()) + ", expected more");
-  if (!pixels) throw Error(std::string("found a broken Radiance HDR picture (") + stbi_failure_reason() + ")");
+    throw Error("the Radiance HDR image ends at byte " + std::to_string(bytes.size()) + ", expected more");
+  if (!pixels) throw Error(std::string("found a broken Radiance HDR image (") + stbi_failure_reason() + ")");
   Image image(width, height);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(glm::vec3));
   return image;
@@ -89,7 +89,7 @@ Image decodeHdr(std::span<const std::byte> bytes) {
 
 void checkShape(bool matches, int width, int height) {
   if (!matches || width < 1 || height < 1)
-    throw Error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+    throw Error("an image of " + std::to_string(width) + " x " + std::to_string(height) +
                 " pixels cannot be written: expected at least one pixel, and as many values as the size requires");
 }
 

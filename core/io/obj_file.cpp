@@ -16,7 +16,7 @@ namespace gonio::io {
 
 namespace {
 
-constexpr std::uint64_t mostBytes = std::uint64_t(1) << 31;
+constexpr std::uint64_t maxObjBytes = std::uint64_t(1) << 31;
 constexpr std::size_t maxTriangles = 100'000'000;
 
 /// A piece of the file for an error's text: no control characters, no more than a few words.
@@ -181,7 +181,7 @@ class Reader {
 }  // namespace
 
 TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
-  const std::vector<std::byte> bytes = source.readAll(mostBytes);
+  const std::vector<std::byte> bytes = source.readAll(maxObjBytes);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return TriangleMesh(Reader(text, control.between(0, 0.7)).read());
 }

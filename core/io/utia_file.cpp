@@ -27,7 +27,7 @@ constexpr std::uint64_t maxExrBytes = 1 << 24;
 constexpr double maxValue = 1e9;
 
 const std::string expectedUtia =
-    std::to_string(binBytes) + " bytes of float64 (3 planes of 288 x 288), or an EXR picture of 288 x 288 pixels";
+    std::to_string(binBytes) + " bytes of float64 (3 planes of 288 x 288), or an EXR image of 288 x 288 pixels";
 
 bool hasExrSignature(const ByteSource& source) {
   std::array<std::byte, 4> start{};
@@ -46,17 +46,17 @@ void expectValues(const ByteSource& source) {
 
 Image readPicture(const ByteSource& source) {
   if (source.size() > maxExrBytes)
-    throw FormatMismatch("an EXR picture of " + std::to_string(source.size()) + " bytes", expectedUtia);
+    throw FormatMismatch("an EXR image of " + std::to_string(source.size()) + " bytes", expectedUtia);
   try {
     Image image = readImage(source.readAll(maxExrBytes));
     if (image.width == int(side) && image.height == int(side)) return image;
     throw FormatMismatch(
-        "an EXR picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
+        "an EXR image of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
         expectedUtia);
   } catch (const FormatMismatch&) {
     throw;
   } catch (const Error& error) {
-    throw FormatMismatch(std::string("an EXR picture that cannot be read (") + error.what() + ")", expectedUtia);
+    throw FormatMismatch(std::string("an EXR image that cannot be read (") + error.what() + ")", expectedUtia);
   }
 }
 

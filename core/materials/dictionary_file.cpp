@@ -19,11 +19,11 @@ using nlohmann::json;
 constexpr io::ContainerFormat dictionaryFormat{.name = "dictionary", .signature = "GONIODIC"};
 constexpr int maxDictionaries = 256;
 /// Of matrices that were orthonormal before they were rounded to single precision.
-constexpr double mostRounding = 1e-4;
+constexpr double maxRounding = 1e-4;
 
 Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size) {
   const Eigen::MatrixXd matrix = file.squareMatrix<float>(size).cast<double>();
-  if (!(dictionary::orthonormalityError(matrix) < mostRounding)) file.fail("found a matrix that is not orthonormal");
+  if (!(dictionary::orthonormalityError(matrix) < maxRounding)) file.fail("found a matrix that is not orthonormal");
   return dictionary::polished(dictionary::polished(matrix));
 }
 

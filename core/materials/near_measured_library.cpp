@@ -28,7 +28,8 @@ std::string databaseOf(const std::string& source) {
 }  // namespace
 
 std::string NearMeasuredMaterial::description() const {
-  std::string text = "near-measured copy of " + databaseOf(source) + " " + name + ": neural fit, Sztrajman et al. 2021";
+  std::string text = "near-measured copy of " + databaseOf(source) + " " + name +
+                     ": neural fit of the measurement, Sztrajman et al. 2021";
   if (!renderedSnr) return text;
   char number[64];
   std::snprintf(number, sizeof number, "; rendered SNR against the measurement %.1f dB", *renderedSnr);

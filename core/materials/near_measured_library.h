@@ -23,7 +23,8 @@ struct NearMeasuredMaterial {
   std::optional<double> renderedSnr;  ///< against the measured file, dB; empty if unknown
   std::span<const float> weights;     ///< NeuralBrdf::weightCount values
 
-  /// For display: "near-measured copy of MERL alum-bronze: neural fit, Sztrajman et al. 2021", with the SNR if known.
+  /// For display: "near-measured copy of MERL alum-bronze: neural fit of the measurement, Sztrajman et al. 2021", with
+  /// the SNR if known.
   std::string description() const;
   /// SHA-256 of the weights.
   std::string sha256() const;

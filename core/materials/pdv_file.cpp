@@ -83,7 +83,7 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
   const bool isFlat = header[formAt] == 0;
   check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : maxFactorNodes);
   check("the count of terms", termsAt, 1, std::uint32_t(maxPdvTerms));
-  if (!std::isfinite(highest)) fail(file, "the highest value", "not finite", "a number");
+  if (!std::isfinite(highest)) fail(file, "the maximum", "not finite", "a number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
   file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));
 }

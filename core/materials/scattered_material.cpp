@@ -103,12 +103,12 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
 /// the measured points say nothing about, the components may exaggerate without bound. Counts the channels.
 std::shared_ptr<const TabulatedBrdf> limited(const TabulatedBrdf& table, const std::vector<float>& largest,
                                              const acquisition::MeasuredValues& measured, std::size_t& count) {
-  double largestMeasured = 0;
-  for (const Rgb& value : measured.rgb) largestMeasured = std::max(largestMeasured, maxChannel(value));
+  double maxMeasured = 0;
+  for (const Rgb& value : measured.rgb) maxMeasured = std::max(maxMeasured, maxChannel(value));
   std::vector<TabulatedBrdf::Value> values(table.values().begin(), table.values().end());
   for (std::size_t cell = 0; cell < values.size(); ++cell)
     for (int channel = 0; channel < 3; ++channel) {
-      const float limit = std::max(largest[cell], float(largestMeasured));
+      const float limit = std::max(largest[cell], float(maxMeasured));
       count += values[cell][channel] > limit;
       values[cell][channel] = std::min(values[cell][channel], limit);
     }

@@ -24,7 +24,7 @@ struct ThinSvd {
   Eigen::VectorXd singularValues;  ///< >= 0, descending
   Eigen::MatrixXd v;
 };
-/// Jacobi rotations after a QR decomposition with pivoting. Cost: O(rows columns min(rows, columns)) and some ten
+/// Jacobi rotations after a QR decomposition with pivoting. Cost: O(rows columns min(rows, columns)) and about ten
 /// sweeps of O(min(rows, columns)^3).
 ThinSvd thinSvd(const Eigen::MatrixXd& matrix);
 

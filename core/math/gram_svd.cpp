@@ -85,8 +85,8 @@ Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const T
 }
 
 GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control) {
-  constexpr double gramShare = 0.5;
-  GramSvd result = decomposeGram(gramMatrix(matrix, control.between(0, gramShare)), maxComponents);
+  constexpr double gramFraction = 0.5;
+  GramSvd result = decomposeGram(gramMatrix(matrix, control.between(0, gramFraction)), maxComponents);
   const Eigen::Index count = result.singularValues.size();
   const Eigen::MatrixXd projector = projectorOf(result);
   auto all = matrix.view();
@@ -98,7 +98,7 @@ GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl
         const Eigen::MatrixXd product = block.cast<double>() * projector;
         block.leftCols(count) = product.cast<float>();
       },
-      control.between(gramShare, 1));
+      control.between(gramFraction, 1));
   matrix.columns = count;
   matrix.values.resize(rows * std::size_t(count));
   // Giving memory back takes a copy for a moment: not worth it for a few columns of gigabytes.

@@ -95,9 +95,9 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
   return total;
 }
 
-void runQuietly(const std::function<void()>& work) {
+void runAtLowPriority(const std::function<void()>& work) {
 #ifdef __linux__
-  // A quarter of the fraction of a normal thread: idle priority would starve on a machine that is busy otherwise.
+  // A quarter of the time of a normal thread: with idle priority the work would never run on a busy machine.
   constexpr int niceness = 5;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 #endif

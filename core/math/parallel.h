@@ -24,7 +24,7 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
 
 /// Runs low-priority work on the calling thread only: its parallel loops use no other thread. Lowers the thread's
 /// priority permanently where the system permits it, so call this on a thread without other work.
-void runQuietly(const std::function<void()>& work);
+void runAtLowPriority(const std::function<void()>& work);
 
 /// Number of threads that parallel loops of the calling thread may use now.
 int threadCount();

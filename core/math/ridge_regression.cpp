@@ -12,7 +12,7 @@ namespace {
 
 constexpr double negligible = 1e-8;
 /// Errors that differ by less than this fraction are equal but for rounding.
-constexpr double leastRidgeGain = 1e-9;
+constexpr double minRidgeGain = 1e-9;
 
 }  // namespace
 
@@ -80,7 +80,7 @@ Eigen::MatrixXd RidgeRegression::posteriorFactor(double ridge) const {
 double bestRidge(const std::vector<double>& ridges, const std::vector<double>& sums, double otherwise) {
   double best = otherwise, least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ridges.size(); ++i) {
-    if (!(sums[i] < (1 - leastRidgeGain) * least)) continue;
+    if (!(sums[i] < (1 - minRidgeGain) * least)) continue;
     least = sums[i];
     best = ridges[i];
   }

@@ -71,7 +71,7 @@ double square(double x) { return x * x; }
 
 void checkEqualSizes(const Image& reference, const Image& test) {
   if (reference.width != test.width || reference.height != test.height)
-    throw Error("pictures of different sizes cannot be compared: " + std::to_string(reference.width) + " x " +
+    throw Error("images of different sizes cannot be compared: " + std::to_string(reference.width) + " x " +
                 std::to_string(reference.height) + " and " + std::to_string(test.width) + " x " +
                 std::to_string(test.height));
 }

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double reciprocityTolerance = 0.02, energyTolerance = 0.01, coverageTolerance = 0.01;
 /// Values below this fraction of the mean are judged against it: relative noise of almost black is nobody's concern.
-constexpr double smallShare = 0.05;
+constexpr double smallFraction = 0.05;
 /// A negative value below this fraction of the mean is rounding.
-constexpr double roundingShare = 1e-6;
+constexpr double roundingFraction = 1e-6;
 constexpr double steepest = radians(85);
 constexpr std::uint32_t pairCount = 1 << 14;
 constexpr std::array albedoDegrees{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0};
@@ -80,7 +80,7 @@ PlausibilityCheck reciprocity(const std::vector<DirectionPair>& pairs, const std
   const double mean = meanValue(forth);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (!finite(forth[i]) || !finite(back[i])) continue;
-    const double scale = std::max({maxChannel(forth[i]), maxChannel(back[i]), smallShare * mean});
+    const double scale = std::max({maxChannel(forth[i]), maxChannel(back[i]), smallFraction * mean});
     if (scale > 0) worsen(check, maxChannel(glm::abs(forth[i] - back[i])) / scale, pairs[i]);
   }
   conclude(check, pairs.size());
@@ -138,7 +138,7 @@ PlausibilityCheck checkNegative(const Brdf& edited, const Brdf& base) {
   std::vector<Rgb> values(pairs.size()), unedited(pairs.size());
   edited.evaluate(pairs, values);
   base.evaluate(pairs, unedited);
-  const double limit = roundingShare * meanValue(values);
+  const double limit = roundingFraction * meanValue(values);
   for (std::size_t i = 0; i < pairs.size(); ++i) values[i] -= glm::min(unedited[i], Rgb(0));
   return negative(pairs, values, limit);
 }

@@ -45,7 +45,7 @@ constexpr auto ggxParameters = parametersOf(ggxDistribution), beckmannParameters
 
 constexpr ModelSpec ggxSpec = {
     .id = "ggx-anisotropic", .name = "GGX, anisotropic",
-    .description = "Microfacets with long tails and a width along the grain and across it: brushed and rolled metal. "
+    .description = "Microfacets with long tails and separate widths along x and y: brushed and rolled metal. "
                    "Reciprocal; loses a little energy at high roughness (single scattering).",
     .formula = formula,
     .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Walter et al. 2007",
@@ -53,7 +53,7 @@ constexpr ModelSpec ggxSpec = {
 
 constexpr ModelSpec beckmannSpec = {
     .id = "beckmann-anisotropic", .name = "Beckmann, anisotropic",
-    .description = "Microfacets with Gaussian slopes, a width along the grain and across it, and Smith masking. "
+    .description = "Microfacets with Gaussian slopes, separate widths along x and y, and Smith masking. "
                    "Reciprocal; loses a little energy at high roughness (single scattering).",
     .formula = formula,
     .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Beckmann and Spizzichino 1963",

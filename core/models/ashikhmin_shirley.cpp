@@ -31,7 +31,7 @@ constexpr ParameterSpec parameters[] = {
     fresnelParameter(FresnelChoice::schlick),
     edgeTintParameter(),
     choiceParameter("diffuse-term", "Diffuse term", "R_d",
-                    "Light that the body receives: only what the highlight leaves, or all of it (fits of Ngan et al. "
+                    "Light that the diffuse term receives: only what the highlight leaves, or all (fits of Ngan et al. "
                     "2005 and Loew et al. 2012).",
                     "coupled: 28 k_d / (23 pi) (1 - F_0)(1 - (1 - cos theta_i / 2)^5)(1 - (1 - cos theta_o / 2)^5); "
                     "lambert: k_d / pi",
@@ -41,7 +41,7 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec ashikhminShirleySpec = {
     .id = "ashikhmin-shirley", .name = "Ashikhmin-Shirley",
-    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a body that receives only the "
+    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a diffuse term that receives only the "
                    "light that the highlight leaves. Reciprocal; the albedo of the highlight never exceeds k_s and "
                    "falls toward grazing angles.",
     .formula = "R_d + k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "

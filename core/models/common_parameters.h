@@ -14,7 +14,7 @@ constexpr ParameterSpec diffuseParameter(double defaultValue) {
   return {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
           .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-          .description = "Fraction of the light that the body of the material scatters evenly: its albedo.",
+          .description = "Fraction of the light that is scattered equally in all directions: the diffuse albedo.",
           .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .role = ParameterRole::body};
 }
 

@@ -13,7 +13,7 @@ constexpr ParameterSpec parameters[] = {diffuseParameter(0.5)};
 
 constexpr ModelSpec lambertSpec = {
     .id = "lambert", .name = "Lambert",
-    .description = "The ideal matte surface: looks equally bright from everywhere. Reciprocal; albedo exactly k_d.",
+    .description = "The ideal matte surface: equally bright from every direction. Reciprocal; albedo exactly k_d.",
     .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .parameters = parameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on

@@ -75,18 +75,18 @@ constexpr ParameterSpec switchParameter(std::string_view id, std::string_view la
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     reflectanceParameter("base", "Base", "F_0,1", 0.05, ParameterRole::highlight,
-                         "Strength and colour of the widest lobe, seen head-on: the gloss of a matte surface."),
+                         "Strength and colour of the widest lobe at normal incidence: the gloss of a matte surface."),
     reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge,
                          "Strength and colour of this lobe toward grazing angles."),
     widthParameter("base-roughness", "Base, roughness", "alpha_1", 0.5, "Width of the widest lobe."),
     reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05, ParameterRole::highlight,
-                         "Strength and colour of the middle lobe, seen head-on: metal flakes, a brushed metal.",
+                         "Strength and colour of the middle lobe at normal incidence: metal flakes, brushed metal.",
                          "flakes-lobe"),
     reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge,
                          "Strength and colour of this lobe toward grazing angles.", "flakes-lobe"),
     widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe.", "flakes-lobe"),
     reflectanceParameter("coat", "Coat", "F_0,3", 0.05, ParameterRole::coat,
-                         "Strength and colour of the sharpest lobe, seen head-on: a clear coat, a polish.",
+                         "Strength and colour of the sharpest lobe at normal incidence: a clear coat, a polish.",
                          "coat-lobe"),
     reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge,
                          "Strength and colour of this lobe toward grazing angles.", "coat-lobe"),
@@ -95,7 +95,7 @@ constexpr ParameterSpec parameters[] = {
                                 "Strength and colour of the glow of fibres toward the edge.", "sheen-lobe"),
            sheenFormula, sheenSources),
     ofLobe(withRole(widthParameter("sheen-roughness", "Sheen, roughness", "alpha_sh", 0.3,
-                                   "Small values leave a thin rim, large ones cover everything.", "sheen-lobe"),
+                                   "Small values leave a thin rim, large ones cover the whole surface.", "sheen-lobe"),
                     ParameterRole::other),
            sheenFormula, sheenSources),
     ofLobe(reflectanceParameter("retro", "Retroreflection", "k_r", 0, ParameterRole::highlight,
@@ -113,9 +113,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec layeredSpec = {
     .id = "layered", .name = "Layered lobes",
-    .description = "A diffuse body and one to three GGX lobes from wide to sharp, each with a colour of its own "
-                   "head-on and at the edge; a sheen and a retroreflective lobe where they are switched on. A fit uses "
-                   "as many lobes as lower its error. Fits most measured materials closer than one lobe. Reciprocal; "
+    .description = "A diffuse term and one to three GGX lobes from wide to sharp, each with separate colours at "
+                   "normal and grazing incidence; a sheen and a retroreflective lobe where they are switched on. A fit uses "
+                   "as many lobes as lower its error. Fits most measured materials more closely than one lobe. Reciprocal; "
                    "nothing bounds the energy.",
     .formula = "k_d / pi + the sum over the lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
     .reference = sources,

@@ -34,7 +34,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "power", .label = "Tail power", .symbol = "C", .unit = "",
      .softMin = 1.05, .softMax = 8, .hardMin = 1.001, .hardMax = 100, .defaultValue = 2,
      .scale = ParameterScale::logarithmic,
-     .description = "How fast the tail of the highlight falls: near 1 it covers everything.",
+     .description = "How fast the tail of the highlight falls: near 1 it covers the whole hemisphere.",
      .formula = "(1 + |Dp|^2 / s^2)^-C", .reference = neumann1996,
      .activeWith = "falloff", .activeChoice = 1},
 };

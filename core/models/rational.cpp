@@ -41,10 +41,10 @@ constexpr ParameterSpec denominator(std::string_view id, std::string_view label,
 
 constexpr ParameterSpec parameters[] = {
     numerator("p-0", "Peak", "p_0", 10, 1, "Value of the highlight with light and viewer in the same direction."),
-    numerator("p-x", "Body", "p_x", 1000, 6, "Value away from the highlight, times q_x."),
+    numerator("p-x", "Diffuse", "p_x", 1000, 6, "Value away from the highlight, times q_x."),
     numerator("p-y", "Peak rise", "p_y", 10, 0, "How much the highlight increases toward grazing light."),
-    numerator("p-xx", "Body, far", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
-    numerator("p-xy", "Body rise", "p_xy", 1000, 0, "How much the body increases toward grazing light."),
+    numerator("p-xx", "Diffuse, far", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
+    numerator("p-xy", "Diffuse rise", "p_xy", 1000, 0, "How much the diffuse part increases toward grazing light."),
     numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0, "How much the highlight gains at extreme grazing light."),
     denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large values are "
                                                       "glossy."),

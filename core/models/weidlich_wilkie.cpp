@@ -60,7 +60,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "absorption", .label = "Absorption", .symbol = "sigma d", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 100, .defaultValue = 0.1,
      .group = ParameterGroup::layer, .perChannel = true,
-     .description = "Optical depth of the coat: deepens the colour of the base, most toward grazing angles.",
+     .description = "Optical depth of the coat: deepens the colour of the base, especially toward grazing angles.",
      .formula = "a = exp(-sigma d (1 / cos theta_i' + 1 / cos theta_o'))",
      .reference = "Bouguer 1729, Lambert 1760, Beer 1852; Weidlich and Wilkie 2007"},
     fresnelParameter(FresnelChoice::conductor),

@@ -13,8 +13,8 @@ namespace {
 bool isFinite(const glm::dvec2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
 /// The shares [first, second] of the way from a to b that lie inside.
-std::optional<std::pair<double, double>> insideShares(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& min,
-                                                      const glm::dvec2& max) {
+std::optional<std::pair<double, double>> insideFractions(const glm::dvec2& a, const glm::dvec2& b,
+                                                         const glm::dvec2& min, const glm::dvec2& max) {
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 2; ++axis) {
     const double way = b[axis] - a[axis];
@@ -38,7 +38,7 @@ std::vector<std::vector<glm::dvec2>> clipPolyline(std::span<const glm::dvec2> po
   bool open = false;  // the last part reaches to the segment's start
   for (std::size_t i = 1; i < points.size(); ++i) {
     const glm::dvec2 &a = points[i - 1], &b = points[i];
-    const auto fractions = isFinite(a) && isFinite(b) ? insideShares(a, b, min, max) : std::nullopt;
+    const auto fractions = isFinite(a) && isFinite(b) ? insideFractions(a, b, min, max) : std::nullopt;
     if (!fractions) {
       open = false;
       continue;

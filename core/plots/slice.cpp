@@ -9,7 +9,7 @@
 
 namespace gonio::plots {
 
-double thetaHShare(ThetaHSpacing spacing, double thetaH) {
+double thetaHFraction(ThetaHSpacing spacing, double thetaH) {
   const double fraction = thetaH / halfPi;
   return spacing == ThetaHSpacing::linear ? fraction : std::sqrt(std::max(0.0, fraction));
 }

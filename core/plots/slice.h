@@ -27,7 +27,7 @@ struct Slice {
 };
 
 /// Conversion of theta_h (rad) to a fraction of the axis, [0, 1], and back.
-double thetaHShare(ThetaHSpacing spacing, double thetaH);
+double thetaHFraction(ThetaHSpacing spacing, double thetaH);
 double thetaHAt(ThetaHSpacing spacing, double fraction);
 
 /// A slice of `size` x `size` cells (90 in MERL tables). Takes some ms. @param coverage as in evaluatePlotted().

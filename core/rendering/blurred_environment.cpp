@@ -48,7 +48,7 @@ std::vector<Patch> patchesOf(const Image& image) {
 }
 
 std::shared_ptr<const EnvironmentMap> blur(const EnvironmentMap& environment) {
-  const double leastCosine = std::cos(radians(20));
+  const double minCosine = std::cos(radians(20));
   const std::vector<Patch> patches = patchesOf(environment.image());
   Image blurred(blurredWidth, blurredHeight);
   parallelForBlocks(blurredPixels, blurredWidth, [&](std::size_t begin, std::size_t end) {
@@ -59,7 +59,7 @@ std::shared_ptr<const EnvironmentMap> blur(const EnvironmentMap& environment) {
       double weights = 0;
       for (const Patch& patch : patches) {
         const double cosine = glm::dot(centre, patch.direction);
-        if (cosine < leastCosine) continue;
+        if (cosine < minCosine) continue;
         const double weight = std::exp(blurConcentration * (cosine - 1));
         sum += weight * patch.power;
         weights += weight * patch.solidAngle;

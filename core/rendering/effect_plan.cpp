@@ -114,23 +114,23 @@ void Analysis::findVisible() {
 
 void Analysis::decideLights() {
   plan.decisions[std::size_t(Effect::emittedLight)] = emittedLightDecision(scene_);
-  std::string lamp, surrounding;
-  bool areLamps = false, haveSize = false;
+  std::string direct, surrounding;
+  bool haveLights = false, haveSize = false;
   for (std::size_t light = 0; light < plan.lights.size(); ++light) {
     const SceneLight& source = plan.lights[light];
-    const bool distant = source.kind == SceneLight::Kind::environment;
-    areLamps = areLamps || !distant;
+    const bool isEnvironment = source.kind == SceneLight::Kind::environment;
+    haveLights = haveLights || !isEnvironment;
     for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
       if (!plan.lit[object][light]) continue;
       haveSize = haveSize || source.kind == SceneLight::Kind::rectangle;
-      std::string& reason = distant ? surrounding : lamp;
+      std::string& reason = isEnvironment ? surrounding : direct;
       if (reason.empty()) reason = lightName(scene_, source) + " lights " + scene_.objects[object].name;
     }
   }
-  decide(Effect::directLight, !lamp.empty(),
-         !lamp.empty() ? lamp
-         : areLamps    ? "no reflecting surface faces a lamp"
-                       : "there is no lamp");
+  decide(Effect::directLight, !direct.empty(),
+         !direct.empty() ? direct
+         : haveLights    ? "no reflecting surface faces a distant, point or area light"
+                         : "there is no distant, point or area light");
   decide(Effect::environmentLight, !surrounding.empty(),
          !surrounding.empty()  ? surrounding
          : !scene_.environment ? "there is no environment"
@@ -160,11 +160,11 @@ void Analysis::decideShadows() {
 
 std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t>>& visible) const {
   const std::size_t count = scene_.objects.size();
-  // [i][j]: what object i sends on of the light of its visible[i][j].
-  std::vector<std::vector<double>> sentOn(count);
+  // [i][j]: the fraction of the light from visible[i][j] that object i reflects.
+  std::vector<std::vector<double>> reflected(count);
   for (std::size_t i = 0; i < count; ++i)
     for (const std::size_t j : visible[i])
-      sentOn[i].push_back(materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])));
+      reflected[i].push_back(materials_[i]->bound().at(maxFormFactor(scene_.objects[i], scene_.objects[j])));
   // bound[i]: what leaves object i after so many reflections, as a fraction of the brightest first one.
   std::vector<double> bound(count, 1), additions;
   constexpr int horizon = 4096;
@@ -173,10 +173,10 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
     for (std::size_t i = 0; i < count; ++i) {
       double sum = 0, largest = 0;
       for (std::size_t k = 0; k < visible[i].size(); ++k) {
-        sum += sentOn[i][k] * bound[visible[i][k]];
+        sum += reflected[i][k] * bound[visible[i][k]];
         largest = std::max(largest, bound[visible[i][k]]);
       }
-      if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().largestAlbedo() * largest);
+      if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().maxAlbedo() * largest);
     }
     bound = next;
     additions.push_back(count > 0 ? *std::ranges::max_element(bound) : 0);
@@ -211,9 +211,9 @@ void Analysis::decideInterreflection() {
   if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface sees another");
   std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
   if (plan.reflections == 1)
-    return decide(
-        Effect::interreflection, false,
-        pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest first reflection");
+    return decide(Effect::interreflection, false,
+                  pair + ", but further reflections add at most " + percent(plan.remainder) +
+                      " of the brightest first reflection");
   const std::string rest = std::isfinite(plan.remainder)
                                ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
                                      percent(plan.remainder) + " of the brightest first reflection"

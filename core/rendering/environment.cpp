@@ -19,7 +19,7 @@ namespace {
 void requireUsableImage(const Image& image, const std::string& name) {
   if (image.width <= 0 || image.height <= 0 ||
       image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
-    throw Error("environment '" + name + "': the picture is empty");
+    throw Error("environment '" + name + "': the image is empty");
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     for (int channel = 0; channel < 3; ++channel)
       if (const float value = image.pixels[i][channel]; !(std::isfinite(value) && value >= 0))

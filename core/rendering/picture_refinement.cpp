@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int largestPass = 16;
+constexpr int maxPass = 16;
 constexpr int trialPixels = 4096, fewSamples = 4, trialSamples = 16;
 constexpr double maxOrder = 0.75;  ///< that of jittered samples across an edge (Mitchell 1996)
 
@@ -22,7 +22,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 /// As many samples as the pictures so far have, while they fit into the time that is left; at least one.
 int nextPass(const Film& film, const RefinementLimits& limits, double spent) {
-  int pass = std::min({std::max(1, film.samples), largestPass, limits.samples - film.samples});
+  int pass = std::min({std::max(1, film.samples), maxPass, limits.samples - film.samples});
   if (film.samples > 0) {
     const double fitting = (limits.seconds - spent) / (spent / film.samples);
     if (fitting < pass) pass = std::max(1, int(fitting));

@@ -32,7 +32,7 @@ struct PictureEstimate {
   double noise(int samples) const;
 };
 
-/// Renders two pictures of about 4,000 pixels and compares them after 4 and 16 samples; some tenths of a second.
+/// Renders two pictures of about 4,000 pixels and compares them after 4 and 16 samples; a few tenths of a second.
 /// @param width, height of the picture to estimate. @throws Cancelled.
 PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                 const EffectPlan& plan, int width, int height, const TaskControl& control = {});

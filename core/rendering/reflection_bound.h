@@ -14,7 +14,7 @@ namespace gonio {
 ///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of integral over W of f cos dw.
 /// A(1) is the largest directional albedo; for a mirror A is A(1) for all F > 0, for a Lambertian surface A(F) = albedo
 /// F. Uses the channel that reflects most. Estimated from samples of the material's density for viewers from 0 to 89
-/// degrees (anisotropic materials: at four azimuths), so accurate to some percent, not a strict bound.
+/// degrees (anisotropic materials: at four azimuths), so accurate to a few percent, not a strict bound.
 class ReflectionBound {
  public:
   using Sampler = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
@@ -24,8 +24,8 @@ class ReflectionBound {
 
   /// A(F), non-decreasing, 0 for F = 0. @param fraction F in [0, 1].
   double at(double fraction) const;
-  double largestAlbedo() const { return at(1); }
-  bool isBlack() const { return !(largestAlbedo() > 0); }
+  double maxAlbedo() const { return at(1); }
+  bool isBlack() const { return !(maxAlbedo() > 0); }
 
  private:
   ReflectionBound() = default;

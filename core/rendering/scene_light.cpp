@@ -18,14 +18,14 @@ bool isBlack(const EnvironmentMap& environment) {
   return std::ranges::all_of(environment.image().pixels, [](const glm::vec3& p) { return p == glm::vec3(0); });
 }
 
-/// The hull of a receiver and its ways to a source; an environment has no such hull.
-struct Ways {
+/// The hull of a receiver and its light paths to a source; an environment has no such hull.
+struct LightPaths {
   Support support;
-  /// The ways go on without end toward this direction (0: they do not).
+  /// Direction in which the paths are unbounded; 0 if they are bounded.
   Direction unbounded{0};
 };
 
-Ways waysTo(const Scene& scene, const SceneLight& light, const Shape& receiver) {
+LightPaths lightPathsTo(const Scene& scene, const SceneLight& light, const Shape& receiver) {
   if (light.kind == SceneLight::Kind::directional)
     return {[&receiver](const Direction& d) { return supportPoint(receiver, d); },
             scene.directionalLights[light.index].toLight};
@@ -40,37 +40,37 @@ Ways waysTo(const Scene& scene, const SceneLight& light, const Shape& receiver) 
   return {with([&shape = scene.objects[light.index].shape](const Direction& d) { return supportPoint(shape, d); })};
 }
 
-/// Whether the plane with this normal has all ways on its side and the blocker on the other, or both touch it.
-bool separates(const Direction& normal, const Ways& ways, const Shape& blocker, double tolerance) {
-  if (glm::dot(ways.unbounded, normal) < -1e-12) return false;
-  return glm::dot(ways.support(-normal), normal) >= support(blocker, normal) - tolerance;
+/// Whether the plane with this normal has all paths on its side and the blocker on the other, or both touch it.
+bool separates(const Direction& normal, const LightPaths& paths, const Shape& blocker, double tolerance) {
+  if (glm::dot(paths.unbounded, normal) < -1e-12) return false;
+  return glm::dot(paths.support(-normal), normal) >= support(blocker, normal) - tolerance;
 }
 
 /// Looks for a separating plane: first among the directions that scenes are built on, then by the method of Frank and
 /// Wolfe (1956), which walks to the shortest vector of the difference of both hulls; that vector is the plane's normal.
-bool areSeparated(const Ways& ways, const Shape& blocker, double size) {
+bool areSeparated(const LightPaths& paths, const Shape& blocker, double size) {
   const double tolerance = 1e-9 * size;
   std::vector<Direction> candidates{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   if (const auto* rectangle = std::get_if<Rectangle>(&blocker))
     candidates.insert(candidates.end(), {rectangle->normal(), -rectangle->normal()});
   for (const Direction& normal : candidates)
-    if (separates(normal, ways, blocker, tolerance)) return true;
-  Direction shortest = ways.support({0, 1, 0}) - boundingSphere(blocker).centre;
+    if (separates(normal, paths, blocker, tolerance)) return true;
+  Direction shortest = paths.support({0, 1, 0}) - boundingSphere(blocker).centre;
   constexpr int steps = 64;
   for (int step = 0; step < steps; ++step) {
     const double length = glm::length(shortest);
     if (length < tolerance) return false;
     Direction normal = shortest / length;
-    // Ways without end admit only normals that do not turn against them.
-    const double against = std::min(0.0, glm::dot(ways.unbounded, normal));
-    const Direction admitted = normal - against * ways.unbounded;
+    // LightPaths without end admit only normals that do not turn against them.
+    const double against = std::min(0.0, glm::dot(paths.unbounded, normal));
+    const Direction admitted = normal - against * paths.unbounded;
     if (glm::length(admitted) < 1e-6) return false;
     normal = glm::normalize(admitted);
-    if (separates(normal, ways, blocker, tolerance)) return true;
-    Direction farthest = ways.support(-normal) - supportPoint(blocker, normal);
+    if (separates(normal, paths, blocker, tolerance)) return true;
+    Direction farthest = paths.support(-normal) - supportPoint(blocker, normal);
     // Along the unbounded direction the hull is free: the nearest of these points to the origin.
-    farthest -= std::min(0.0, glm::dot(farthest, ways.unbounded)) * ways.unbounded;
-    shortest -= std::min(0.0, glm::dot(shortest, ways.unbounded)) * ways.unbounded;
+    farthest -= std::min(0.0, glm::dot(farthest, paths.unbounded)) * paths.unbounded;
+    shortest -= std::min(0.0, glm::dot(shortest, paths.unbounded)) * paths.unbounded;
     const Direction change = farthest - shortest;
     const double squared = glm::dot(change, change);
     if (squared < tolerance * tolerance) return false;
@@ -165,7 +165,7 @@ bool mayBlock(const Scene& scene, const SceneLight& light, const SceneObject& re
   if (light.kind == SceneLight::Kind::rectangle && &scene.objects[light.index] == &blocker) return false;
   if (light.kind == SceneLight::Kind::environment) return someLiesBefore(receiver.shape, blocker.shape);
   const double size = std::min(boundingSphere(receiver.shape).radius, boundingSphere(blocker.shape).radius);
-  return !areSeparated(waysTo(scene, light, receiver.shape), blocker.shape, size);
+  return !areSeparated(lightPathsTo(scene, light, receiver.shape), blocker.shape, size);
 }
 
 bool maySee(const SceneObject& receiver, const SceneObject& other) {
@@ -174,7 +174,7 @@ bool maySee(const SceneObject& receiver, const SceneObject& other) {
   return someLiesBefore(receiver.shape, other.shape) && someLiesBefore(other.shape, receiver.shape);
 }
 
-double largestFormFactor(const SceneObject& receiver, const SceneObject& other) {
+double maxFormFactor(const SceneObject& receiver, const SceneObject& other) {
   if (&receiver == &other) return 1;
   const Sphere bound = boundingSphere(other.shape);
   const double ratio = bound.radius / std::max(bound.radius, distanceFrom(receiver.shape, bound.centre));

@@ -37,6 +37,6 @@ bool maySee(const SceneObject& receiver, const SceneObject& other);
 
 /// Upper bound of the fraction of the cosine-weighted hemisphere that `other` covers at a point of `receiver`, in [0,
 /// 1]: (r / d)^2, with r the radius of its bounding sphere and d the smallest distance of the receiver from its centre.
-double largestFormFactor(const SceneObject& receiver, const SceneObject& other);
+double maxFormFactor(const SceneObject& receiver, const SceneObject& other);
 
 }  // namespace gonio

@@ -91,8 +91,8 @@ Direction leavingPoint(const Shape& shape, const ShapeHit& hit) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
     return offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);
   const Sphere bound = boundingSphere(shape);
-  const double largestCoordinate = glm::length(bound.centre) + bound.radius;
-  return hit.position + 16 * std::numeric_limits<double>::epsilon() * largestCoordinate * hit.geometricNormal;
+  const double maxCoordinate = glm::length(bound.centre) + bound.radius;
+  return hit.position + 16 * std::numeric_limits<double>::epsilon() * maxCoordinate * hit.geometricNormal;
 }
 
 bool blocks(const Shape& shape, const Ray& ray, double tMin, double tMax) {

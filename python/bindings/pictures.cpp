@@ -169,7 +169,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     throw Error("grid: only targets that write .bsdf files accept it, found " + id);
   if (!sceneName.empty() && !target.scene) throw Error("scene: " + id + " has no scenes");
   std::vector<exports::ExportFile> files;
-  const exports::MadeExport made = resultOf(progress, [&](const TaskControl& control) {
+  const exports::ExportResult made = resultOf(progress, [&](const TaskControl& control) {
     std::optional<Scene> scene;
     if (!sceneName.empty()) scene = openScene(sceneName);
     if (scene && !environment.empty()) scene->environment = openEnvironment(environment);
@@ -177,7 +177,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     std::vector<std::filesystem::path> sources;
     if (const auto& source = material.base().source.path; std::filesystem::exists(source)) sources.push_back(source);
     exports::checkTargets(target.paths(name, scene ? &*scene : nullptr), sources, overwrite);
-    exports::MadeExport result = exports::makeExport(target, material.exported(), options, control);
+    exports::ExportResult result = exports::makeExport(target, material.exported(), options, control);
     if (scene) exports::addScene(result, target, *scene, name);
     files = exports::filesOf(result, name);
     exports::writeExport(files);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-"""Draws how a material outside the training set is reconstructed from more and more measured directions: its pictures,
+"""Draws how a material outside the training set is reconstructed from more and more measured directions: its images,
 and the SNR by three methods that choose the directions. The training set is copies of MERL materials: about two minutes."""
 import argparse
 

@@ -7,7 +7,7 @@ Conventions of all functions:
 - Directions are unit vectors of shape (..., 3) that point away from the surface; z is the normal. `wi` points toward the
   light, `wo` toward the viewer. theta_i and theta_o are their polar angles from the normal, phi_i and phi_o their azimuths.
 - A BRDF value rho is linear RGB (sRGB primaries) in 1/sr, without the cosine. A last dimension of 3 is red, green, blue.
-- Angles are in radians, times in seconds, sizes of data in bytes, sizes of pictures in pixels, SNRs in dB.
+- Angles are in radians, times in seconds, sizes of data in bytes, sizes of images in pixels, SNRs in dB.
 - theta_h, theta_d, phi_d are the half-difference angles of a pair of directions (Rusinkiewicz 1998). A table contains BRDF
   values on a grid of these angles; a table of the MERL database has 90 x 90 x 180 cells. A cell without data is invalid.
 - Every optional argument that defaults to None, 0, () or "" states what that default does.
@@ -54,7 +54,7 @@ __all__ = [
     # Acquisition
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
     "Reconstruction", "Basis",
-    # Pictures, studies, exports
+    # Images, studies, exports
     "render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison", "Effect", "Record", "Export",
     "Target",
 ]

@@ -110,7 +110,7 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
         sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
             bundled materials.
         excluded: Names of materials to leave out of the training set; (): none.
-        components: Max number of components. There are never more than three per material.
+        components: Maximum number of components. There are never more than three per material.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
@@ -217,8 +217,8 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
             "somp-first-columns" (the same over the first training signals alone, as in the authors' code),
             "condition-number" (Nielsen et al. 2015), "random" or "uniform".
         components: Number of components that the choice uses; 0: the number of samples.
-        max_polar_angle: Max polar angle of both directions, rad.
-        min_separation: Min angle between light and viewer, rad; 0: no limit.
+        max_polar_angle: Maximum polar angle of both directions, rad.
+        min_separation: Minimum angle between light and viewer, rad; 0: no limit.
         forbidden: Boxes of angles that the goniometer cannot reach, each as ranges of theta_i, theta_o and |phi_i - phi_o| in
             rad: ((low, high), (low, high), (low, high)); (): none.
         seed: Seed of the random numbers of "condition-number" and "random".

@@ -31,7 +31,7 @@ def _rows(first: ArrayLike, second: ArrayLike, names: tuple[str, str]) -> tuple[
 
 
 class Material:
-    """A BRDF with its source: a measurement in its own form, a table, a model, factors, a code, or an edit of these.
+    """A BRDF with its source: a measurement in its native form, a table, a model, factors, a code, or an edit of these.
 
     A material does not change after it is made; edits return new materials. It is made by gonio.open(), gonio.from_table(),
     Model.material(), Factors.material() and the functions that return materials. All methods may be called from several
@@ -367,6 +367,6 @@ def set_threads(count: int) -> None:
     """Sets the number of threads that Gonio uses in this process. Results do not depend on it.
 
     Args:
-        count: Max number of threads; 0: one per core.
+        count: Maximum number of threads; 0: one per core.
     """
     _core.set_threads(count)

@@ -193,7 +193,7 @@ def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: floa
         model: Id of a model (gonio.models()).
         metric: Id of the metric that is minimised (gonio.metrics()).
         gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
-        max_polar_angle: Max polar angle of both directions in rad; cells beyond it are left out.
+        max_polar_angle: Maximum polar angle of both directions in rad; cells beyond it are left out.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
@@ -213,9 +213,9 @@ def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log",
         models: Ids of the models; (): all models.
         metric: Id of the metric that is minimised, and by which the fits are sorted.
         gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
-        max_polar_angle: Max polar angle of both directions in rad; cells beyond it are left out.
-        size: Width and height in pixels of the pictures for Fit.rendered_snr.
-        samples: Samples per pixel of these pictures.
+        max_polar_angle: Maximum polar angle of both directions in rad; cells beyond it are left out.
+        size: Width and height in pixels of the images for Fit.rendered_snr.
+        samples: Samples per pixel of these images.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
     rows = _core.fit_all(material._handle, list(models), metric, gamma, max_polar_angle, size, samples, progress)

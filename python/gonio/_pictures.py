@@ -30,7 +30,7 @@ def _handles(materials: Union[Material, Sequence[Material]]) -> list[Any]:
 def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", size: Union[int, tuple[int, int]] = 256,
            samples: int = 64, environment: PathLike = "", rotation: float = 0.0, seed: int = 1, alpha: bool = False,
            progress: Progress = None) -> NDArray[np.float32]:
-    """Renders a picture by path tracing. Only the effects that can change a pixel are simulated (gonio.effects()).
+    """Renders an image by path tracing. Only the effects that can change a pixel are simulated (gonio.effects()).
 
     Args:
         materials: One material, or one for each material slot of the scene.
@@ -38,7 +38,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         size: Width and height in pixels, or one number for both.
         samples: Samples per pixel.
         environment: Name of a bundled environment ("studio", "sky", "sunset", "window", "furnace") or of a latitude-longitude
-            picture (.hdr, .exr); "": the environment of the scene.
+            image (.hdr, .exr); "": the environment of the scene.
         rotation: Rotation of the environment about the vertical axis, rad.
         seed: Seed of the random numbers.
         alpha: Whether to add the coverage as a fourth channel. The colours are multiplied by it (premultiplied alpha).
@@ -88,29 +88,29 @@ class Comparison:
     brdf_snr: float
     """SNR in dB of rho cos theta_i cos theta_o over the valid cells; infinite for equal materials."""
     rendered_snr: float
-    """SNR in dB of pictures in the scene "sphere-studio", corrected for their noise; infinite for equal pictures."""
+    """SNR in dB of images in the scene "sphere-studio", corrected for their noise; infinite for equal images."""
     rendered_psnr: float
-    """PSNR in dB of the same pictures; the peak is the largest value of the reference's picture."""
+    """PSNR in dB of the same images; the peak is the largest value of the reference's image."""
     image_metrics: dict[str, float]
-    """Further metrics of the same pictures, with their noise: "mse", "log-mse" and "relative-mse" of linear radiance; "ssim" of
-    the luminance encoded as sRGB (NaN for pictures below 11 pixels); "flip" and "ciede2000" of the displayed colours ([formulas
+    """Further metrics of the same images, with their noise: "mse", "log-mse" and "relative-mse" of linear radiance; "ssim" of
+    the luminance encoded as sRGB (NaN for images below 11 pixels); "flip" and "ciede2000" of the displayed colours ([formulas
     and sources](command-line.md#image-metrics))."""
     pictures: Optional[tuple[NDArray[np.float32], NDArray[np.float32]]] = field(repr=False)
-    """Pictures of the reference and of the other material, linear RGB, shape (size, size, 3) each; None unless compare() was
+    """Images of the reference and of the other material, linear RGB, shape (size, size, 3) each; None unless compare() was
     called with pictures=True."""
 
 
 def compare(reference: Material, other: Material, max_polar_angle: float = math.radians(85), size: int = 256, samples: int = 64,
             pictures: bool = False, progress: Progress = None) -> Comparison:
-    """Computes every metric between two materials and between their pictures. Takes some seconds.
+    """Computes every metric between two materials and between their images. Takes a few seconds.
 
     Args:
         reference: The reference.
         other: The material to compare with the reference. If it is anisotropic, the metrics use its mean over the azimuths.
-        max_polar_angle: Max polar angle of both directions in rad; `errors` leave out cells beyond it.
-        size: Width and height of the pictures in pixels.
-        samples: Samples per pixel of the pictures.
-        pictures: Whether the result contains the pictures.
+        max_polar_angle: Maximum polar angle of both directions in rad; `errors` leave out cells beyond it.
+        size: Width and height of the images in pixels.
+        samples: Samples per pixel of the images.
+        pictures: Whether the result contains the images.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
     return Comparison(**_core.compare(reference._handle, other._handle, max_polar_angle, size, samples, pictures, progress))
@@ -140,7 +140,7 @@ class Record:
     errors: dict[str, float] = field(repr=False)
     """Error by the id of the metric, for every metric."""
     rendered_snr: float
-    """SNR in dB of pictures in the scene "sphere-studio"; infinite for equal pictures."""
+    """SNR in dB of images in the scene "sphere-studio"; infinite for equal images."""
 
 
 def study(material: Material, representations: Sequence[str] = ("table", "fits", "factors", "codes", "nonparametric"),
@@ -165,8 +165,8 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
         basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required
             for "components".
-        size: Width and height of the pictures in pixels.
-        samples: Samples per pixel of the pictures.
+        size: Width and height of the images in pixels.
+        samples: Samples per pixel of the images.
         timed: Whether to measure the times of evaluations and frames.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -211,7 +211,7 @@ class Export:
     """Paths of the files that were written."""
     snr: float
     """Rendered SNR in dB of the exported material, as the renderer shows it, against the material; infinite for equal
-    pictures."""
+    images."""
     bytes: int
     """Size of all files, bytes."""
     facts: dict[str, Any] = field(repr=False)
@@ -224,7 +224,7 @@ class Export:
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
            scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None) -> Export:
-    """Writes a material, with its edits, as files for a renderer. Takes some seconds.
+    """Writes a material, with its edits, as files for a renderer. Takes a few seconds.
 
     Args:
         material: The material to export.

@@ -137,7 +137,7 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
             4.25).
         transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
             ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "root", the square root; or "none" (docs/factors.md).
-        weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to pictures;
+        weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
             docs/factors.md) or "equal" (as in the papers).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
@@ -192,7 +192,7 @@ def factorize_baseline(material: Material, method: str, bytes: int = 44680, prog
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
         method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd" or "nmf"
             ([command line](command-line.md#baselines)).
-        bytes: Max size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
+        bytes: Maximum size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
@@ -341,7 +341,7 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
 
     Args:
         material: The material to encode. A material that is not a table is sampled as a table first (1 s).
-        coefficients: Max number of coefficients per channel.
+        coefficients: Maximum number of coefficients per channel.
         dictionary: The ensemble of dictionaries; None: the bundled one.
         transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
         gamma: Exponent of the gamma error, 1 to 3 (Tongbuasirilai 2023, section 4.3.2.4).
@@ -401,7 +401,7 @@ class Interpolation:
             space: "linear", "parameters", "differential", "factors" or "dictionary".
             model: Id of the model for "parameters" and "differential"; other spaces do not use it.
             terms: Number of terms for "factors".
-            coefficients: Max number of coefficients per channel for "dictionary".
+            coefficients: Maximum number of coefficients per channel for "dictionary".
             dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
             progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -436,7 +436,7 @@ def interpolate(materials: Sequence[Material], weights: Sequence[float], space: 
         space: "linear", "parameters", "differential", "factors" or "dictionary" (see Interpolation).
         model: Id of the model for "parameters" and "differential"; other spaces do not use it.
         terms: Number of terms for "factors".
-        coefficients: Max number of coefficients per channel for "dictionary".
+        coefficients: Maximum number of coefficients per channel for "dictionary".
         dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """

@@ -37,7 +37,7 @@ struct HemisphereCell {
   MirrorCoordinates::Point low, high;
 };
 
-constexpr int pilotDraws = 1 << 13, cellShare = 64, maxDepth = 40, startDepth = 10;
+constexpr int pilotDraws = 1 << 13, cellFraction = 64, maxDepth = 40, startDepth = 10;
 const double decades = std::log(1e10);  // of the angle from the mirror direction
 
 MirrorCoordinates::MirrorCoordinates(const Direction& wo) : mirror_(-wo.x, -wo.y, wo.z) {
@@ -105,7 +105,7 @@ class Cells {
   void split(const HemisphereCell& cell, std::span<Point> points, int depth) {
     const std::size_t node = nodes_.size();
     nodes_.push_back({true, cells_.size()});
-    if (points.size() <= std::size_t(pilotDraws / cellShare) || depth == maxDepth) return cells_.push_back(cell);
+    if (points.size() <= std::size_t(pilotDraws / cellFraction) || depth == maxDepth) return cells_.push_back(cell);
     double Point::*const along = depth % 2 == 0 ? &Point::distance : &Point::phi;
     const double border = middle(cell).*along;
     HemisphereCell low = cell, high = cell;

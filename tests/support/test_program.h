@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-/// One program holds the tests of a room; its first argument names the one to run (CTest starts it once for each).
+/// One program holds the tests of a module; its first argument names the one to run (CTest starts it once for each).
 namespace gonio::test {
 
 using TestFunction = std::function<int(int argumentCount, char** arguments)>;

@@ -86,7 +86,7 @@ class AcquisitionChartsTest : public QObject {
     Shown<HemisphereChart> shown;
     shown.chart.setSamples({});
     const QImage before = shown.chart.grab().toImage();
-    shown.chart.setLargestPolarAngle(radians(70));
+    shown.chart.setMaxPolarAngle(radians(70));
     const QImage after = shown.chart.grab().toImage();
     const QPointF pole = shown.chart.placeOf({0, 0, 1}), rim = shown.chart.placeOf({1, 0, 0});
     int changedInside = 0, changedBeyond = 0;

@@ -42,7 +42,7 @@ class BlendPadTest : public QObject {
   void weightsAreSharesOfOne() {
     for (int n = minBlended; n <= maxBlended; ++n)
       for (const QPointF& place : places()) {
-        const std::vector<double> weights = weightsAt(n, nearestPlace(n, place));
+        const std::vector<double> weights = weightsAt(n, nearestPosition(n, place));
         QCOMPARE(weights.size(), std::size_t(n));
         for (const double w : weights) QVERIFY(w >= 0 && w <= 1);
         QVERIFY(std::abs(std::accumulate(weights.begin(), weights.end(), 0.0) - 1) < 1e-15);
@@ -55,11 +55,11 @@ class BlendPadTest : public QObject {
       for (int corner = 0; corner < n; ++corner) {
         std::vector<double> alone(std::size_t(n), 0.0);
         alone[std::size_t(corner)] = 1;
-        QVERIFY(weightsAt(n, cornerPlace(corner)) == alone);
+        QVERIFY(weightsAt(n, cornerPosition(corner)) == alone);
         QPointF centre;
         for (int i = 0; i < n; ++i) centre += drawnCorners(n)[std::size_t(i)] / n;
         const QPointF beyond = centre + 1.7 * (drawnCorners(n)[std::size_t(corner)] - centre);
-        QVERIFY(weightsAt(n, nearestPlace(n, placeDrawnAt(n, beyond))) == alone);
+        QVERIFY(weightsAt(n, nearestPosition(n, positionDrawnAt(n, beyond))) == alone);
       }
   }
 
@@ -68,13 +68,13 @@ class BlendPadTest : public QObject {
     for (int n = minBlended; n <= maxBlended; ++n) {
       const std::vector<QPointF> corners = drawnCorners(n);
       for (const QPointF& any : places()) {
-        const QPointF place = nearestPlace(n, any);
+        const QPointF place = nearestPosition(n, any);
         QPointF sum;
         for (std::size_t i = 0; i < corners.size(); ++i) sum += weightsAt(n, place)[i] * corners[i];
         QVERIFY(distance(sum, drawnAt(n, place)) < 1e-14);
-        QVERIFY(distance(placeDrawnAt(n, sum), place) < 1e-14);
+        QVERIFY(distance(positionDrawnAt(n, sum), place) < 1e-14);
       }
-      for (const double w : weightsAt(n, middlePlace(n))) QVERIFY(std::abs(w - 1.0 / n) < 1e-15);
+      for (const double w : weightsAt(n, centrePosition(n))) QVERIFY(std::abs(w - 1.0 / n) < 1e-15);
     }
   }
 
@@ -82,8 +82,8 @@ class BlendPadTest : public QObject {
   void theNearestPlaceIsNearest() {
     for (int n = minBlended; n <= maxBlended; ++n)
       for (const QPointF& any : places()) {
-        const QPointF drawn = drawnAt(n, any), found = nearestPlace(n, any);
-        QVERIFY(distance(nearestPlace(n, found), found) < 1e-15);
+        const QPointF drawn = drawnAt(n, any), found = nearestPosition(n, any);
+        QVERIFY(distance(nearestPosition(n, found), found) < 1e-15);
         const double away = distance(drawnAt(n, found), drawn);
         for (const QPointF& other : places()) {
           const QPointF inside = n == 2 ? QPointF(other.x(), 0) : other;
@@ -100,12 +100,13 @@ class BlendPadTest : public QObject {
   /// The strip's way begins at the first material and stays where there are places.
   void theWayOfTheStrip() {
     for (int n = minBlended; n <= maxBlended; ++n) {
-      QVERIFY(weightsAt(n, wayPlace(n, 0))[0] == 1);
-      for (const double t : {0.0, 0.3, 1.0}) QVERIFY(distance(nearestPlace(n, wayPlace(n, t)), wayPlace(n, t)) < 1e-15);
-      QVERIFY(weightsAt(n, wayPlace(n, 1))[0] == 0);
+      QVERIFY(weightsAt(n, pathPosition(n, 0))[0] == 1);
+      for (const double t : {0.0, 0.3, 1.0})
+        QVERIFY(distance(nearestPosition(n, pathPosition(n, t)), pathPosition(n, t)) < 1e-15);
+      QVERIFY(weightsAt(n, pathPosition(n, 1))[0] == 0);
     }
-    QVERIFY(weightsAt(4, wayPlace(4, 1))[3] == 1);
-    QVERIFY(weightsAt(3, wayPlace(3, 1)) == (std::vector{0.0, 0.5, 0.5}));
+    QVERIFY(weightsAt(4, pathPosition(4, 1))[3] == 1);
+    QVERIFY(weightsAt(3, pathPosition(3, 1)) == (std::vector{0.0, 0.5, 0.5}));
   }
 
   /// The point goes where the mouse is, step by step, in one interaction.
@@ -125,10 +126,10 @@ class BlendPadTest : public QObject {
       QCOMPARE(started.count(), 1);
       QCOMPARE(ended.count(), 1);
       // Near a corner it sticks to it: the material alone can be had by hand.
-      QTest::mouseClick(m_pad.get(), Qt::LeftButton, {}, at(cornerPlace(n - 1)) + QPoint(3, -2));
-      QVERIFY(m_pad->place() == cornerPlace(n - 1));
+      QTest::mouseClick(m_pad.get(), Qt::LeftButton, {}, at(cornerPosition(n - 1)) + QPoint(3, -2));
+      QVERIFY(m_pad->place() == cornerPosition(n - 1));
       QTest::mouseDClick(m_pad.get(), Qt::LeftButton, {}, at({0.1, 0.1}));
-      QVERIFY(m_pad->place() == middlePlace(n));
+      QVERIFY(m_pad->place() == centrePosition(n));
     }
   }
 
@@ -148,7 +149,7 @@ class BlendPadTest : public QObject {
 
   void keysMoveThePoint() {
     makePad(3);
-    m_pad->setPlace(middlePlace(3));
+    m_pad->setPlace(centrePosition(3));
     QSignalSpy edited(m_pad.get(), &BlendPad::placeEdited);
     const QPointF before = drawnAt(3, m_pad->place());
     QTest::keyClick(m_pad.get(), Qt::Key_Left);
@@ -159,7 +160,7 @@ class BlendPadTest : public QObject {
     QVERIFY(m_pad->weights() == (std::vector{0.0, 1.0, 0.0}));
     QVERIFY(m_pad->accessibleDescription().contains("B 100 %"));
     QTest::keyClick(m_pad.get(), Qt::Key_Home);
-    QVERIFY(m_pad->place() == middlePlace(3));
+    QVERIFY(m_pad->place() == centrePosition(3));
     QCOMPARE(edited.count(), 4);
     QTest::keyClick(m_pad.get(), Qt::Key_4);  // there is no fourth
     QCOMPARE(edited.count(), 4);

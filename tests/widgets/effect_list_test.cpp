@@ -28,8 +28,8 @@ class EffectListTest : public QObject {
     list.setCosts(costs);
     QCOMPARE(list.costOf(Effect::castShadows).text(), "50.0 ms (25 %)");
     QCOMPARE(list.costOf(Effect::castShadows).toolTip(),
-             "CPU time that the effect adds to the picture: 50.0 ± 10.0 ms. The effect "
-             "changes the picture by 2 %; noise alone changes it by 0.1 %.");
+             "CPU time that the effect adds to the image: 50.0 ± 10.0 ms. The effect "
+             "changes the image by 2 %; noise alone changes it by 0.1 %.");
     QCOMPARE(list.costOf(Effect::interreflection).text(), "within noise");
     list.setCosts(std::nullopt);
     QCOMPARE(list.costOf(Effect::castShadows).text(), "-");

@@ -17,7 +17,7 @@ class ResidualStripTest : public QObject {
 
   QString reported(std::vector<double> fractions) {
     ResidualStrip strip(m_editor);
-    strip.setShares(fractions, "1 term");
+    strip.setFractions(fractions, "1 term");
     return strip.accessibleDescription();
   }
 
@@ -45,7 +45,7 @@ class ResidualStripTest : public QObject {
   void theScaleHoldsTheLargest() {
     ResidualStrip strip(m_editor);
     for (const auto& [largest, scale] : {std::pair(0.004, 0.01), {0.05, 0.05}, {0.051, 0.1}, {0.7, 1.0}, {3.0, 1.0}}) {
-      strip.setShares({0, largest, 0}, "1 term");
+      strip.setFractions({0, largest, 0}, "1 term");
       QCOMPARE(strip.scale(), scale);
     }
     strip.resize(300, 60);

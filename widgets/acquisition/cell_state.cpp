@@ -37,7 +37,7 @@ QString stateName(CellState state) {
     case CellState::grazing:
       return CellStateText::tr("grazing");
     case CellState::forbidden:
-      return CellStateText::tr("out of the rig's reach");
+      return CellStateText::tr("unreachable by the rig");
     case CellState::unlearned:
       return CellStateText::tr("missing in some materials");
     case CellState::measurable:

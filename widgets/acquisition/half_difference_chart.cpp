@@ -50,7 +50,7 @@ QRectF HalfDifferenceChart::plot() const {
 
 QPointF HalfDifferenceChart::placeOf(double thetaH, double thetaD) const {
   const QRectF at = plot();
-  return {at.left() + at.width() * thetaD / halfPi, at.bottom() - at.height() * plots::thetaHShare(spacing, thetaH)};
+  return {at.left() + at.width() * thetaD / halfPi, at.bottom() - at.height() * plots::thetaHFraction(spacing, thetaH)};
 }
 
 QList<QPointF> HalfDifferenceChart::places(int sample) const {

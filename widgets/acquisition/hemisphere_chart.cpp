@@ -40,8 +40,8 @@ HemisphereChart::HemisphereChart(QWidget* parent) : SampleChart(parent) {
 
 QSize HemisphereChart::sizeHint() const { return QSize(20, 20) * fontMetrics().height(); }
 
-void HemisphereChart::setLargestPolarAngle(double angle) {
-  m_largestPolarAngle = angle;
+void HemisphereChart::setMaxPolarAngle(double angle) {
+  m_maxPolarAngle = angle;
   update();
 }
 
@@ -71,10 +71,10 @@ void HemisphereChart::drawGrid(QPainter& painter) const {
     const double r = 0.5 * rim.width() * fraction;
     return QRectF(rim.center() - QPointF(r, r), QSizeF(2 * r, 2 * r));
   };
-  if (m_largestPolarAngle < halfPi) {
+  if (m_maxPolarAngle < halfPi) {
     QPainterPath beyond;
     beyond.addEllipse(rim);
-    beyond.addEllipse(ring(m_largestPolarAngle / halfPi));
+    beyond.addEllipse(ring(m_maxPolarAngle / halfPi));
     painter.setPen(Qt::NoPen);
     painter.setBrush(QBrush(style.grid, Qt::BDiagPattern));
     painter.drawPath(beyond);
@@ -131,11 +131,11 @@ void HemisphereChart::drawSample(QPainter& painter, int sample, bool marked) con
   drawViewer(painter, at[1], radius);
 }
 
-QString HemisphereChart::beyondText() const { return tr("beyond %1°").arg(degrees(m_largestPolarAngle), 0, 'g', 3); }
+QString HemisphereChart::beyondText() const { return tr("beyond %1°").arg(degrees(m_maxPolarAngle), 0, 'g', 3); }
 
 /// Two where the angle that is left out has no room beside the others.
 int HemisphereChart::legendRows() const {
-  if (m_largestPolarAngle >= halfPi) return 1;
+  if (m_maxPolarAngle >= halfPi) return 1;
   const double em = fontMetrics().height();
   const auto textWidth = [this](const QString& text) { return double(fontMetrics().horizontalAdvance(text)); };
   const double marks = (legendLeft + 3 * legendEntry) * em;
@@ -156,7 +156,7 @@ void HemisphereChart::drawLegend(QPainter& painter) const {
   };
   entry(lightRole, tr("light"), drawLight);
   entry(viewerRole, tr("viewer"), drawViewer);
-  if (m_largestPolarAngle < halfPi) {
+  if (m_maxPolarAngle < halfPi) {
     if (legendRows() > 1) x = left, y += legendRowHeight * em;
     painter.setPen(QPen(style.grid, 1));
     painter.setBrush(QBrush(style.text, Qt::BDiagPattern));

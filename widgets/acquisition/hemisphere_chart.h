@@ -15,8 +15,8 @@ class HemisphereChart : public SampleChart {
   explicit HemisphereChart(QWidget* parent = nullptr);
 
   /// Shades larger polar angles, which the rig cannot reach. Rad.
-  void setLargestPolarAngle(double angle);
-  double largestPolarAngle() const { return m_largestPolarAngle; }
+  void setMaxPolarAngle(double angle);
+  double largestPolarAngle() const { return m_maxPolarAngle; }
 
   /// Position of a direction, in widget pixels.
   QPointF placeOf(const Direction& direction) const;
@@ -39,7 +39,7 @@ class HemisphereChart : public SampleChart {
   int legendRows() const;
   void drawLegend(QPainter& painter) const;
 
-  double m_largestPolarAngle = halfPi;
+  double m_maxPolarAngle = halfPi;
 };
 
 }  // namespace gonio::widgets

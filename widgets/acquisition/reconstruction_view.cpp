@@ -20,7 +20,7 @@ constexpr double gapEms = 0.8, captionEms = 1.3, legendEms = 2.2;
 ReconstructionView::ReconstructionView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Reconstruction beside its reference"));
   setToolTip(
-      tr("The measured material, its reconstruction from the samples, and the difference of the two pictures: |L1 - "
+      tr("The measured material, its reconstruction from the samples, and the difference of the two images: |L1 - "
          "L2| of their luminances, in the scene's unit of radiance"));
 }
 

@@ -12,7 +12,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double pointShare = 0.02;
+constexpr double pointFraction = 0.02;
 constexpr int maxPoints = 9;
 constexpr double pointRadius = 4.5;
 }  // namespace
@@ -99,7 +99,7 @@ std::vector<double> CurveEditor::shownCurve(const ChannelCurves& curves) const {
 
 void CurveEditor::choosePoints() {
   m_points = m_nodes.empty() ? std::vector<double>()
-                             : editing::controlPoints(m_nodes, shownCurve(m_curves), pointShare, maxPoints);
+                             : editing::controlPoints(m_nodes, shownCurve(m_curves), pointFraction, maxPoints);
   m_selected.assign(m_points.size(), false);
   m_current = -1;
   // What was said of a point of other curves is not true of these.

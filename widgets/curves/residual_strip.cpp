@@ -32,9 +32,9 @@ ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidg
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }
 
-void ResidualStrip::setShares(const std::vector<double>& fractions, const QString& title) {
-  if (fractions == m_shares && title == m_title) return;
-  m_shares = fractions;
+void ResidualStrip::setFractions(const std::vector<double>& fractions, const QString& title) {
+  if (fractions == m_fractions && title == m_title) return;
+  m_fractions = fractions;
   m_title = title;
   const auto largest = std::max_element(fractions.begin(), fractions.end());
   setAccessibleDescription(
@@ -46,7 +46,7 @@ void ResidualStrip::setShares(const std::vector<double>& fractions, const QStrin
 }
 
 double ResidualStrip::scale() const {
-  const double largest = m_shares.empty() ? 0 : *std::max_element(m_shares.begin(), m_shares.end());
+  const double largest = m_fractions.empty() ? 0 : *std::max_element(m_fractions.begin(), m_fractions.end());
   for (const double round : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5})
     if (largest <= round) return round;
   return 1;
@@ -58,12 +58,12 @@ void ResidualStrip::paintEvent(QPaintEvent*) {
   const PlotStyle style = PlotStyle::of(palette());
   painter.fillRect(rect(), style.background);
   const std::vector<double>& nodes = m_editor.nodes();
-  if (m_shares.empty() || m_shares.size() != nodes.size()) return;
+  if (m_fractions.empty() || m_fractions.size() != nodes.size()) return;
   const double line = fontMetrics().height(), top = line, bottom = height() - 3;
   const double left = m_editor.toX(0), right = m_editor.toX(nodes.back());
   QPainterPath area(QPointF(left, bottom));
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    area.lineTo(m_editor.toX(nodes[i]), bottom - (bottom - top) * std::min(1.0, m_shares[i] / scale()));
+    area.lineTo(m_editor.toX(nodes[i]), bottom - (bottom - top) * std::min(1.0, m_fractions[i] / scale()));
   area.lineTo(right, bottom);
   QColor fill = style.accent;
   fill.setAlphaF(0.35f);

@@ -20,8 +20,8 @@ class ResidualStrip : public QWidget {
 
   /// @param shares residuals >= 0, one per node of the editor; above 1 if the curves are farther from the material than
   /// black. Empty: unknown.
-  void setShares(const std::vector<double>& fractions, const QString& title);
-  const std::vector<double>& fractions() const { return m_shares; }
+  void setFractions(const std::vector<double>& fractions, const QString& title);
+  const std::vector<double>& fractions() const { return m_fractions; }
   /// The upper end of the scale: a round number above the largest residual, at most 1; larger residuals are drawn as 1.
   double scale() const;
 
@@ -32,7 +32,7 @@ class ResidualStrip : public QWidget {
 
  private:
   const CurveEditor& m_editor;
-  std::vector<double> m_shares;
+  std::vector<double> m_fractions;
   QString m_title;
 };
 

@@ -15,7 +15,7 @@ namespace gonio::widgets {
 
 namespace {
 constexpr int accessibleSteps = 1000;
-constexpr double keyShare = 0.01, pageShare = 0.1, fineFactor = 0.1;
+constexpr double keyFraction = 0.01, pageFraction = 0.1, fineFactor = 0.1;
 constexpr double snapSteps = 20;
 constexpr int wheelPauseMilliseconds = 400;
 }  // namespace
@@ -150,9 +150,9 @@ void ParameterSlider::mousePressEvent(QMouseEvent* event) {
   const double under = (m_lastX - groove().left()) / groove().width();
   const double held = shareOf(m_number);
   const bool onHandle = std::abs(under - held) * groove().width() <= handleRadius() + 1;
-  m_dragShare = fine || onHandle ? held : under;
+  m_dragFraction = fine || onHandle ? held : under;
   begin();
-  if (!fine && !onHandle) editTo(m_dragShare, event->modifiers() & Qt::ControlModifier);
+  if (!fine && !onHandle) editTo(m_dragFraction, event->modifiers() & Qt::ControlModifier);
   update();
 }
 
@@ -161,9 +161,9 @@ void ParameterSlider::mouseMoveEvent(QMouseEvent* event) {
   const bool fine = event->modifiers() & Qt::ShiftModifier;
   const double x = event->position().x();
   if (x == m_lastX) return;
-  m_dragShare += (x - m_lastX) / groove().width() * (fine ? fineFactor : 1);
+  m_dragFraction += (x - m_lastX) / groove().width() * (fine ? fineFactor : 1);
   m_lastX = x;
-  editTo(m_dragShare, event->modifiers() & Qt::ControlModifier);
+  editTo(m_dragFraction, event->modifiers() & Qt::ControlModifier);
 }
 
 void ParameterSlider::mouseReleaseEvent(QMouseEvent* event) {
@@ -178,7 +178,7 @@ void ParameterSlider::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ParameterSlider::keyPressEvent(QKeyEvent* event) {
-  const double step = keyShare * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1);
+  const double step = keyFraction * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1);
   double fraction = shareOf(m_number);
   switch (event->key()) {
     case Qt::Key_Left:
@@ -190,10 +190,10 @@ void ParameterSlider::keyPressEvent(QKeyEvent* event) {
       fraction += step;
       break;
     case Qt::Key_PageDown:
-      fraction -= pageShare;
+      fraction -= pageFraction;
       break;
     case Qt::Key_PageUp:
-      fraction += pageShare;
+      fraction += pageFraction;
       break;
     case Qt::Key_Home:
       fraction = 0;
@@ -220,7 +220,7 @@ void ParameterSlider::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();
   const int delta = event->angleDelta().y() ? event->angleDelta().y() : event->angleDelta().x();
   begin();
-  editTo(shareOf(m_number) + delta / 120.0 * keyShare * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1),
+  editTo(shareOf(m_number) + delta / 120.0 * keyFraction * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1),
          false);
   m_wheelPause->start();
   event->accept();

@@ -62,7 +62,7 @@ class ParameterSlider : public QAbstractSlider {
   models::ParameterScale m_scale = models::ParameterScale::linear;
   std::optional<double> m_reference;
   bool m_modified = false, m_dragging = false, m_editing = false, m_hovered = false;
-  double m_dragShare = 0;  ///< position of the drag, unlike the value neither snapped nor clamped
+  double m_dragFraction = 0;  ///< position of the drag, unlike the value neither snapped nor clamped
   double m_lastX = 0;
   class QTimer* m_wheelPause;
 };

@@ -14,8 +14,8 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double stickyPixels = 7, keyStep = 0.02, fine = 0.1, pointRadius = 7;
-constexpr double smallestPicture = 28, largestPicture = 72, pictureShare = 0.22;
-constexpr int smallestLines = 9, usualLines = 14;
+constexpr double minPicture = 28, maxPicture = 72, pictureFraction = 0.22;
+constexpr int minLines = 9, usualLines = 14;
 
 QChar letter(int corner) { return QChar(u'A' + corner); }
 }  // namespace
@@ -42,22 +42,22 @@ BlendPad::BlendPad(QWidget* parent) : QWidget(parent) {
 void BlendPad::setCorners(std::vector<BlendCorner> corners) {
   const bool another = corners.size() != m_corners.size();
   m_corners = std::move(corners);
-  if (another) m_place = nearestPlace(materials(), m_place);
+  if (another) m_place = nearestPosition(materials(), m_place);
   announce();
   update();
 }
 
 void BlendPad::setPlace(const QPointF& place) {
-  m_place = nearestPlace(materials(), place);
+  m_place = nearestPosition(materials(), place);
   announce();
   update();
 }
 
 QSize BlendPad::sizeHint() const { return QSize(usualLines, usualLines) * fontMetrics().height(); }
-QSize BlendPad::minimumSizeHint() const { return QSize(smallestLines, smallestLines) * fontMetrics().height(); }
+QSize BlendPad::minimumSizeHint() const { return QSize(minLines, minLines) * fontMetrics().height(); }
 
 double BlendPad::pictureSide() const {
-  return std::clamp(pictureShare * std::min(width(), height()), smallestPicture, largestPicture);
+  return std::clamp(pictureFraction * std::min(width(), height()), minPicture, maxPicture);
 }
 
 QRectF BlendPad::area() const {
@@ -69,7 +69,7 @@ QRectF BlendPad::area() const {
 
 QRectF BlendPad::pictureAt(int corner) const {
   const double side = pictureSide();
-  const QPointF centre = position(cornerPlace(corner));
+  const QPointF centre = position(cornerPosition(corner));
   return {centre.x() - side / 2, centre.y() - side / 2, side, side};
 }
 
@@ -81,13 +81,13 @@ QPointF BlendPad::position(const QPointF& place) const {
 
 QPointF BlendPad::placeUnder(const QPointF& at) const {
   for (int corner = 0; corner < materials(); ++corner) {
-    const QPointF away = position(cornerPlace(corner)) - at;
-    if (std::hypot(away.x(), away.y()) < stickyPixels) return cornerPlace(corner);
+    const QPointF away = position(cornerPosition(corner)) - at;
+    if (std::hypot(away.x(), away.y()) < stickyPixels) return cornerPosition(corner);
   }
   const QRectF square = area();
   const QPointF drawn = at - square.topLeft();
-  return nearestPlace(materials(),
-                      placeDrawnAt(materials(), {drawn.x() / square.width(), drawn.y() / square.height()}));
+  return nearestPosition(materials(),
+                         positionDrawnAt(materials(), {drawn.x() / square.width(), drawn.y() / square.height()}));
 }
 
 void BlendPad::moveTo(const QPointF& place) {
@@ -100,7 +100,7 @@ void BlendPad::moveTo(const QPointF& place) {
 
 void BlendPad::jumpTo(const QPointF& place) {
   Q_EMIT interactionStarted();
-  moveTo(nearestPlace(materials(), place));
+  moveTo(nearestPosition(materials(), place));
   Q_EMIT interactionEnded();
 }
 
@@ -142,7 +142,7 @@ void BlendPad::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void BlendPad::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) jumpTo(middlePlace(materials()));
+  if (event->button() == Qt::LeftButton) jumpTo(centrePosition(materials()));
 }
 
 bool BlendPad::event(QEvent* event) {
@@ -160,10 +160,10 @@ bool BlendPad::event(QEvent* event) {
 void BlendPad::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers() & Qt::ShiftModifier ? keyStep * fine : keyStep;
   const auto by = [&](double x, double y) {
-    jumpTo(placeDrawnAt(materials(), drawnAt(materials(), m_place) + QPointF(x, y)));
+    jumpTo(positionDrawnAt(materials(), drawnAt(materials(), m_place) + QPointF(x, y)));
   };
   const int corner = event->key() - Qt::Key_1;
-  if (corner >= 0 && corner < materials()) return jumpTo(cornerPlace(corner));
+  if (corner >= 0 && corner < materials()) return jumpTo(cornerPosition(corner));
   switch (event->key()) {
     case Qt::Key_Left:
       return by(-step, 0);
@@ -175,7 +175,7 @@ void BlendPad::keyPressEvent(QKeyEvent* event) {
       return by(0, step);
     case Qt::Key_Home:
     case Qt::Key_Backspace:
-      return jumpTo(middlePlace(materials()));
+      return jumpTo(centrePosition(materials()));
     case Qt::Key_Escape:
       if (!m_dragging) return QWidget::keyPressEvent(event);
       m_dragging = false;
@@ -215,14 +215,14 @@ void BlendPad::paintEvent(QPaintEvent*) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   QPolygonF outline;
   for (const int corner : materials() == maxBlended ? std::vector{0, 1, 3, 2} : std::vector{0, 1, 2})
-    if (corner < materials()) outline << position(cornerPlace(corner));
+    if (corner < materials()) outline << position(cornerPosition(corner));
   painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid), hasFocus() ? 2 : 1));
   painter.setBrush(palette().color(QPalette::Base));
   painter.drawPolygon(outline);
   QColor quiet = palette().color(QPalette::Text);
   quiet.setAlphaF(0.35f);
   painter.setPen(QPen(quiet, 1, Qt::DashLine));
-  painter.drawLine(position(cornerPlace(0)), position(wayPlace(materials(), 1)));
+  painter.drawLine(position(cornerPosition(0)), position(pathPosition(materials(), 1)));
   drawCorners(painter);
   drawPoint(painter);
 }

@@ -12,12 +12,12 @@ namespace {
 constexpr int triangle = 3;
 constexpr double side = 1, top = 0.067, bottom = 0.933;  // an equilateral triangle in the middle of the square
 
-double clampedShare(double x) { return std::clamp(x, 0.0, 1.0); }
+double clampedFraction(double x) { return std::clamp(x, 0.0, 1.0); }
 double dot(const QPointF& a, const QPointF& b) { return QPointF::dotProduct(a, b); }
 
 /// The fraction of the way from a to b that is nearest to p.
-double nearestShare(const QPointF& p, const QPointF& a, const QPointF& b) {
-  return clampedShare(dot(p - a, b - a) / dot(b - a, b - a));
+double nearestFraction(const QPointF& p, const QPointF& a, const QPointF& b) {
+  return clampedFraction(dot(p - a, b - a) / dot(b - a, b - a));
 }
 
 }  // namespace
@@ -29,17 +29,17 @@ std::vector<double> weightsAt(int materials, const QPointF& place) {
   return {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
 }
 
-QPointF cornerPlace(int corner) { return {corner % 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0}; }
+QPointF cornerPosition(int corner) { return {corner % 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0}; }
 
-QPointF middlePlace(int materials) {
+QPointF centrePosition(int materials) {
   if (materials == minBlended) return {0.5, 0};
   return materials == triangle ? QPointF(1 / 3.0, 1 / 3.0) : QPointF(0.5, 0.5);
 }
 
-QPointF nearestPlace(int materials, const QPointF& place) {
+QPointF nearestPosition(int materials, const QPointF& place) {
   const double u = place.x(), v = place.y();
-  if (materials == minBlended) return {clampedShare(u), 0};
-  if (materials != triangle) return {clampedShare(u), clampedShare(v)};
+  if (materials == minBlended) return {clampedFraction(u), 0};
+  if (materials != triangle) return {clampedFraction(u), clampedFraction(v)};
   if (u >= 0 && v >= 0 && u + v <= 1) return place;
   // On the edges, in the metric of the drawing; in fractions of an edge the corners come out exactly.
   const QPointF p = drawnAt(materials, place);
@@ -48,8 +48,8 @@ QPointF nearestPlace(int materials, const QPointF& place) {
   double bestDistance = HUGE_VAL;
   for (int from = 0; from < triangle; ++from) {
     const int to = (from + 1) % triangle;
-    const double fraction = nearestShare(p, corners[std::size_t(from)], corners[std::size_t(to)]);
-    const QPointF candidate = (1 - fraction) * cornerPlace(from) + fraction * cornerPlace(to);
+    const double fraction = nearestFraction(p, corners[std::size_t(from)], corners[std::size_t(to)]);
+    const QPointF candidate = (1 - fraction) * cornerPosition(from) + fraction * cornerPosition(to);
     const QPointF away = drawnAt(materials, candidate) - p;
     if (dot(away, away) >= bestDistance) continue;
     bestDistance = dot(away, away);
@@ -58,7 +58,7 @@ QPointF nearestPlace(int materials, const QPointF& place) {
   return best;
 }
 
-QPointF wayPlace(int materials, double t) {
+QPointF pathPosition(int materials, double t) {
   if (materials == minBlended) return {t, 0};
   return materials == triangle ? QPointF(t / 2, t / 2) : QPointF(t, t);
 }
@@ -76,7 +76,7 @@ QPointF drawnAt(int materials, const QPointF& place) {
   return drawn;
 }
 
-QPointF placeDrawnAt(int materials, const QPointF& drawn) {
+QPointF positionDrawnAt(int materials, const QPointF& drawn) {
   const std::vector<QPointF> corners = drawnCorners(materials);
   const QPointF p = drawn - corners[0], a = corners[1] - corners[0];
   if (materials == minBlended) return {dot(p, a) / dot(a, a), 0};

@@ -15,7 +15,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double smallestSide = 30, largestSide = 96, usualSide = 56, gap = 3;
+constexpr double minSide = 30, maxSide = 96, usualSide = 56, gap = 3;
 constexpr int minRows = 4, usualRows = 5;
 }  // namespace
 
@@ -78,8 +78,8 @@ double BlendStrip::headerHeight() const { return fontMetrics().height() * 1.6; }
 
 double BlendStrip::side() const {
   const double rows = double(std::max<std::size_t>(1, m_rows.size())), steps = double(std::max(1, int(m_steps.size())));
-  return std::clamp(std::min((width() - labelWidth()) / steps - gap, (height() - headerHeight()) / rows - gap),
-                    smallestSide, largestSide);
+  return std::clamp(std::min((width() - labelWidth()) / steps - gap, (height() - headerHeight()) / rows - gap), minSide,
+                    maxSide);
 }
 
 QRectF BlendStrip::rowArea(int row) const {
@@ -99,8 +99,8 @@ QSize BlendStrip::sizeHint() const {
 }
 
 QSize BlendStrip::minimumSizeHint() const {
-  return {int(labelWidth() + double(m_steps.size()) * (smallestSide + gap)),
-          int(headerHeight() + minRows * (smallestSide + gap))};
+  return {int(labelWidth() + double(m_steps.size()) * (minSide + gap)),
+          int(headerHeight() + minRows * (minSide + gap))};
 }
 
 BlendStrip::Cell BlendStrip::cellAt(const QPointF& position) const {

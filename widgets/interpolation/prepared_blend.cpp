@@ -18,7 +18,7 @@ struct InterpolationSpaceText {
   Q_DECLARE_TR_FUNCTIONS(InterpolationSpace)
 };
 
-constexpr double preparedShare = 0.9;
+constexpr double preparedFraction = 0.9;
 
 editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
   const auto curves = std::make_shared<const factorization::PdvFactors>(std::move(factors));
@@ -42,7 +42,7 @@ void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heavies
     if (i != heaviest) second = std::max(second, shown.weights[i]);
   shown.own = end.base;
   shown.ownIndex = heaviest;
-  shown.ownShare = shown.weights[heaviest] - second;
+  shown.ownFraction = shown.weights[heaviest] - second;
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   blend->model = options.model ? options.model : &models::ggx();
   for (const editing::InterpolationEnd& end : ends)
     blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.material()));
-  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
+  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedFraction));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
     blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));
@@ -108,7 +108,7 @@ QString spaceExplanation(InterpolationSpace space) {
     case InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "
-          "sharp and a wide one. Detail that the model does not explain is lost between the ends.");
+          "sharp and a wide one. Detail that the model does not explain is lost in between.");
     case InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
           "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
@@ -116,11 +116,11 @@ QString spaceExplanation(InterpolationSpace space) {
     case InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
           "The factor curves of projected-deviation coordinates are mixed: the strength and width of the highlight "
-          "change gradually. Detail that the curves do not explain is lost between the ends.");
+          "change gradually. Detail that the curves do not explain is lost in between.");
     default:
       return InterpolationSpaceText::tr(
           "Each material is a sum of learned patterns with few coefficients; the coefficients, and with them the "
-          "transformed BRDF values, are mixed. Detail that the codes omit is lost between the ends.");
+          "transformed BRDF values, are mixed. Detail that the codes omit is lost in between.");
   }
 }
 

@@ -21,7 +21,7 @@ struct PreparedBlend {
 };
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
-/// Computes the fits, factors or codes for a space: up to some seconds. @throws Error, Cancelled.
+/// Computes the fits, factors or codes for a space: up to a few seconds. @throws Error, Cancelled.
 PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});

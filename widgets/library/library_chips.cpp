@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_chips.h"
 
+#include <QHash>
 #include <QToolButton>
 #include <algorithm>
 
@@ -27,9 +28,12 @@ void LibraryChips::rebuild() {
   for (QToolButton* chip : m_chips) delete chip;
   m_chips.clear();
   QStringList badges, kinds;
+  QHash<QString, QString> meanings;
   for (int row = 0; row < m_model.rowCount(); ++row) {
     if (m_model.headingOf(row) != LibraryGrouping::none) continue;
-    badges << m_model.index(row).data(LibraryModel::BadgeRole).toString();
+    const QModelIndex index = m_model.index(row);
+    badges << index.data(LibraryModel::BadgeRole).toString();
+    meanings[badges.back()] = index.data(LibraryModel::BadgeMeaningRole).toString();
     kinds << m_model.group(row, LibraryGrouping::kind);
   }
   kinds.sort(Qt::CaseInsensitive);
@@ -46,8 +50,10 @@ void LibraryChips::rebuild() {
   keep(m_filter.tags, m_tags);
   addChip(tr("Favourites"), tr("Shows only favourites"), m_filter.favourites);
   addChip(tr("Recent"), tr("Shows only materials opened in the last week"), m_filter.recent);
-  for (const QString& badge : badges)
-    addMember(badge, tr("Shows only materials with \"%1\"").arg(badge), m_filter.badges)->setText(sentenceCase(badge));
+  for (const QString& badge : badges) {
+    const QString toolTip = tr("Shows only materials with the badge \"%1\"").arg(badge);
+    addMember(badge, (toolTip + '\n' + meanings[badge]).trimmed(), m_filter.badges)->setText(sentenceCase(badge));
+  }
   for (const QString& kind : kinds)
     addMember(kind, tr("Shows only materials of the kind \"%1\"").arg(kind), m_filter.kinds);
   for (const QString& tag : m_tags)

@@ -19,7 +19,7 @@ void addForOne(QMenu& menu, const QString& id, const LibraryActions& actions) {
 
 void addRatings(QMenu& menu, const QStringList& ids, int rating, const LibraryActions& actions) {
   QMenu* ratings = menu.addMenu(QMenu::tr("&Rating"));
-  for (int stars = 0; stars <= LibraryNote::highestRating; ++stars) {
+  for (int stars = 0; stars <= LibraryNote::maxRating; ++stars) {
     QAction* action = ratings->addAction(stars == 0 ? QMenu::tr("None") : QString(stars, QChar(0x2605)),
                                          Qt::Key(Qt::Key_0 + stars), ratings, [=] { actions.rate(ids, stars); });
     action->setCheckable(true);

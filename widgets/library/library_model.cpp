@@ -149,7 +149,7 @@ QString LibraryModel::toolTip(const Entry& entry) const {
   QStringList lines{QStringLiteral("<b>%1</b>").arg(entry.item.name.toHtmlEscaped()),
                     entry.item.toolTip.toHtmlEscaped()};
   const LibraryNote note = m_notes.value(entry.item.id);
-  if (note.rating > 0) lines << tr("Rating: %1 of %2").arg(note.rating).arg(LibraryNote::highestRating);
+  if (note.rating > 0) lines << tr("Rating: %1 of %2").arg(note.rating).arg(LibraryNote::maxRating);
   if (!note.tags.isEmpty()) lines << tr("Tags: %1").arg(note.tags.join(QStringLiteral(", ")).toHtmlEscaped());
   if (!entry.failure.isEmpty()) lines << entry.failure.toHtmlEscaped();
   return lines.join(QStringLiteral("<br>"));
@@ -221,6 +221,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     }
     case BadgeRole:
       return entry.item.badge;
+    case BadgeMeaningRole:
+      return entry.item.badgeMeaning;
     default:
       return {};
   }

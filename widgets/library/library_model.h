@@ -18,11 +18,12 @@ namespace gonio::widgets {
 struct LibraryItem {
   QString id;  ///< argument for opening it: a path, or "library:sgd/chrome"
   QString name;
-  QString toolTip;      ///< the format, and what the material is
-  QString badge = {};   ///< one or two words on the picture, e.g. "measured"
-  QString source = {};  ///< heading of its group by source; empty: none
-  QString kind = {};    ///< heading of its group by kind, also used in searches, e.g. "Metal"
-  qint64 version = 0;   ///< changes with the content, which invalidates the look
+  QString toolTip;            ///< the format, and what the material is
+  QString badge = {};         ///< one or two words on the picture, e.g. "measured"
+  QString source = {};        ///< heading of its group by source; empty: none
+  QString kind = {};          ///< heading of its group by kind, also used in searches, e.g. "Metal"
+  qint64 version = 0;         ///< changes with the content, which invalidates the look
+  QString badgeMeaning = {};  ///< one sentence that explains the badge
 };
 
 enum class LibraryGrouping { none, source, kind };
@@ -47,6 +48,7 @@ class LibraryModel : public QAbstractListModel {
     DissimilarityRole,
     FailureRole,
     BadgeRole,
+    BadgeMeaningRole,
     HeadingRole,
     FavouriteRole,
     RatingRole,  ///< 0 to 5

@@ -11,7 +11,7 @@ namespace gonio::widgets {
 
 /// The user's notes about a library material.
 struct LibraryNote {
-  static constexpr int highestRating = 5;
+  static constexpr int maxRating = 5;
 
   bool favourite = false;
   int rating = 0;  ///< 1 to 5; 0: none

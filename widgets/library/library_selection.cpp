@@ -162,7 +162,7 @@ bool LibrarySelection::keyFor(const QStringList& ids, int key, Qt::KeyboardModif
   const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
   if (key == Qt::Key_Asterisk) {
     setFavourites(ids, !common(ids).favourites);
-  } else if (key >= Qt::Key_0 && key <= Qt::Key_0 + LibraryNote::highestRating) {
+  } else if (key >= Qt::Key_0 && key <= Qt::Key_0 + LibraryNote::maxRating) {
     setRating(ids, key - Qt::Key_0);
   } else if (isEnter && modifiers & Qt::ControlModifier) {
     Q_EMIT referenceRequested(current());

@@ -24,7 +24,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int smallestTile = 64, largestTile = 256, defaultTile = 96;
+constexpr int minTile = 64, maxTile = 256, defaultTile = 96;
 constexpr int visibleDelayMilliseconds = 60, similarityMode = 4;
 }  // namespace
 
@@ -98,7 +98,7 @@ void LibraryView::buildControls() {
                       Qt::ToolTipRole);
   connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
 
-  m_size->setRange(smallestTile, largestTile);
+  m_size->setRange(minTile, maxTile);
   m_size->setAccessibleName(tr("Thumbnail size"));
   m_size->setToolTip(tr("Thumbnail size"));
   m_size->setFixedWidth(fontMetrics().height() * 6);

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr double deltaEOfAnOctave = 10, smallestRoughness = 0.005;
+constexpr double deltaEOfAnOctave = 10, minRoughness = 0.005;
 
 const std::array<double, 256>& linearOfByte() {
   static const std::array<double, 256> table = [] {
@@ -44,8 +44,7 @@ Rgb meanLab(const QImage& picture) {
 }
 
 double dissimilarity(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness) {
-  const double octaves =
-      std::log2(std::max(roughness, smallestRoughness) / std::max(otherRoughness, smallestRoughness));
+  const double octaves = std::log2(std::max(roughness, minRoughness) / std::max(otherRoughness, minRoughness));
   return std::hypot(glm::distance(lab, otherLab), deltaEOfAnOctave * octaves);
 }
 

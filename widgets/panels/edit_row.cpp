@@ -86,7 +86,7 @@ void EditRow::show(const EditEntry& entry) {
   m_name->setEnabled(entry.enabled);
   m_eye->setChecked(entry.enabled);
   m_eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
-  m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the picture, the checks and exports")
+  m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the image, the checks and exports")
                                   : tr("Includes this edit again"));
   m_eye->setAccessibleName(tr("%1 is shown").arg(entry.name));
   m_slider->setNumber(entry.strength);

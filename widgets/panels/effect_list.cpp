@@ -19,11 +19,11 @@ struct EffectText {
 /// In the order of Effect.
 constexpr EffectText texts[effectCount] = {
     {QT_TRANSLATE_NOOP("EffectList", "Emitted light"),
-     QT_TRANSLATE_NOOP("EffectList", "Lamps, and the environment behind the objects, as the camera sees them")},
+     QT_TRANSLATE_NOOP("EffectList", "Area lights and the environment, where the camera sees them directly")},
     {QT_TRANSLATE_NOOP("EffectList", "Direct light"),
-     QT_TRANSLATE_NOOP("EffectList", "Light of lamps after one reflection")},
+     QT_TRANSLATE_NOOP("EffectList", "Light from distant, point and area lights after one reflection")},
     {QT_TRANSLATE_NOOP("EffectList", "Environment light"),
-     QT_TRANSLATE_NOOP("EffectList", "Light of the environment after one reflection")},
+     QT_TRANSLATE_NOOP("EffectList", "Light from the environment after one reflection")},
     {QT_TRANSLATE_NOOP("EffectList", "Cast shadows"),
      QT_TRANSLATE_NOOP("EffectList", "Shadows that one object casts on another")},
     {QT_TRANSLATE_NOOP("EffectList", "Self-shadowing"),
@@ -44,7 +44,7 @@ QString costText(const EffectCosts& costs, const EffectCost& cost) {
 
 QString costToolTip(const EffectCost& cost) {
   return EffectList::tr(
-             "CPU time that the effect adds to the picture: %1 ± %2 ms. The effect changes the picture by %3 %; noise "
+             "CPU time that the effect adds to the image: %1 ± %2 ms. The effect changes the image by %3 %; noise "
              "alone changes it by %4 %.")
       .arg(1000 * cost.seconds, 0, 'f', 1)
       .arg(1000 * cost.secondsNoise, 0, 'f', 1)
@@ -80,7 +80,7 @@ void EffectList::addRow(Effect effect) {
   row.choice->addItems({tr("auto"), tr("on"), tr("off")});
   row.choice->setAccessibleName(tr("%1: auto, on or off").arg(name));
   row.choice->setToolTip(
-      tr("Forces the effect on, to verify that the picture stays the same, or off, to see what it contributes"));
+      tr("Forces the effect on, to verify that the image stays the same, or off, to see what it contributes"));
   row.choice->setFocusPolicy(Qt::StrongFocus);
   row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row.reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

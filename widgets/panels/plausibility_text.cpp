@@ -35,33 +35,33 @@ Text textOf(const metrics::PlausibilityCheck& check) {
     return {PlausibilityText::tr("Energy"),
             PlausibilityText::tr(
                 "A surface reflects at most the light that it receives: the directional albedo is at most 1."),
-            PlausibilityText::tr("Largest albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
+            PlausibilityText::tr("Maximum albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
             PlausibilityText::tr(
                 "Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
   if (check.name == "reciprocity")
     return {
         PlausibilityText::tr("Reciprocity"),
         PlausibilityText::tr("Exchanging light and viewer does not change the BRDF value."),
-        PlausibilityText::tr("Largest difference: %1 of the value (limit %2)")
+        PlausibilityText::tr("Maximum difference: %1 of the value (limit %2)")
             .arg(percent(check.worst), percent(check.limit)),
         PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal.")};
   if (check.name == "negative")
     return {PlausibilityText::tr("Non-negative"),
             PlausibilityText::tr(
-                "The edit subtracts more than was measured there. The picture shows 0 instead, as black patches."),
-            PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
+                "The edit subtracts more than was measured there. The image shows 0 instead, as black patches."),
+            PlausibilityText::tr("Minimum value: %1 1/sr, at %2 of the directions")
                 .arg(number(-check.worst), percent(check.fraction)),
             PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),
             PlausibilityText::tr("Values that are not numbers: %1").arg(check.worst),
             PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
-  return {PlausibilityText::tr("Measured"),
-          PlausibilityText::tr(
-              "Where the table has no data, the picture is black or uses the values of neighbouring cells."),
-          PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
-              .arg(percent(check.worst), percent(check.limit)),
-          PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};
+  return {
+      PlausibilityText::tr("Measured"),
+      PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),
+      PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
+          .arg(percent(check.worst), percent(check.limit)),
+      PlausibilityText::tr("Treat those angles with caution: nothing was measured there.")};
 }
 
 }  // namespace

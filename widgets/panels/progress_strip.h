@@ -13,7 +13,7 @@ class QToolButton;
 namespace gonio::widgets {
 
 /// Text, progress bar and Cancel button of running tasks, for a status bar; a list if there are several. Without tasks,
-/// the last notice is shown for some seconds.
+/// the last notice is shown for a few seconds.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ using editing::ArtistControl;
 namespace {
 
 /// A control may change many parameters; a line names so many of them, and its tooltip all.
-constexpr qsizetype mostNamedChanges = 2;
+constexpr qsizetype maxNamedChanges = 2;
 
 /// The colour of the body is set where an artist looks for it.
 constexpr ArtistControl controlBeforeBody = ArtistControl::tint;
@@ -38,8 +38,8 @@ QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& ed
 }
 
 QString shortened(const QStringList& changes) {
-  const QString named = changes.mid(0, mostNamedChanges).join(QStringLiteral("; "));
-  const qsizetype others = changes.size() - mostNamedChanges;
+  const QString named = changes.mid(0, maxNamedChanges).join(QStringLiteral("; "));
+  const qsizetype others = changes.size() - maxNamedChanges;
   return others > 0 ? ControlPanel::tr("%1 and %2 more").arg(named).arg(others) : named;
 }
 
@@ -139,7 +139,7 @@ void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
   for (std::size_t i = 0; i < m_controls.size(); ++i) {
     const QStringList changes = changesOf(ArtistControl(i), edit);
     m_controls[i].changes->setText(shortened(changes));
-    m_controls[i].changes->setToolTip(changes.size() > mostNamedChanges ? changes.join('\n') : QString());
+    m_controls[i].changes->setToolTip(changes.size() > maxNamedChanges ? changes.join('\n') : QString());
   }
   placeChanges();
 }

@@ -14,7 +14,7 @@ namespace gonio::widgets {
 namespace {
 constexpr int labelEms = 9;
 /// Arrow keys in the number field step by this fraction of the slider's range.
-constexpr double fieldStepShare = 0.01;
+constexpr double fieldStepFraction = 0.01;
 }  // namespace
 
 ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& label, QWidget* parent)
@@ -33,7 +33,7 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_label->installEventFilter(this);
   m_field->setRange(spec.hardMin, spec.hardMax);
   showUnit();
-  m_field->setStep((spec.softMax - spec.softMin) * fieldStepShare);
+  m_field->setStep((spec.softMax - spec.softMin) * fieldStepFraction);
   m_reset->setIcon(glyphIcon(Glyph::reset));
   m_reset->setAutoRaise(true);
   m_reset->setFocusPolicy(Qt::TabFocus);

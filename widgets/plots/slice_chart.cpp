@@ -29,7 +29,7 @@ QSharedPointer<QCPAxisTicker> thetaHTicker(plots::ThetaHSpacing spacing) {
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   const QList<int> marks = spacing == plots::ThetaHSpacing::linear ? QList<int>{0, 15, 30, 45, 60, 75, 90}
                                                                    : QList<int>{0, 1, 5, 10, 20, 30, 45, 60, 90};
-  for (const int mark : marks) ticker->addTick(plots::thetaHShare(spacing, radians(mark)), QString::number(mark));
+  for (const int mark : marks) ticker->addTick(plots::thetaHFraction(spacing, radians(mark)), QString::number(mark));
   return ticker;
 }
 

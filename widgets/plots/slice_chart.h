@@ -12,7 +12,7 @@ namespace gonio::widgets {
 QCPColorGradient viridisGradient();
 /// One colour for all numbers.
 QCPColorGradient plainGradient(const QColor& colour);
-/// Labels in degrees of theta_h on an axis of fractions (plots::thetaHShare()).
+/// Labels in degrees of theta_h on an axis of fractions (plots::thetaHFraction()).
 QSharedPointer<QCPAxisTicker> thetaHTicker(plots::ThetaHSpacing spacing);
 QSharedPointer<QCPAxisTicker> thetaDTicker();
 

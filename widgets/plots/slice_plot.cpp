@@ -20,7 +20,7 @@ namespace {
 /// Of a logarithmic colour scale: a few cells near 0 must not take the contrast from all others.
 constexpr int maxDecades = 5;
 /// Where the scale ends: the grazing peak of a few cells would leave the rest dark.
-constexpr double shownShare = 0.99;
+constexpr double shownFraction = 0.99;
 
 double largestOf(const std::vector<double>& values) {
   double largest = 0;
@@ -114,7 +114,7 @@ void SlicePlot::refresh() {
   for (const auto& series : m_series)
     for (std::size_t i = 0; i < series.data.cells.values.size(); ++i)
       values.push_back(series.data.cells.at(i, settings().channel));
-  m_scale = plots::scaleFor(values, settings().logarithmic, maxDecades, shownShare);
+  m_scale = plots::scaleFor(values, settings().logarithmic, maxDecades, shownFraction);
   m_largest = largestOf(values);
   m_bar->setDataScaleType(settings().logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   m_bar->setDataRange(QCPRange(m_scale.min, m_scale.max));
@@ -223,8 +223,9 @@ plots::CsvTable SlicePlot::table() const {
 
 QPointF SlicePlot::position(std::size_t slice, double thetaH, double thetaD) const {
   const Panel& panel = m_panels[slice];
-  return {panel.rect->axis(QCPAxis::atBottom)->coordToPixel(plots::thetaHShare(m_series[slice].data.spacing, thetaH)),
-          panel.rect->axis(QCPAxis::atLeft)->coordToPixel(degrees(thetaD))};
+  return {
+      panel.rect->axis(QCPAxis::atBottom)->coordToPixel(plots::thetaHFraction(m_series[slice].data.spacing, thetaH)),
+      panel.rect->axis(QCPAxis::atLeft)->coordToPixel(degrees(thetaD))};
 }
 
 std::optional<std::size_t> SlicePlot::panelAt(const QPointF& position) const {

@@ -20,7 +20,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr double smallestRange = 1e-6, largestRange = 1e6;
+constexpr double minRange = 1e-6, maxRange = 1e6;
 /// The last entry of the lists: chooses a file.
 constexpr int otherMaterialEntry = 4;
 
@@ -51,7 +51,7 @@ QWidget* ComparisonBar::buildModes() {
   layout->addWidget(new QLabel(tr("Compare"), row));
   m_modes = new QButtonGroup(row);
   const std::tuple<CompareMode, QString, QString> modes[] = {
-      {CompareMode::off, tr("Off"), tr("Shows one picture")},
+      {CompareMode::off, tr("Off"), tr("Shows one image")},
       {CompareMode::split, tr("Split"),
        tr("Shows the first side left and the second side right of a bar; drag the bar to move the split")},
       {CompareMode::flicker, tr("Flicker"),
@@ -88,7 +88,7 @@ QWidget* ComparisonBar::buildSides() {
     list->setMinimumContentsLength(8);
     for (int i = 0; i <= otherMaterialEntry; ++i) list->addItem({});
     list->setItemText(otherMaterialEntry, tr("Another material..."));
-    connect(list, &QComboBox::activated, this, [this, side] { tellSides(side); });
+    connect(list, &QComboBox::activated, this, [this, side] { emitSides(side); });
     layout->addWidget(list, 1);
     if (side == 0) layout->addWidget(new QLabel(tr("against"), row));
   }
@@ -130,7 +130,7 @@ QWidget* ComparisonBar::buildDifference() {
   m_range = new NumberField(row);
   m_range->setAccessibleName(tr("Scale maximum"));
   m_range->setToolTip(tr("Luminance difference at the maximum of the colour scale; lower it to see small differences"));
-  m_range->setRange(smallestRange, largestRange);
+  m_range->setRange(minRange, maxRange);
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     m_comparison.range = range;
     emitComparison();
@@ -168,7 +168,7 @@ void ComparisonBar::setFoundRange(double range) {
   if (m_comparison.range == 0) m_range->setValue(range);
 }
 
-void ComparisonBar::tellSides(int changed) {
+void ComparisonBar::emitSides(int changed) {
   const int entry = m_sides[std::size_t(changed)]->currentIndex();
   const auto before = m_chosen;
   setSides(before[0], before[1]);  // until it is set otherwise

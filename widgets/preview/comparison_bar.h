@@ -50,7 +50,7 @@ class ComparisonBar : public QWidget {
   QWidget* buildModes();
   QWidget* buildSides();
   QWidget* buildDifference();
-  void tellSides(int changed);
+  void emitSides(int changed);
   void emitComparison();
   void refresh();
 

@@ -109,7 +109,7 @@ void PreviewContent::showScene(const Scene& scene) {
 void PreviewContent::setScene(const Scene& scene) {
   m_scene = scene;
   for (PreviewSide* side : {&m_first, &m_second}) plan(*side);
-  tellSceneChange();
+  notifySceneChange();
 }
 
 void PreviewContent::setView(const OrbitCamera& camera, double environmentRotation) {
@@ -120,10 +120,10 @@ void PreviewContent::setView(const OrbitCamera& camera, double environmentRotati
     updateForCamera(plan, m_scene, m_overrides);
     adoptPlan(*side, plan);
   }
-  tellSceneChange();
+  notifySceneChange();
 }
 
-void PreviewContent::tellSceneChange() {
+void PreviewContent::notifySceneChange() {
   traceBoth();
   Q_EMIT changed();
   Q_EMIT sceneChanged(m_scene);

@@ -108,7 +108,7 @@ class PreviewContent : public QObject {
   void traceBoth();
   void startTracing(PreviewSide& side);
   bool isWorthShowing(const PreviewSide& side) const;
-  void tellSceneChange();
+  void notifySceneChange();
   void light(Scene& scene) const;
 
   PreviewSide m_first, m_second;

@@ -22,7 +22,7 @@ QString samplesText(int samples) {
 QString effectsText(const EffectPlan& plan, int followed) {
   QStringList parts;
   if (plan.simulates(Effect::environmentLight)) parts << PreviewOverlay::tr("environment");
-  if (plan.simulates(Effect::directLight)) parts << PreviewOverlay::tr("lamps");
+  if (plan.simulates(Effect::directLight)) parts << PreviewOverlay::tr("lights");
   if (plan.simulates(Effect::castShadows) || plan.simulates(Effect::selfShadowing))
     parts << PreviewOverlay::tr("shadows");
   if (plan.reflections > followed)

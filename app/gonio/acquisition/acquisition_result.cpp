@@ -86,12 +86,12 @@ AcquisitionInput AcquisitionInput::prefix(std::size_t samples) const {
 
 AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
                              const TaskControl& control) {
-  constexpr double reconstructedShare = 0.5;
+  constexpr double reconstructedFraction = 0.5;
   auto result = std::make_shared<AcquisitionResult>();
   auto reconstruction = std::make_shared<const acquisition::Reconstruction>(acquisition::reconstruct(
-      *input.basis, input.plan, input.values, input.options, control.between(0, reconstructedShare)));
+      *input.basis, input.plan, input.values, input.options, control.between(0, reconstructedFraction)));
   result->reconstruction = reconstruction;
-  const TaskControl rest = control.between(reconstructedShare, 1);
+  const TaskControl rest = control.between(reconstructedFraction, 1);
   if (reference) {
     const ComparisonPicture picture = reference->comparison->render(*reconstruction->table, rest);
     result->picture = withoutSurroundings(picture.image);

@@ -25,7 +25,7 @@ using AcquisitionReferencePtr = std::shared_ptr<const AcquisitionReference>;
 /// Size and samples of the pictures of references and reconstructions.
 RenderOptions acquisitionPicture();
 
-/// Makes a reference. Renders its picture in some tenths of a second. @throws Cancelled.
+/// Makes a reference. Renders its picture in a few tenths of a second. @throws Cancelled.
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
                                              std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
                                              const TaskControl& control = {});
@@ -60,7 +60,7 @@ struct AcquisitionInput {
   AcquisitionInput prefix(std::size_t samples) const;
 };
 
-/// Reconstructs a material, in some seconds. @param reference may be null. @throws Error, Cancelled.
+/// Reconstructs a material, in a few seconds. @param reference may be null. @throws Error, Cancelled.
 AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
                              const TaskControl& control = {});
 

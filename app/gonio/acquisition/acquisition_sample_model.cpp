@@ -95,7 +95,7 @@ QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orienta
       {tr("θo °"), tr("Polar angle of the viewer, degrees")},
       {tr("φo °"), tr("Azimuth of the viewer, degrees")},
       {tr("θh °"), tr("Half angle: between half vector and normal, degrees")},
-      {tr("θd °"), tr("Difference angle: half of that between light and viewer, degrees")},
+      {tr("θd °"), tr("Difference angle: half the angle between light and viewer, degrees")},
       {tr("φd °"), tr("Azimuth of the light about the half vector, degrees")},
       {tr("position"), tr("Position in a measurement order that shortens the travel of the goniometer's arms")},
       {tr("R 1/sr"), tr("Measured BRDF value, linear red, 1/sr")},

@@ -195,13 +195,12 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
         Qt::QueuedConnection);
   };
   m_tasks.run<bool>(
-      {tr("Measuring the error vs. the number of samples"), stepKey},
+      {tr("Computing the error curve"), stepKey},
       [input, reference = m_referenceReader.reference(), showError](const TaskControl& control) {
         measureCurve(input, reference, showError, control);
         return true;
       },
-      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error vs. the number of samples")),
-      stopped());
+      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot compute the error curve")), stopped());
   setStep(Step::measuringCurve);
 }
 

@@ -29,7 +29,7 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
     case Step::reconstructing:
       return Text::tr("Reconstructing...");
     case Step::measuringCurve:
-      return Text::tr("Measuring the error vs. m...");
+      return Text::tr("Computing the error curve...");
     case Step::idle:
       break;
   }

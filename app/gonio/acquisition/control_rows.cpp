@@ -19,10 +19,10 @@ QLabel* rowHeading(const QString& text) {
   return label;
 }
 
-widgets::NumberField* rowField(const QString& name, const QString& toolTip, double least, double most, double step,
+widgets::NumberField* rowField(const QString& name, const QString& toolTip, double minimum, double maximum, double step,
                                const QString& unit, double factor) {
   auto* number = new widgets::NumberField;
-  number->setRange(least, most);
+  number->setRange(minimum, maximum);
   number->setStep(step);
   number->setUnit(unit, factor);
   number->setAccessibleName(name);

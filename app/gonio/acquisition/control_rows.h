@@ -17,7 +17,7 @@ namespace gonio::app {
 QLabel* rowHeading(const QString& text);
 
 /// A field that shows internal values multiplied by `factor`. Range and step are in internal units.
-widgets::NumberField* rowField(const QString& name, const QString& toolTip, double least, double most, double step,
+widgets::NumberField* rowField(const QString& name, const QString& toolTip, double minimum, double maximum, double step,
                                const QString& unit, double factor = 1);
 
 /// A combo box for the narrow column, which truncates long names.

@@ -71,14 +71,14 @@ void DirectionRows::buildMethod(QFormLayout& form) {
 void DirectionRows::buildRig(QFormLayout& form) {
   form.addRow(rowHeading(tr("Limits of the rig")));
   const acquisition::MeasurableDirections usual;
-  m_largestAngle = rowField(tr("Max. polar angle"), tr("Maximum polar angle of light and viewer"), radians(10), halfPi,
-                            radians(1), QStringLiteral("°"), degrees(1));
-  m_largestAngle->setValue(usual.largestPolarAngle);
+  m_maxAngle = rowField(tr("Max. polar angle"), tr("Maximum polar angle of light and viewer"), radians(10), halfPi,
+                        radians(1), QStringLiteral("°"), degrees(1));
+  m_maxAngle->setValue(usual.largestPolarAngle);
   m_separation = rowField(tr("Min. separation"),
                           tr("Minimum angle between light and viewer; below it, one arm occludes the other"), 0, halfPi,
                           radians(1), QStringLiteral("°"), degrees(1));
   m_separation->setValue(usual.smallestSeparation);
-  form.addRow(tr("Max. θ"), m_largestAngle);
+  form.addRow(tr("Max. θ"), m_maxAngle);
   form.addRow(tr("Min. separation"), m_separation);
   m_forbidden = new widgets::ForbiddenRegionsEditor;
   form.addRow(new QLabel(tr("Unreachable directions, degrees")));
@@ -88,7 +88,7 @@ void DirectionRows::buildRig(QFormLayout& form) {
 void DirectionRows::connectParts() {
   connect(m_method, &QComboBox::activated, this, &DirectionRows::edited);
   connect(m_forbidden, &widgets::ForbiddenRegionsEditor::regionsEdited, this, &DirectionRows::edited);
-  for (widgets::NumberField* number : {m_seed, m_largestAngle, m_separation})
+  for (widgets::NumberField* number : {m_seed, m_maxAngle, m_separation})
     connect(number, &widgets::NumberField::valueEdited, this, &DirectionRows::edited);
   connect(m_seed, &widgets::NumberField::valueEdited, this, &DirectionRows::seedEdited);
   const auto count = [this](double value) {
@@ -113,14 +113,14 @@ acquisition::SelectionMethod DirectionRows::method() const {
 }
 
 acquisition::MeasurableDirections DirectionRows::measurable() const {
-  return {m_largestAngle->value(), m_separation->value(), m_forbidden->regions()};
+  return {m_maxAngle->value(), m_separation->value(), m_forbidden->regions()};
 }
 
 std::uint64_t DirectionRows::seed() const { return std::uint64_t(std::llround(m_seed->value())); }
 
 void DirectionRows::setEnabled(bool enabled, bool noisy) {
   for (QWidget* part :
-       std::initializer_list<QWidget*>{m_samplesSlider, m_samples, m_method, m_largestAngle, m_separation, m_forbidden})
+       std::initializer_list<QWidget*>{m_samplesSlider, m_samples, m_method, m_maxAngle, m_separation, m_forbidden})
     part->setEnabled(enabled);
   using Method = acquisition::SelectionMethod;
   m_seed->setEnabled(enabled && (noisy || method() == Method::random || method() == Method::conditionNumber));

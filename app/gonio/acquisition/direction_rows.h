@@ -46,7 +46,7 @@ class DirectionRows : public QObject {
 
   widgets::ParameterSlider* m_samplesSlider;
   QComboBox* m_method;
-  widgets::NumberField *m_samples, *m_seed, *m_largestAngle, *m_separation;
+  widgets::NumberField *m_samples, *m_seed, *m_maxAngle, *m_separation;
   widgets::ForbiddenRegionsEditor* m_forbidden;
 };
 

@@ -14,12 +14,13 @@ namespace gonio::app {
 
 TrainingRows::TrainingRows(QFormLayout& form)
     : QObject(&form),
-      m_box(rowBox(tr(
-          "Training set: the reconstruction uses the principal components of these materials.\n"
-          "Near-measured copies cover more materials than the measured ones alone; preparing them takes about a minute "
-          "the first time.\n"
-          "\"Materials shown in the library\": those that match the current search; they may be from a library "
-          "folder."))),
+      m_box(rowBox(
+          tr("Training set: the reconstruction uses the principal components of these materials.\n"
+             "Near-measured copies are neural fits of measured materials. They cover more materials than the measured "
+             "ones "
+             "alone; preparing them takes about a minute the first time.\n"
+             "\"Materials shown in the library\": those that match the current search; they may be from a library "
+             "folder."))),
       m_leaveOut(new QCheckBox(tr("Exclude the measured material"))),
       m_facts(new QLabel) {
   build(form);
@@ -105,7 +106,7 @@ void TrainingRows::refresh() {
   const QStringList all = training().ids;
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
   QString facts = count < 2 ? tr("%n materials: too few for a training set", nullptr, count)
-                            : tr("%n materials, three signals each", nullptr, count);
+                            : tr("%n materials, one signal for each colour channel", nullptr, count);
   if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n excluded", nullptr, left);
   m_facts->setText(facts);
 }

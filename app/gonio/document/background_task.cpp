@@ -15,7 +15,7 @@ namespace {
 constexpr int progressMilliseconds = 80;
 constexpr int foregroundThreads = 2, liveThreads = 2;
 /// A check of a minute must not keep the library without its pictures.
-constexpr int quietThreads = 2;
+constexpr int lowPriorityThreads = 2;
 }  // namespace
 
 struct BackgroundTasks::Task {
@@ -29,7 +29,7 @@ struct BackgroundTasks::Task {
 
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
-  m_quietPool.setMaxThreadCount(quietThreads);
+  m_lowPriorityPool.setMaxThreadCount(lowPriorityThreads);
   m_livePool.setMaxThreadCount(liveThreads);
   m_filePool.setMaxThreadCount(1);
   m_progressTimer.setInterval(progressMilliseconds);
@@ -73,7 +73,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
   };
   const auto launch = [this, request, body] {
     if (request.quiet)
-      m_quietPool.start([body] { runQuietly(body); });
+      m_lowPriorityPool.start([body] { runAtLowPriority(body); });
     else if (request.live)
       m_livePool.start(body);
     else if (request.file)
@@ -183,7 +183,7 @@ void BackgroundTasks::drop(const QString& key) {
 void BackgroundTasks::stopAll() {
   for (const auto& task : m_tasks) task->stop.request_stop();
   m_held.clear();
-  QThreadPool* const pools[] = {&m_quietPool, &m_livePool, &m_filePool, &m_pool};
+  QThreadPool* const pools[] = {&m_lowPriorityPool, &m_livePool, &m_filePool, &m_pool};
   for (QThreadPool* pool : pools) pool->clear();
   for (QThreadPool* pool : pools) pool->waitForDone();
   m_progressTimer.stop();

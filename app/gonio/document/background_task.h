@@ -111,7 +111,7 @@ class BackgroundTasks : public QObject {
   /// Running tasks take precedence over waiting ones.
   std::shared_ptr<Task> newestShown() const;
 
-  QThreadPool m_pool, m_quietPool, m_livePool, m_filePool;
+  QThreadPool m_pool, m_lowPriorityPool, m_livePool, m_filePool;
   QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while tasks are held
   std::vector<std::function<void()>> m_held;
   int m_lastId = 0;

@@ -42,19 +42,19 @@ LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr
   loaded->material = std::move(material);
   loaded->blend = std::move(blend);
   control.throwIfStopped();
-  constexpr double tabulatedShare = 0.7;
+  constexpr double tabulatedFraction = 0.7;
   loaded->base = loaded->material.brdf;
   if (!loaded->base || !widgets::isShownNatively(*loaded->base))
-    loaded->base = loaded->material.tabulated(control.between(0, tabulatedShare));
+    loaded->base = loaded->material.tabulated(control.between(0, tabulatedFraction));
   control.throwIfStopped();
   loaded->lobe = std::make_shared<const TabulatedLobe>(*loaded->base);
   loaded->statistics =
       tableStatistics(loaded->isTable() ? *loaded->base->asTable() : *bakeTable(*loaded->base, coarseGrid));
-  const double each = (1 - tabulatedShare) / double(loaded->albedo.size());
+  const double each = (1 - tabulatedFraction) / double(loaded->albedo.size());
   for (std::size_t i = 0; i < loaded->albedo.size(); ++i) {
     control.throwIfStopped();
     loaded->albedo[i] = directionalAlbedo(*loaded->base, radians(LoadedMaterial::albedoDegrees[i]));
-    control.report(tabulatedShare + each * double(i + 1));
+    control.report(tabulatedFraction + each * double(i + 1));
   }
   return loaded;
 }
@@ -67,9 +67,9 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
   if (!editing::isDocumentName(path)) return loadMaterial(path, control);
-  constexpr double editedShare = 0.6;
-  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedShare)).shown, nullptr,
-                          control.between(editedShare, 1));
+  constexpr double editedFraction = 0.6;
+  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedFraction)).shown, nullptr,
+                          control.between(editedFraction, 1));
 }
 
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control) {

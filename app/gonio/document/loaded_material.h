@@ -33,7 +33,7 @@ struct LoadedMaterial {
   /// Whether table() is the base itself.
   bool isTable() const { return base->asTable() != nullptr; }
   /// The table for fits, factors and codes: the base, or sampled from it at the first call (up to a second, for an
-  /// anisotropic measurement some seconds; concurrent calls wait). Not for the GUI thread.
+  /// anisotropic measurement a few seconds; concurrent calls wait). Not for the GUI thread.
   /// @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
   /// The BRDF to which models are fitted: the base if it is anisotropic, else table(). Not for the GUI thread.
@@ -51,7 +51,7 @@ struct LoadedMaterial {
 };
 using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 
-/// Reads a material and computes the facts of the source panel, in some tenths of a second, or up to some seconds for
+/// Reads a material and computes the facts of the source panel, in a few tenths of a second, or up to a few seconds for
 /// forms that are sampled as a table.
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});

@@ -23,7 +23,7 @@ struct MaterialCodeText {
 };
 QString number(double value) { return QString::number(value, 'g', 3); }
 
-/// Prepared once, in the background; matrices in single precision, some MB.
+/// Prepared once, in the background; matrices in single precision, a few MB.
 struct Coder {
   std::shared_ptr<const materials::NamedEnsemble> dictionary = materials::bundledDictionary();
   dictionary::Encoder encoder{dictionary->ensemble};
@@ -98,36 +98,37 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->bytes());
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
                                               : MaterialCodeText::tr("none (identical values)");
-  return {{MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
-           MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
-                                "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
-                                "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},
-          {MaterialCodeText::tr("Size"),
-           MaterialCodeText::tr("%1 kB; table: %2 MB")
-               .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
-               .arg(tableBytes * 1e-6, 0, 'f', 1),
-           MaterialCodeText::tr("Size of the code's file with values in half precision. The dictionary comes with "
-                                "Gonio and is not counted.")},
-          {MaterialCodeText::tr("Time"),
-           MaterialCodeText::tr("%1 ns per evaluation, %2 ms to decode, %3 s to encode")
-               .arg(code.nanoseconds, 0, 'f', 0)
-               .arg(1000 * code.decodeSeconds, 0, 'f', 0)
-               .arg(code.encoded.seconds, 0, 'f', 1),
-           MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, decoding "
-                                "of all cells, and the encoding")},
-          {MaterialCodeText::tr("Transform"),
-           MaterialCodeText::tr("%1: y = %2")
-               .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
-           MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-weighted "
-                                "log were both tried; the one with the smaller gamma error was chosen.")},
-          {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
-           MaterialCodeText::tr(
-               "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than the plain "
-               "error,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
-          {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
-           MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
-                                "coefficients.\n\"Learned with\": number of coefficients per material during training.")
-               .arg(code.dictionary->ensemble.dictionaries.size())}};
+  return {
+      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
+       MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
+                            "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
+                            "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},
+      {MaterialCodeText::tr("Size"),
+       MaterialCodeText::tr("%1 kB; table: %2 MB")
+           .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
+           .arg(tableBytes * 1e-6, 0, 'f', 1),
+       MaterialCodeText::tr("Size of the code's file with values in half precision. The dictionary comes with "
+                            "Gonio and is not counted.")},
+      {MaterialCodeText::tr("Time"),
+       MaterialCodeText::tr("%1 ns per evaluation, %2 ms to decode, %3 s to encode")
+           .arg(code.nanoseconds, 0, 'f', 0)
+           .arg(1000 * code.decodeSeconds, 0, 'f', 0)
+           .arg(code.encoded.seconds, 0, 'f', 1),
+       MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, decoding "
+                            "of all cells, and the encoding")},
+      {MaterialCodeText::tr("Transform"),
+       MaterialCodeText::tr("%1: y = %2")
+           .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
+       MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-weighted "
+                            "log were both tried; the one with the smaller gamma error was chosen.")},
+      {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
+       MaterialCodeText::tr(
+           "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than an error "
+           "without roots,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
+      {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
+       MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
+                            "coefficients.\n\"Learned with\": number of coefficients per material during training.")
+           .arg(code.dictionary->ensemble.dictionaries.size())}};
 }
 
 }  // namespace gonio::app

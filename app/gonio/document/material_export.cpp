@@ -45,7 +45,7 @@ QString ExportLosses::text() const {
   const QString all = sentences.join(QStringLiteral("; "));
   return std::isfinite(snr)
              ? MaterialExportText::tr("%1. Rendered SNR of the file: %2 dB.").arg(all).arg(snr, 0, 'f', 1)
-             : MaterialExportText::tr("%1. Pictures of the file and of the material are identical.").arg(all);
+             : MaterialExportText::tr("%1. Images of the file and of the material are identical.").arg(all);
 }
 
 ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr<const Brdf>& base,

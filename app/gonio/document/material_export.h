@@ -22,8 +22,8 @@ struct ExportLosses {
   QString text() const;
 };
 
-/// Writes a material with its edits, atomically. If content is lost, measures the error (some seconds). Not for the GUI
-/// thread.
+/// Writes a material with its edits, atomically. If content is lost, measures the error (a few seconds). Not for the
+/// GUI thread.
 /// @param base base of the material with the displayed order of the directions
 /// @throws Error with the file name; Cancelled.
 ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr<const Brdf>& base,

@@ -115,15 +115,15 @@ void BatchDialog::showFiles() {
   const QStringList there = existing();
   const bool blocked = !there.isEmpty() && !m_replace->isChecked();
   m_export->setEnabled(hasFolder && !blocked);
-  constexpr int mostNames = 3;
+  constexpr int maxNames = 3;
   QStringList names;
-  for (qsizetype i = 0; i < std::min(qsizetype(mostNames), m_ids.size()); ++i)
+  for (qsizetype i = 0; i < std::min(qsizetype(maxNames), m_ids.size()); ++i)
     names << fileNames(target(), request(i).name);
-  if (m_ids.size() > mostNames) names << tr("and the files of %1 more materials").arg(m_ids.size() - mostNames);
+  if (m_ids.size() > maxNames) names << tr("and the files of %1 more materials").arg(m_ids.size() - maxNames);
   QString text = names.join(QStringLiteral(", "));
   if (!hasFolder) text = tr("This folder does not exist. Choose an existing folder.");
-  if (blocked) text = tr("Existing files: %1").arg(there.mid(0, mostNames).join(QStringLiteral(", ")));
-  if (blocked && there.size() > mostNames) text += tr(" and %1 more").arg(there.size() - mostNames);
+  if (blocked) text = tr("Existing files: %1").arg(there.mid(0, maxNames).join(QStringLiteral(", ")));
+  if (blocked && there.size() > maxNames) text += tr(" and %1 more").arg(there.size() - maxNames);
   m_files->setText(text);
 }
 

@@ -66,11 +66,11 @@ void ExportController::tryOut(const ExportSubject& subject, const exports::Expor
   m_tasks.run<ExportTrialPtr>(
       {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
       [subject, &target, options](const TaskControl& control) {
-        constexpr double madeShare = 0.8;
+        constexpr double madeFraction = 0.8;
         auto trial = std::make_shared<ExportTrial>();
         const exports::ExportSource source = subject.source();
-        trial->made = exports::makeExport(target, source, options, control.between(0, madeShare));
-        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeShare, 0.9));
+        trial->made = exports::makeExport(target, source, options, control.between(0, madeFraction));
+        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
         trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 1));
         return trial;
       },
@@ -87,7 +87,7 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
   writeInBackground(request, [subject, request, trial](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString();
     exports::checkTargets(request.target->paths(name, request.scene.get()), subject.files, true);
-    exports::MadeExport made =
+    exports::ExportResult made =
         trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
     if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
     exports::writeExport(exports::filesOf(made, name));
@@ -101,7 +101,7 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
     if (isDocument(id)) throw Error(source.string() + ": open the document to export it with its edits");
     exports::checkTargets(request.target->paths(name), std::span(&source, 1), replace);
     const materials::Material material = materials::readMaterial(source, control.between(0, 0.1));
-    const exports::MadeExport made =
+    const exports::ExportResult made =
         exports::makeExport(*request.target, exports::exportSource(material.name, material, material.brdf, {}),
                             request.options, control.between(0.1, 1));
     exports::writeExport(exports::filesOf(made, name));

@@ -30,7 +30,7 @@ struct ExportSubject {
 
 /// An export in memory, with its pictures.
 struct ExportTrial {
-  exports::MadeExport made;
+  exports::ExportResult made;
   QImage original, exported;
 };
 using ExportTrialPtr = std::shared_ptr<const ExportTrial>;

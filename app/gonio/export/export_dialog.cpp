@@ -247,7 +247,7 @@ void ExportDialog::showTrial() {
     m_cost->setText(std::isfinite(shown->made.snr)
                         ? tr("Rendered SNR of the export against the material: %1; %2.")
                               .arg(exportSnrText(shown->made.snr), exportBytesText(shown->made.bytes()))
-                        : tr("Pictures of the export and of the material are identical; %1.")
+                        : tr("Images of the export and of the material are identical; %1.")
                               .arg(exportBytesText(shown->made.bytes())));
     for (const std::string& warning : shown->made.warnings)
       warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));

@@ -8,18 +8,18 @@
 namespace gonio::app {
 
 namespace {
-constexpr int largestSide = 240, smallestSide = 120, gap = 12;
+constexpr int maxSide = 240, minSide = 120, gap = 12;
 const QColor pictureGround(38, 38, 38);
 }  // namespace
 
 ExportPictures::ExportPictures(QWidget* parent) : QWidget(parent) {
   m_names[0] = tr("Material");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setMinimumSize(2 * smallestSide + gap, smallestSide + 2 * fontMetrics().height());
+  setMinimumSize(2 * minSide + gap, minSide + 2 * fontMetrics().height());
   setAccessibleName(tr("Material and export"));
 }
 
-QSize ExportPictures::sizeHint() const { return {2 * largestSide + gap, largestSide + 2 * fontMetrics().height()}; }
+QSize ExportPictures::sizeHint() const { return {2 * maxSide + gap, maxSide + 2 * fontMetrics().height()}; }
 
 void ExportPictures::setPictures(const QImage& original, const QImage& exported) {
   m_pictures[0] = original;
@@ -36,7 +36,7 @@ void ExportPictures::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const int line = fontMetrics().height() * 3 / 2;
-  const int side = std::min({largestSide, (width() - gap) / 2, height() - line});
+  const int side = std::min({maxSide, (width() - gap) / 2, height() - line});
   const int left = (width() - 2 * side - gap) / 2, top = (height() - side - line) / 2;
   for (int i = 0; i < 2; ++i) {
     const QRect place(left + i * (side + gap), top, side, side);

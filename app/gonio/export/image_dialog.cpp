@@ -90,7 +90,7 @@ QWidget* ImageDialog::choiceRow() {
   preview->setToolTip(tr("Saves the preview with its current samples; a comparison shows both materials"));
   m_labels = new QCheckBox(tr("Add &names and numbers"));
   m_labels->setToolTip(
-      tr("Adds the names of the materials, the colour scale of a difference and the SNR to a comparison picture"));
+      tr("Adds the names of the materials, the colour scale of a difference and the SNR to a comparison image"));
   auto* indented = new QHBoxLayout;
   indented->addSpacing(2 * fontMetrics().height());
   indented->addWidget(m_labels);

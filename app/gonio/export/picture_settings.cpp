@@ -79,7 +79,7 @@ QWidget* PictureSettings::qualityRow() {
   m_samples = countField(maxSamples, tr(" per pixel"));
   m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   m_limited = new QCheckBox(tr("Stop &after"));
-  m_limited->setToolTip(tr("Stops rendering after this time and saves the picture with the samples rendered so far"));
+  m_limited->setToolTip(tr("Stops rendering after this time and saves the image with the samples rendered so far"));
   m_seconds = countField(maxSeconds, tr(" s"));
   m_seconds->setAccessibleName(tr("Max. time in seconds"));
   row->addWidget(m_samples, 1);

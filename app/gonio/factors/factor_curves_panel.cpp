@@ -251,9 +251,9 @@ void FactorCurvesPanel::showResiduals(FactorColumn& column) {
   // A document that was edited elsewhere may have other nodes than the measurement here.
   if (!m_measured || terms < 1 || terms > int(m_measured->along.size()) ||
       nodesOf(m_measured->factorization.factors, column.axis()) != column.editor().nodes())
-    return column.residuals().setShares({}, {});
-  column.residuals().setShares(m_measured->along[std::size_t(terms - 1)][std::size_t(column.axis())],
-                               terms == 1 ? tr("Residual of 1 term") : tr("Residual of %1 terms").arg(terms));
+    return column.residuals().setFractions({}, {});
+  column.residuals().setFractions(m_measured->along[std::size_t(terms - 1)][std::size_t(column.axis())],
+                                  terms == 1 ? tr("Residual of 1 term") : tr("Residual of %1 terms").arg(terms));
 }
 
 }  // namespace gonio::app

@@ -28,7 +28,7 @@ struct MeasuredFactors {
 
 inline constexpr int maxEditedTerms = 10;
 
-/// Factorises and measures the costs; takes some seconds for the 3-D form. @throws Cancelled.
+/// Factorises and measures the costs; takes a few seconds for the 3-D form. @throws Cancelled.
 MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
                                const TaskControl& control = {});
 

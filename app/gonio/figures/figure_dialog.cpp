@@ -93,7 +93,7 @@ QWidget* FigureDialog::contentsTab() {
   auto* layout = new QVBoxLayout(tab);
   const std::pair<QString, QWidget*> parts[] = {{tr("Rows: materials"), m_materials},
                                                 {tr("Columns: representations"), m_representations},
-                                                {tr("Numbers below the pictures"), m_numbers}};
+                                                {tr("Numbers below the images"), m_numbers}};
   for (const auto& [title, part] : parts) layout->addWidget(groupOf(title, part), 1);
   return tab;
 }
@@ -101,7 +101,7 @@ QWidget* FigureDialog::contentsTab() {
 QWidget* FigureDialog::appearanceTab() {
   auto* tab = new QWidget;
   auto* layout = new QVBoxLayout(tab);
-  layout->addWidget(groupOf(tr("Pictures"), m_pictures));
+  layout->addWidget(groupOf(tr("Images"), m_pictures));
   layout->addWidget(groupOf(tr("Page"), m_page));
   layout->addStretch();
   alignFields(*tab);

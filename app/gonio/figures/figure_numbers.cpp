@@ -29,16 +29,15 @@ QString toolTipOf(const figures::FigureNumber& number) {
   for (const metrics::MetricRecord& record : metrics::metricRecords())
     if (record.id == number.id) return widgets::fromView(record.formula) + '\n' + widgets::fromView(record.reference);
   if (number.isTimed) return FigureNumbersList::tr("Measured on this machine; differs from run to run");
-  return number.id == "bytes"
-             ? FigureNumbersList::tr("Size of the stored representation, bytes")
-             : FigureNumbersList::tr("SNR of the pictures in the figure, without their rendering noise");
+  return number.id == "bytes" ? FigureNumbersList::tr("Size of the stored representation, bytes")
+                              : FigureNumbersList::tr("SNR of the images in the figure, without their rendering noise");
 }
 
 QString textOf(const figures::FigureNumber& number) {
   for (const metrics::MetricRecord& record : metrics::metricRecords())
     if (record.id == number.id) return FigureNumbersList::tr("BRDF error: %1").arg(widgets::fromView(record.name));
   for (const metrics::ImageMetricRecord& record : metrics::imageMetricRecords())
-    if (record.id == number.id) return FigureNumbersList::tr("Picture error: %1").arg(widgets::fromView(record.name));
+    if (record.id == number.id) return FigureNumbersList::tr("Image error: %1").arg(widgets::fromView(record.name));
   if (number.isTimed) return FigureNumbersList::tr("Time: %1").arg(QString::fromStdString(number.name));
   return number.id == "bytes" ? FigureNumbersList::tr("Size") : FigureNumbersList::tr("Rendered SNR");
 }

@@ -85,12 +85,12 @@ void FigurePageSettings::buildPage(QFormLayout& form) {
 
 void FigurePageSettings::buildParts(QFormLayout& form) {
   m_inset->setToolTip(
-      tr("Magnifies a square part of every picture; draw the square on a picture of the page, or enter it "
-         "in fractions of the picture"));
+      tr("Magnifies a square part of every image; draw the square on an image of the page, or enter it "
+         "in fractions of the image"));
   const FigureInset usual;
-  m_x = numberField(usual.x, insetStep, tr("Inset, left edge"), tr("Left edge, in fractions of the picture"));
-  m_y = numberField(usual.y, insetStep, tr("Inset, top edge"), tr("Top edge, in fractions of the picture"));
-  m_side = numberField(usual.size, insetStep, tr("Inset, side"), tr("Side of the square, in fractions of the picture"));
+  m_x = numberField(usual.x, insetStep, tr("Inset, left edge"), tr("Left edge, in fractions of the image"));
+  m_y = numberField(usual.y, insetStep, tr("Inset, top edge"), tr("Top edge, in fractions of the image"));
+  m_side = numberField(usual.size, insetStep, tr("Inset, side"), tr("Side of the square, in fractions of the image"));
   m_side->setRange(FigureInset::minSize, 1);
   limitInset();
   auto* place = new QHBoxLayout;
@@ -100,7 +100,7 @@ void FigurePageSettings::buildParts(QFormLayout& form) {
     place->addWidget(fieldLabel(text, field));
     place->addWidget(field, 1);
   }
-  m_maps->setToolTip(tr("Shows the absolute luminance difference from the reference, on one scale for all pictures"));
+  m_maps->setToolTip(tr("Shows the absolute luminance difference from the reference, on one scale for all images"));
   m_fixed->setToolTip(
       tr("Luminance difference at the end of the scale of the error maps; by default the largest 99.5th "
          "percentile of the rows, rounded up"));

@@ -59,14 +59,14 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
 }
 
 void FigurePictureSettings::build() {
-  m_scene->setToolTip(
-      tr("Scene of the pictures; all objects have the material. Elsewhere, the rendered SNR uses the first scene of "
-         "this list"));
+  m_scene->setToolTip(tr(
+      "Scene of the images; all objects have the material. Outside figures, the rendered SNR uses the first scene of "
+      "this list"));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);
   m_size->setSuffix(tr(" pixels"));
   m_size->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  m_size->setToolTip(tr("Width and height of the pictures; print needs about 300 pixels per inch"));
+  m_size->setToolTip(tr("Width and height of the images; print needs about 300 pixels per inch"));
   m_samples->setRange(1, FigurePictures::maxSamples);
   m_samples->setSuffix(tr(" per pixel"));
   m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -74,7 +74,7 @@ void FigurePictureSettings::build() {
   m_exposure->setRange(-FigurePictures::maxExposure, FigurePictures::maxExposure);
   m_exposure->setUnit(tr("EV"));
   m_exposure->setStep(0.5);
-  m_exposure->setToolTip(tr("Exposure of the pictures in stops; error maps do not depend on it"));
+  m_exposure->setToolTip(tr("Exposure of the images in stops; error maps do not depend on it"));
   m_toneMap->addItems({tr("Clamp"), tr("Filmic")});
   m_toneMap->setToolTip(tr("Clamp clips values above 1; filmic compresses highlights"));
   // Typed numbers change the figure when they are complete.

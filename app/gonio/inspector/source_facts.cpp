@@ -37,7 +37,7 @@ QString rangeText(const std::array<ChannelRange, 3>& channels) {
 QString snrText(double snr) { return std::isfinite(snr) ? QString::number(snr, 'f', 1) : comparisonValue(snr); }
 
 QString sourceText(const LoadedMaterial& loaded) {
-  if (loaded.blend) return SourceFactsText::tr("the blend of the materials in their own forms");
+  if (loaded.blend) return SourceFactsText::tr("the blend of the materials in their native forms");
   return loaded.material.source.format == materials::sgdFormat ? SourceFactsText::tr("the fit")
                                                                : SourceFactsText::tr("the file");
 }
@@ -61,21 +61,20 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   if (!own)
     return {SourceFactsText::tr("Table for fits"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
-            SourceFactsText::tr("Fits, factors and codes use a table sampled from the file; the picture and its edits "
+            SourceFactsText::tr("Fits, factors and codes use a table sampled from the file; the image and its edits "
                                 "use the file itself.") +
                 '\n' + gridExplanation + '\n' + errorExplanation};
-  widgets::Fact fact{SourceFactsText::tr("Table"),
-                     SourceFactsText::tr("%1, %2 MB").arg(size).arg(double(own->bytes()) * 1e-6, 0, 'f', 1),
-                     SourceFactsText::tr("Form in which the material is shown and edited, and its size in memory.") +
-                         ' ' + gridExplanation};
+  widgets::Fact fact{
+      SourceFactsText::tr("Table"),
+      SourceFactsText::tr("%1, %2 MB").arg(size).arg(double(own->bytes()) * 1e-6, 0, 'f', 1),
+      SourceFactsText::tr("Table that is shown and edited, with its size in memory.") + ' ' + gridExplanation};
   if (!loaded.isSampled()) {
     fact.toolTip += '\n' + SourceFactsText::tr("The material itself is this table; it was not resampled.");
     return fact;
   }
   fact.value += '\n' + errorText(loaded, snr, measuring);
-  fact.toolTip += '\n' +
-                  SourceFactsText::tr("It was sampled from %1, which has another form.").arg(sourceText(loaded)) + ' ' +
-                  errorExplanation;
+  fact.toolTip += '\n' + SourceFactsText::tr("It was sampled from %1, which is not a table.").arg(sourceText(loaded)) +
+                  ' ' + errorExplanation;
   return fact;
 }
 
@@ -93,8 +92,10 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
   facts.push_back({SourceFactsText::tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({SourceFactsText::tr("Data"), gridText(source.grid)});
   if (!loaded.isTable())
-    facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("its own form, without a table"),
-                     SourceFactsText::tr("The measurement, model or factors are evaluated and edited directly.")});
+    facts.push_back(
+        {SourceFactsText::tr("Shown as"), SourceFactsText::tr("native form, without a table"),
+         SourceFactsText::tr(
+             "The stored measurement, model or factors are evaluated and edited directly, not resampled to a table.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())

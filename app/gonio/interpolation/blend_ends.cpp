@@ -13,7 +13,7 @@ namespace gonio::app {
 namespace {
 
 constexpr int endSide = 160, endSamples = 24;
-constexpr double loadShare = 0.6, editShare = 0.9;
+constexpr double loadFraction = 0.6, editFraction = 0.9;
 
 QString shortName(const QString& path) { return path.section('/', -1); }
 
@@ -28,8 +28,8 @@ BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editi
   const auto table = material.table(control);
   end.material =
       editing::blendedEnd(material.material, withIncident(material.base, source.incident), table,
-                          editing::bakeEdits(table, source.edits, control.between(0, editShare)), source.edits);
-  end.picture = spherePicture(*end.material.material(), endSide, endSamples, control.between(editShare, 1));
+                          editing::bakeEdits(table, source.edits, control.between(0, editFraction)), source.edits);
+  end.picture = spherePicture(*end.material.material(), endSide, endSamples, control.between(editFraction, 1));
   source.view = {};
   end.source = std::move(source);
   return end;
@@ -41,15 +41,15 @@ BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
   const std::string path = id.toStdString();
   if (isDocument(id)) {
     source = editing::resolved(editing::readDocument(path), path);
-    material = loadSource(source, control.between(0, loadShare));
+    material = loadSource(source, control.between(0, loadFraction));
   } else {
-    material = loadMaterial(path, control.between(0, loadShare));
+    material = loadMaterial(path, control.between(0, loadFraction));
     source.sourcePath = material->material.source.path.string();
   }
   source.sourceSha256 = material->material.source.sha256;
   const QString name =
       isDocument(id) ? shortName(id).section('.', 0, -2) : QString::fromStdString(material->material.name);
-  return takeBlendEnd(*material, name, source, control.between(loadShare, 1));
+  return takeBlendEnd(*material, name, source, control.between(loadFraction, 1));
 }
 
 BlendEnds::BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent)

@@ -12,7 +12,7 @@ namespace gonio::app {
 
 BlendOverview::BlendOverview(const BlendSpaces& spaces)
     : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("Ren&der the Spaces"))) {
-  m_draw->setToolTip(tr("Prepares and renders the spaces that were cancelled"));
+  m_draw->setToolTip(tr("Resumes the cancelled preparation and rendering of the spaces"));
   const QStringList steps{"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
   static_assert(BlendSpaces::pictureCount == 7);
   m_strip->setSteps(steps);

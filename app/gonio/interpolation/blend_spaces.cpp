@@ -44,7 +44,7 @@ std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::ve
   const int materials = int(blend.ends.size());
   for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
     const double t = i / (BlendSpaces::pictureCount - 1.0);
-    const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::wayPlace(materials, t)));
+    const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::pathPosition(materials, t)));
     pictures.push_back(
         spherePicture(*blend.interpolation->brdf(weights), strip.side, strip.samples, {control.stop, {}}));
     control.report((i + 1.0) / BlendSpaces::pictureCount);

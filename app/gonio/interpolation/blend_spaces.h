@@ -25,7 +25,7 @@ class BlendSpaces : public QObject {
 
  public:
   using Space = editing::InterpolationSpace;
-  static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the path of widgets::wayPlace()
+  static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the path of widgets::pathPosition()
   enum class State { waiting, running, ready, failed, cancelled };
 
   explicit BlendSpaces(BackgroundTasks& tasks, QObject* parent = nullptr, const StripPictures& pictures = {});

@@ -31,7 +31,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_tasks(tasks),
       m_ends(document, tasks),
       m_spaces(tasks, nullptr, pictures),
-      m_place(widgets::middlePlace(widgets::minBlended)),
+      m_place(widgets::centrePosition(widgets::minBlended)),
       m_wells(new BlendWells(document, m_ends)),
       m_placeEditor(new BlendPlaceEditor),
       m_overview(new BlendOverview(m_spaces)),
@@ -110,7 +110,7 @@ void InterpolationPanel::connectParts() {
   });
   connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
     setSpace(space);
-    moveTo(t < 0 ? m_place : widgets::wayPlace(m_ends.count(), t));
+    moveTo(t < 0 ? m_place : widgets::pathPosition(m_ends.count(), t));
   });
   connect(m_overview, &BlendOverview::drawRequested, this, [this] { m_spaces.want(m_space); });
   connect(m_show, &QCheckBox::toggled, this, &InterpolationPanel::subjectChanged);
@@ -159,12 +159,12 @@ void InterpolationPanel::setSpace(Space space) {
 void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
-    text += '\n' + tr("Between the ends, the preview blends tables; a material that is not a table is sampled first.");
+    text += '\n' + tr("The preview blends tables; a material that is not a table is sampled to one first.");
   m_placeEditor->setExplanation(text);
 }
 
 void InterpolationPanel::moveTo(const QPointF& place) {
-  m_place = widgets::nearestPlace(m_ends.count(), place);
+  m_place = widgets::nearestPosition(m_ends.count(), place);
   touched();
   showPlace();
   Q_EMIT subjectChanged();
@@ -197,8 +197,8 @@ void InterpolationPanel::begin() {
 void InterpolationPanel::endsChanged() {
   const int count = m_ends.count();
   // What was equal fractions stays equal fractions.
-  const bool middle = m_place == widgets::middlePlace(m_placeCount);
-  m_place = middle ? widgets::middlePlace(count) : widgets::nearestPlace(count, m_place);
+  const bool middle = m_place == widgets::centrePosition(m_placeCount);
+  m_place = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_place);
   m_placeCount = count;
   m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationEnd>());
   showEnds();
@@ -229,7 +229,7 @@ void InterpolationPanel::showPlace() {
   m_placeEditor->setPlace(m_place);
   // Only a place on the strip's way has a mark there.
   const double t = m_ends.count() == 3 ? 2 * m_place.x() : m_place.x();
-  m_overview->strip().setMark(widgets::wayPlace(m_ends.count(), t) == m_place ? t : -1);
+  m_overview->strip().setMark(widgets::pathPosition(m_ends.count(), t) == m_place ? t : -1);
   showKeepable();
 }
 
@@ -249,9 +249,9 @@ void InterpolationPanel::keep() {
   m_tasks.run<LoadedMaterialPtr>(
       {text, keepKey},
       [blend, source](const TaskControl& control) {
-        constexpr double blendShare = 0.6;
-        auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendShare));
-        return measuredMaterial(std::move(material), source, control.between(blendShare, 1));
+        constexpr double blendFraction = 0.6;
+        auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
+        return measuredMaterial(std::move(material), source, control.between(blendFraction, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot save the blend"), error); });

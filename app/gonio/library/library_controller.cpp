@@ -59,13 +59,24 @@ QString badgeOf(materials::LibraryOrigin origin) {
   }
 }
 
+QString badgeMeaning(materials::LibraryOrigin origin) {
+  switch (origin) {
+    case materials::LibraryOrigin::measured:
+      return LibraryController::tr("Measured: the values of a goniophotometer.");
+    case materials::LibraryOrigin::nearMeasured:
+      return LibraryController::tr("Near-measured: a neural fit of a measurement, smoother than the measurement.");
+    default:
+      return LibraryController::tr("Published fit: parameters of a model from a paper.");
+  }
+}
+
 QString sourceOf(const materials::LibraryEntry& entry) {
   const QString prefix = QString::fromStdString(entry.id.substr(0, entry.id.find('/')));
   switch (entry.origin) {
     case materials::LibraryOrigin::measured:
       return LibraryController::tr("Measured: RGL");
     case materials::LibraryOrigin::nearMeasured:
-      return LibraryController::tr("Near-measured copies: %1").arg(prefix.section('-', 0, 0).toUpper());
+      return LibraryController::tr("Near-measured copies (neural fits): %1").arg(prefix.section('-', 0, 0).toUpper());
     default:
       return LibraryController::tr("Published fits: SGD of MERL");
   }
@@ -80,9 +91,13 @@ QString titled(const std::string& kind) {
 std::vector<widgets::LibraryItem> bundledItems() {
   std::vector<widgets::LibraryItem> items;
   for (const materials::LibraryEntry& entry : materials::bundledLibrary())
-    items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
-                     QString::fromStdString(entry.description), badgeOf(entry.origin), sourceOf(entry),
-                     titled(entry.kind)});
+    items.push_back({.id = QString::fromStdString("library:" + entry.id),
+                     .name = QString::fromStdString(entry.name),
+                     .toolTip = QString::fromStdString(entry.description),
+                     .badge = badgeOf(entry.origin),
+                     .source = sourceOf(entry),
+                     .kind = titled(entry.kind),
+                     .badgeMeaning = badgeMeaning(entry.origin)});
   return items;
 }
 

@@ -51,7 +51,7 @@ widgets::LibraryNotes LibraryStore::read() const {
   while (query.next()) {
     widgets::LibraryNote& note = notes[query.value(0).toString()];
     note.favourite = query.value(1).toBool();
-    note.rating = std::clamp(query.value(2).toInt(), 0, widgets::LibraryNote::highestRating);
+    note.rating = std::clamp(query.value(2).toInt(), 0, widgets::LibraryNote::maxRating);
     note.tags = query.value(3).toString().split(betweenTags, Qt::SkipEmptyParts);
     if (!query.value(4).isNull()) note.opened = QDateTime::fromMSecsSinceEpoch(query.value(4).toLongLong());
   }

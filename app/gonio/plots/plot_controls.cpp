@@ -214,12 +214,12 @@ void PlotControls::addExport() {
   m_export->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(m_export);
   const std::pair<QString, const char*> formats[] = {
-      {tr("Picture as &SVG..."), "svg"}, {tr("Picture as &PNG..."), "png"}, {tr("Numbers as &CSV..."), "csv"}};
+      {tr("Image as &SVG..."), "svg"}, {tr("Image as &PNG..."), "png"}, {tr("Numbers as &CSV..."), "csv"}};
   for (const auto& [text, suffix] : formats)
     menu->addAction(text, this,
                     [this, suffix = suffix] { Q_EMIT exportRequested(QLatin1String(suffix), m_exportSize); });
   menu->addSeparator();
-  addExportSizes(menu->addMenu(tr("&Size of Pictures")));
+  addExportSizes(menu->addMenu(tr("&Size of Images")));
   m_export->setMenu(menu);
   layout()->addWidget(m_export);
 }
@@ -233,7 +233,7 @@ void PlotControls::addExportSizes(QMenu* menu) {
     action->setChecked(size == m_exportSize);
     connect(action, &QAction::triggered, this, [this, size] { m_exportSize = size; });
   }
-  menu->setToolTip(tr("PNG pictures have twice as many pixels."));
+  menu->setToolTip(tr("PNG images have twice as many pixels."));
 }
 
 void PlotControls::setExportEnabled(bool enabled) { m_export->setEnabled(enabled); }

@@ -26,9 +26,9 @@ QString EnvironmentController::name() const {
   return environment ? QString::fromStdString(environment->name()) : QString();
 }
 
-void EnvironmentController::openScenesOwn() { m_preview.resetEnvironment(); }
+void EnvironmentController::useSceneEnvironment() { m_preview.resetEnvironment(); }
 
-bool EnvironmentController::isScenesOwn() const { return !m_preview.isEnvironmentChosen(); }
+bool EnvironmentController::isFromScene() const { return !m_preview.isEnvironmentChosen(); }
 
 void EnvironmentController::readRecent() {
   m_recent = QSettings().value(recentKey).toStringList();

@@ -24,8 +24,8 @@ class EnvironmentController : public QObject {
   /// "sky"); empty: turns the environment off.
   void open(const QString& nameOrPath);
   /// Uses the scene's own light in this and all later scenes.
-  void openScenesOwn();
-  bool isScenesOwn() const;
+  void useSceneEnvironment();
+  bool isFromScene() const;
   /// Name or path of the current environment, as for open(); empty: the directional light.
   QString name() const;
   /// Previously opened pictures, newest first, without bundled ones and without missing files.

@@ -169,7 +169,7 @@ void ScenePanel::measureCosts() {
       [this](const EffectCosts& costs) {
         m_costs = costs;
         m_effects->setCosts(m_costs);
-        m_result->setText(tr("The whole picture: %1 ms, %2 x %2 pixels, %3 samples, on the CPU")
+        m_result->setText(tr("The whole image: %1 ms, %2 x %2 pixels, %3 samples, on the CPU")
                               .arg(1000 * costs.seconds, 0, 'f', 0)
                               .arg(costSide)
                               .arg(costSamples));

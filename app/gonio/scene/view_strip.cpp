@@ -139,7 +139,7 @@ void ViewStrip::fillLights() {
   for (const QString& name : wanted) {
     const QString text = name == own           ? tr("From scene")
                          : name == directional ? tr("Directional")
-                         : name == file        ? tr("Picture (HDR, EXR)...")
+                         : name == file        ? tr("Image (HDR, EXR)...")
                          : name.contains('/')  ? name.section('/', -1)
                                                : sceneTitle(name.toStdString());
     m_lights->addItem(icons.value(name), text, name);
@@ -172,7 +172,7 @@ void ViewStrip::refresh() {
   m_shapes->setCurrentIndex(m_shapes->findData(source));
   fillLights();
   const QString current = m_environment.name();
-  m_lights->setCurrentIndex(m_lights->findData(m_environment.isScenesOwn() ? own
+  m_lights->setCurrentIndex(m_lights->findData(m_environment.isFromScene() ? own
                                                : current.isEmpty()         ? directional
                                                                            : current));
   m_backgrounds->setCurrentIndex(scene.environment && scene.showEnvironment
@@ -192,7 +192,7 @@ void ViewStrip::chooseLight(int index) {
   const QString name = m_lights->itemData(index).toString();
   refresh();
   if (name == file) return Q_EMIT environmentFileWanted();
-  if (name == own) return m_environment.openScenesOwn();
+  if (name == own) return m_environment.useSceneEnvironment();
   m_environment.open(name == directional ? QString() : name);
 }
 

@@ -22,7 +22,7 @@ namespace gonio::app {
 namespace {
 
 const QString pictureFolder = QStringLiteral("plot");
-constexpr int side = 256, samples = 32, firstCount = 8, smallestTile = 96, largestTile = 384, firstTile = 160;
+constexpr int side = 256, samples = 32, firstCount = 8, minTile = 96, maxTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedColumns = 6;
 
 QImage imageOf(const std::vector<std::uint8_t>& rgba) {
@@ -71,16 +71,16 @@ void ContactSheetWindow::build() {
   m_count->setValue(firstCount);
   m_maps = new QCheckBox(tr("Error &maps"));
   m_maps->setChecked(true);
-  m_maps->setToolTip(tr("Shows the absolute luminance difference from the material, on one scale for all pictures"));
+  m_maps->setToolTip(tr("Shows the absolute luminance difference from the material, on one scale for all images"));
   auto* size = new QSlider(Qt::Horizontal);
-  size->setRange(smallestTile, largestTile);
+  size->setRange(minTile, maxTile);
   size->setValue(firstTile);
   size->setFixedWidth(8 * em);
-  size->setAccessibleName(tr("Picture size"));
+  size->setAccessibleName(tr("Image size"));
   size->setToolTip(size->accessibleName());
   m_compare = new QPushButton(tr("&Compare in the Preview"));
-  m_compare->setToolTip(tr("Select two pictures by clicking, or with the arrow keys and Space"));
-  m_save = new QPushButton(tr("&Save Picture..."));
+  m_compare->setToolTip(tr("Select two images by clicking, or with the arrow keys and Space"));
+  m_save = new QPushButton(tr("&Save Image..."));
   auto* label = new QLabel(tr("&Best"));
   label->setBuddy(m_count);
   auto* top = new QHBoxLayout;
@@ -162,7 +162,7 @@ void ContactSheetWindow::makeMaps() {
     double range;
   };
   m_tasks.run<Made>(
-      {.title = tr("Comparing the pictures"), .key = m_mapsKey, .live = true},
+      {.title = tr("Comparing the images"), .key = m_mapsKey, .live = true},
       [comparison = m_comparison,
        pictures = std::vector(m_pictures.begin(), m_pictures.begin() + std::ptrdiff_t(count))](const TaskControl&) {
         const ErrorMaps maps = errorMaps(comparison->reference(), pictures);

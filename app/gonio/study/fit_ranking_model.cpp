@@ -207,7 +207,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
         tr("The model, rendered with its fitted parameters"),
         tr("Ticked fits are shown in the plots in addition to the one in use"),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(record.name), widgets::fromView(record.formula)),
-        tr("Rendered SNR of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
+        tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("Number of values that the fit determines"),
         tr("Time of the fit, seconds"),
         tr("Warnings of the fit about the measurement")};

@@ -143,7 +143,7 @@ void FitRankingPanel::refresh() {
   // A sheet of the first fits would not show the best ones.
   m_sheet->setEnabled(m_model.rowCount() > 0 && !isRunning());
   m_sheet->setToolTip(isRunning() ? tr("Available when all fits are complete; press Stop to use the finished ones")
-                                  : tr("The fits as pictures side by side, with error maps"));
+                                  : tr("The fits as images side by side, with error maps"));
   m_empty->setVisible(m_model.rowCount() == 0);
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models by their fits.")
                    : isRunning()          ? tr("The first model is being fitted.")

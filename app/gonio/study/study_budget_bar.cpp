@@ -37,11 +37,12 @@ StudyBudgetBar::StudyBudgetBar(QWidget* parent)
   setResult({}, false);
 }
 
-QDoubleSpinBox* StudyBudgetBar::field(const QString& text, const QString& unit, double most, const QString& toolTip) {
+QDoubleSpinBox* StudyBudgetBar::field(const QString& text, const QString& unit, double maximum,
+                                      const QString& toolTip) {
   auto* label = new QLabel(text);
   auto* box = new QDoubleSpinBox;
   label->setBuddy(box);
-  box->setRange(0, most);
+  box->setRange(0, maximum);
   box->setDecimals(1);
   box->setSuffix(unit);
   box->setSpecialValueText(tr("any"));

@@ -30,7 +30,7 @@ class StudyBudgetBar : public QWidget {
   void taken();
 
  private:
-  QDoubleSpinBox* field(const QString& label, const QString& unit, double most, const QString& toolTip);
+  QDoubleSpinBox* field(const QString& label, const QString& unit, double maximum, const QString& toolTip);
 
   QDoubleSpinBox *m_frame, *m_snr, *m_kilobytes;
   QLabel* m_result;

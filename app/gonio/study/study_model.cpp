@@ -189,8 +189,8 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   }
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
-        tr("Representation at one budget, with its rendered picture"),
-        tr("Rendered SNR of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
+        tr("Representation at one budget, with its rendered image"),
+        tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(metric.name), widgets::fromView(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),
         tr("Time of one frame in the reference renderer on the CPU, not in the preview"),

@@ -62,7 +62,7 @@ QWidget* StudyPanel::buildChoice() {
   m_quality->setToolTip(tr("Metric of the vertical axis of the plot and of the errors in the table"));
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
   m_cost->setToolTip(tr("Cost of the horizontal axis of the plot"));
-  m_sheet->setToolTip(tr("The measured representations as pictures side by side, with error maps"));
+  m_sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
   m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
@@ -218,7 +218,7 @@ void StudyPanel::refresh() {
                   : m_model.rowCount() == 0
                       ? tr("Choose at least one kind of representation.")
                       : tr("Press Measure to measure the error and cost of every representation of this material "
-                           "in the background (some minutes)."));
+                           "in the background (a few minutes)."));
   QStringList facts;
   for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
   m_footer->setText(facts.join(QStringLiteral(" · ")));

@@ -118,8 +118,8 @@ void DocumentFiles::askAboutChangedSource(const QString& text) {
       new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
   box->setTextFormat(Qt::PlainText);
   box->setInformativeText(
-      tr("The edits were made for the previous values. Applied to the changed file, they may look different, or count "
-         "twice if the file already contains them."));
+      tr("The edits were made for the previous values. Applied to the changed file, they may look different, or take "
+         "effect twice if the file already contains them."));
   const QPushButton* with = box->addButton(tr("Apply the &Edits"), QMessageBox::AcceptRole);
   const QPushButton* without = box->addButton(tr("Open &Without Edits"), QMessageBox::AcceptRole);
   box->setDefaultButton(QMessageBox::Cancel);

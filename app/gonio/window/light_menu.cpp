@@ -30,21 +30,21 @@ void LightMenu::add(const QString& text, const QString& name, const QKeySequence
   QAction* action = m_group->addAction(addAction(text, key, this, [this, name] { m_environment.open(name); }));
   action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, action,
-          [this, action, name] { action->setChecked(!m_environment.isScenesOwn() && m_environment.name() == name); });
+          [this, action, name] { action->setChecked(!m_environment.isFromScene() && m_environment.name() == name); });
 }
 
 void LightMenu::addOwn() {
   QAction* own =
-      m_group->addAction(addAction(tr("From S&cene"), &m_environment, &EnvironmentController::openScenesOwn));
+      m_group->addAction(addAction(tr("From S&cene"), &m_environment, &EnvironmentController::useSceneEnvironment));
   own->setCheckable(true);
   own->setToolTip(tr("Uses the light of the scene; a light chosen below stays when the scene changes."));
-  connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isScenesOwn()); });
+  connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isFromScene()); });
 }
 
 void LightMenu::showRecent() {
   for (QAction* action : std::exchange(m_recent, {})) delete action;
   const QStringList paths = m_environment.recent();
-  const QString current = m_environment.isScenesOwn() ? QString() : m_environment.name();
+  const QString current = m_environment.isFromScene() ? QString() : m_environment.name();
   for (const QString& path : paths) {
     QAction* action = new QAction(QString(path.section('/', -1)).replace('&', QStringLiteral("&&")), this);
     action->setToolTip(path);

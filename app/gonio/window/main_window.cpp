@@ -54,7 +54,7 @@
 namespace gonio::app {
 
 namespace {
-constexpr QSize firstSize(1440, 900), smallestSize(960, 600);
+constexpr QSize firstSize(1440, 900), minSize(960, 600);
 constexpr int libraryLines = 27, inspectorLines = 28;
 }  // namespace
 
@@ -66,7 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_docks(new DockLayout(*this)),
       m_messages(new widgets::MessageBar) {
   setAttribute(Qt::WA_DeleteOnClose);
-  setMinimumSize(smallestSize);
+  setMinimumSize(minSize);
   // The title bar, which the window system adds, has to fit too.
   const QSize frame(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
   resize(firstSize.boundedTo(screen()->availableSize() - frame));
@@ -159,7 +159,7 @@ void MainWindow::addMenus() {
     view->addPictureActionsTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
-    menu->addAction(tr("Copy Picture"), this,
+    menu->addAction(tr("Copy Image"), this,
                     [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
     menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
         ->setEnabled(m_parts.document.material() != nullptr);

@@ -24,7 +24,7 @@ MaterialMenu::MaterialMenu(const Parts& parts, QWidget* window) : QMenu(tr("&Mat
                                  docks.show(QStringLiteral("acquisition"));
                                  acquisition.startButton().setFocus();
                                });
-  acquire->setToolTip(tr("Chooses directions to measure and reconstructs a material from few measurements"));
+  acquire->setToolTip(tr("Chooses directions to measure and reconstructs a material from a few measurements"));
   addCancel(parts);
 }
 

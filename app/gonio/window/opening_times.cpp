@@ -40,7 +40,7 @@ void OpeningTimes::adoptMaterial() {
 
 void OpeningTimes::adoptPicture() {
   if (m_read < 0 || m_parts.preview.shownRequest() <= m_before) return;
-  std::printf("%s: read after %lld ms, first picture after %lld ms\n", qPrintable(m_paths.takeFirst()),
+  std::printf("%s: read after %lld ms, first image after %lld ms\n", qPrintable(m_paths.takeFirst()),
               static_cast<long long>(m_read), static_cast<long long>(m_elapsed.elapsed()));
   std::fflush(stdout);
   m_read = -1;

@@ -35,12 +35,13 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
     if (const auto task = m_tasks.topmost()) m_tasks.setPaused(task->id, pause);
   });
   connect(m_progress, &widgets::ProgressStrip::entryCancelRequested, &m_tasks, [this](int id) { m_tasks.cancel(id); });
-  QLabel* representation = addPermanent(bar, tr("What the preview shows"));
+  QLabel* representation =
+      addPermanent(bar, tr("What the preview shows. Native form: evaluated as stored, not resampled to a table."));
   const auto showRepresentation = [this, representation] { representation->setText(representationText()); };
   for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
     connect(&m_comparison, signal, this, showRepresentation);
   showRepresentation();
-  QLabel* samples = addPermanent(bar, tr("Light samples of each pixel so far"));
+  QLabel* samples = addPermanent(bar, tr("Samples per pixel so far"));
   QLabel* frameTime = addPermanent(bar, tr("Time of the last frame"));
   connect(&m_preview, &widgets::PreviewWidget::frameRendered, this,
           [samples, frameTime](double milliseconds, int count) {
@@ -86,7 +87,7 @@ QString StatusLine::representationText() const {
   if (standIn) return tr("Showing %1 instead of the material; edits hidden").arg(m_comparison.standInName());
   const MaterialCode* code = m_comparison.code();
   QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
-                         : (material->isTable() ? tr("%1 table") : tr("%1, own form"))
+                         : (material->isTable() ? tr("%1 table") : tr("%1, native form"))
                                .arg(QString::fromStdString(material->material.source.format))};
   const editing::EditList& edits = m_document.edits();
   for (int i = 0; i < int(edits.size()); ++i)

@@ -26,7 +26,7 @@ class StatusLine : public QObject {
   StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks, const ComparisonController& comparison,
              const widgets::PreviewWidget& preview);
 
-  /// Shows a message for some seconds, e.g. "Wrote chrome.bsdf".
+  /// Shows a message for a few seconds, e.g. "Wrote chrome.bsdf".
   void showNotice(const QString& text);
   widgets::ProgressStrip& progress() { return *m_progress; }
 

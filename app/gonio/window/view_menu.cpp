@@ -62,7 +62,7 @@ void ViewMenu::addPicture() {
   QAction* overlay = addAction(tr("&Overlay"), QKeySequence(Qt::CTRL | Qt::Key_B));
   QAction* noise = addAction(tr("Filter &Noise"), &m_preview, &widgets::PreviewWidget::setNoiseFiltered);
   noise->setToolTip(
-      tr("Smooths the picture while it has few samples. Measurements, exports and difference pictures are never "
+      tr("Smooths the image while it has few samples. Measurements, exports and difference images are never "
          "filtered."));
   for (QAction* action : {overlay, noise}) action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, overlay, noise] {

@@ -107,17 +107,17 @@ class DocumentControllerTest : public QObject {
     const auto reopened = loadMaterial(exported.toStdString())->table();
     const TabulatedBrdf& measured = *editor.document.material()->table();
     const auto pdv = factorization::makePdvBrdf(*edit.edited);
-    double worst = 0, largestChange = 0;
+    double worst = 0, maxChange = 0;
     for (std::size_t cell = 0; cell < measured.values().size(); cell += 4999) {
       if (!measured.valid()[cell]) continue;
       const DirectionPair pair = measured.grid().directions(cell);
       const Rgb before(measured.values()[cell]), model = pdv->evaluate(pair.wi, pair.wo);
       const Rgb expected = glm::max(Rgb(0), 0.25 * before + 0.75 * model), found(reopened->values()[cell]);
       worst = std::max(worst, glm::length(found - expected) / std::max(1e-6, glm::length(expected)));
-      largestChange = std::max(largestChange, glm::length(found - before) / std::max(1e-6, glm::length(before)));
+      maxChange = std::max(maxChange, glm::length(found - before) / std::max(1e-6, glm::length(before)));
     }
     QVERIFY(worst < 1e-5);
-    QVERIFY(largestChange > 0.1);
+    QVERIFY(maxChange > 0.1);
   }
 
   /// Onto the material it was made on, an edit of curves is the same edit; onto another, that one's curves change.

@@ -25,7 +25,7 @@ using namespace gonio::app::test_support;
 using factorization::PdvFactors;
 
 /// The largest difference, relative to the largest value of b.
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
+double maxDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0, difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     largest = std::max(largest, std::abs(b[i]));
@@ -99,8 +99,8 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     };
     press(FactorAxis::theta, "Stronger");
     for (std::size_t term = 0; term < 3; ++term)
-      QVERIFY(largestDifference(edit().edited->channels[1][term].f1,
-                                factorization::scaled(edit().original->channels[1][term].f1, 1.1)) < 1e-12);
+      QVERIFY(maxDifference(edit().edited->channels[1][term].f1,
+                            factorization::scaled(edit().original->channels[1][term].f1, 1.1)) < 1e-12);
     QCOMPARE(m_document.history().text(0), QStringLiteral("F1: stronger"));
     press(FactorAxis::theta, "Weaker");
     QVERIFY(std::abs(f1(0, last) / was(0, last) - 1) < 1e-12);
@@ -118,8 +118,8 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     press(FactorAxis::deviation, "Wider");
     const std::vector<double> nodes = edit().edited->deviationNodes;
     for (std::size_t c = 0; c < 3; ++c)
-      QVERIFY(largestDifference(edit().edited->channels[c][0].f2,
-                                factorization::widened(nodes, edit().original->channels[c][0].f2, 1.1)) < 1e-12);
+      QVERIFY(maxDifference(edit().edited->channels[c][0].f2,
+                            factorization::widened(nodes, edit().original->channels[c][0].f2, 1.1)) < 1e-12);
     press(FactorAxis::deviation, "Narrower");
     // What was widened beyond the last node does not come back.
     const std::vector<double>&back = edit().edited->channels[0][0].f2, &before = edit().original->channels[0][0].f2;

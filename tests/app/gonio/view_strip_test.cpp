@@ -109,7 +109,7 @@ class ViewStripTest : public QObject {
     QSignalSpy scene(strip_.get(), &ViewStrip::sceneFileWanted);
     QSignalSpy environment(strip_.get(), &ViewStrip::environmentFileWanted);
     choose(strip_->shapes(), "Mesh or scene...");
-    choose(strip_->lights(), "Picture (HDR, EXR)...");
+    choose(strip_->lights(), "Image (HDR, EXR)...");
     QCOMPARE(scene.count(), 1);
     QCOMPARE(environment.count(), 1);
     QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));

@@ -78,9 +78,9 @@ class GoniotoolFigureTest : public QObject {
     };
     const QString out = folder_.path("none.pdf");
     const QStringList good{"--materials", plastic_, "--representations", "ggx"};
-    fails(good, 2, "found no output");
-    fails({"--materials", plastic_, "--out", out}, 2, "found no representations");
-    fails({"--representations", "ggx", "--out", out}, 2, "found no materials");
+    fails(good, 2, "no output was given");
+    fails({"--materials", plastic_, "--out", out}, 2, "no representations were given");
+    fails({"--representations", "ggx", "--out", out}, 2, "no materials were given");
     fails({"--materials", plastic_, "--representations", "factors-3d:x", "--out", out}, 2, "'factors-3d:x'");
     fails({"--materials", plastic_, "--representations", "code", "--out", out}, 1, "no budget");
     fails(good + QStringList{"--out", folder_.path("none.eps")}, 1, "'.eps', expected .pdf, .svg or .png");

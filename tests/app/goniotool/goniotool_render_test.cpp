@@ -189,7 +189,7 @@ class GoniotoolRenderTest : public QObject {
     QTest::newRow("off") << QStringList{"--off", "direct-light,glow", "--out", out} << 2 << "glow";
     QTest::newRow("materials") << QStringList{matte_, "--out", out} << 2 << "found 2, expected at most 1";
     QTest::newRow("remainder") << QStringList{"--remainder", "2", "--out", out} << 2 << "remainder";
-    QTest::newRow("nothing") << QStringList{} << 2 << "--out: found nothing";
+    QTest::newRow("nothing") << QStringList{} << 2 << "--out is missing";
   }
   void errors() {
     QFETCH(QStringList, arguments);

@@ -40,7 +40,7 @@ Eigen::MatrixXd analysed(const Eigen::MatrixXd& signals, const Dictionary& dicti
 }
 
 /// In the 128 largest coefficients.
-double largestEnergy(const Eigen::VectorXd& coefficients) {
+double maxEnergy(const Eigen::VectorXd& coefficients) {
   std::vector<double> squares(coefficients.begin(), coefficients.end());
   for (double& one : squares) one *= one;
   std::ranges::sort(squares, std::greater());
@@ -68,7 +68,7 @@ void checkMoments(const CoefficientPrior& prior, const Eigen::MatrixXd& coeffici
   QVERIFY(kept > std::accumulate(sorted.begin(), sorted.begin() + 300, 0.0) - 3e-4 * energy);
 }
 
-void checkHighest(const DictionaryPrior& prior, const Eigen::MatrixXd& signals) {
+void checkMax(const DictionaryPrior& prior, const Eigen::MatrixXd& signals) {
   const auto geometry = GridGeometry::of(smallGrid);
   double highest = 0;
   for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
@@ -101,12 +101,11 @@ class DictionaryPriorTest : public QObject {
         for (std::size_t d = 0; d < 2; ++d) {
           Eigen::VectorXd weights(signals.cols());
           for (Eigen::Index s = 0; s < signals.cols(); ++s)
-            weights[s] =
-                largestEnergy(coefficients[d].col(s)) > largestEnergy(coefficients[1 - d].col(s)) ? 1 : sharing;
+            weights[s] = maxEnergy(coefficients[d].col(s)) > maxEnergy(coefficients[1 - d].col(s)) ? 1 : sharing;
           checkMoments(prior.dictionaries[d], coefficients[d], weights / weights.sum());
         }
         QCOMPARE(prior.transform, transform);
-        checkHighest(prior, signals);
+        checkMax(prior, signals);
       }
   }
 

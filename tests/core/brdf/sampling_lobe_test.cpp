@@ -79,7 +79,7 @@ class SamplingLobeTest : public QObject {
                                 .arg(degreesO)
                                 .arg(integral)
                                 .arg(double(succeeded) / count)));
-        if (lobe.specularShare == 0) QVERIFY(std::abs(integral - 1) < 1e-4);
+        if (lobe.specularFraction == 0) QVERIFY(std::abs(integral - 1) < 1e-4);
       }
   }
 
@@ -138,14 +138,14 @@ class SamplingLobeTest : public QObject {
     QCOMPARE((SamplingLobe{0.3, 0.5}.pdf({0, 0.6, -0.8}, {0, 0, 1})), 0.0);
   }
 
-  void lambertNeedsNoLobe() { QCOMPARE(estimateSamplingLobe(test::lambert(Rgb(0.5))).specularShare, 0.0); }
+  void lambertNeedsNoLobe() { QCOMPARE(estimateSamplingLobe(test::lambert(Rgb(0.5))).specularFraction, 0.0); }
 
   void metalsFindTheirRoughness() {
     for (const double roughness : {0.003, 0.01, 0.05, 0.2}) {
       const SamplingLobe lobe = estimateSamplingLobe(*test::ggx(Rgb(0), Rgb(1), roughness, 0.9));
       QVERIFY2(lobe.roughness > roughness / 1.5 && lobe.roughness < roughness * 1.5,
                qPrintable(QString("%1 of %2").arg(lobe.roughness).arg(roughness)));
-      QVERIFY(lobe.specularShare >= 0.9);
+      QVERIFY(lobe.specularFraction >= 0.9);
     }
   }
 
@@ -176,14 +176,15 @@ class SamplingLobeTest : public QObject {
     for (std::size_t i = 0; i < valid.size(); ++i)
       if (i < 2 * 90 * 180 || random() % 5 == 0) valid[i] = 0;
     const SamplingLobe lobe = estimateSamplingLobe(TabulatedBrdf(whole->grid(), values, valid));
-    QVERIFY(lobe.roughness > 0.05 && lobe.roughness < 0.2 && lobe.specularShare > 0.3);
+    QVERIFY(lobe.roughness > 0.05 && lobe.roughness < 0.2 && lobe.specularFraction > 0.3);
   }
 
   void blackAndBrokenBrdfsGetADefault() {
     for (const double value : {0.0, -1.0, double(NAN)}) {
       const SamplingLobe lobe =
           estimateSamplingLobe(test::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }));
-      QVERIFY(lobe.roughness >= 1e-3 && lobe.roughness <= 1 && lobe.specularShare >= 0 && lobe.specularShare <= 0.95);
+      QVERIFY(lobe.roughness >= 1e-3 && lobe.roughness <= 1 && lobe.specularFraction >= 0 &&
+              lobe.specularFraction <= 0.95);
     }
   }
 };

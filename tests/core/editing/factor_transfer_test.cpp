@@ -35,7 +35,7 @@ PdvFactors gaussian(double strength, double width, int deviations = 90) {
 
 FactorEdit::Curves shared(const PdvFactors& factors) { return std::make_shared<const PdvFactors>(factors); }
 
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
+double maxDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) difference = std::max(difference, std::abs(a[i] - b[i]));
   return difference;
@@ -59,7 +59,7 @@ class FactorTransferTest : public QObject {
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t term = 0; term < 2; ++term) {
         const auto &a = other.edited->channels[c][term], &b = target.channels[c][term];
-        QVERIFY(largestDifference(a.f1, b.f1) + largestDifference(a.f2, b.f2) + largestDifference(a.f3, b.f3) < 1e-12);
+        QVERIFY(maxDifference(a.f1, b.f1) + maxDifference(a.f2, b.f2) + maxDifference(a.f3, b.f3) < 1e-12);
       }
   }
 
@@ -74,7 +74,7 @@ class FactorTransferTest : public QObject {
       for (std::size_t term = 0; term < 2; ++term) {
         const auto& own = target.channels[c][term].f1;
         const auto expected = factorization::tilted(target.thetaNodes, factorization::scaled(own, 2), 0.5);
-        QVERIFY(largestDifference(other.edited->channels[c][term].f1, expected) < 1e-9);
+        QVERIFY(maxDifference(other.edited->channels[c][term].f1, expected) < 1e-9);
       }
     QVERIFY(other.edited->highest >= 20);
   }
@@ -85,8 +85,8 @@ class FactorTransferTest : public QObject {
     const PdvFactors expected = gaussian(3, 0.5 * 1.5, 70);
     const FactorEdit other = transferredEdit(edit, shared(target));
     for (std::size_t term = 0; term < 2; ++term)
-      QVERIFY(largestDifference(other.edited->channels[1][term].f2, expected.channels[1][term].f2) < 0.01);
-    QVERIFY(largestDifference(other.edited->channels[1][0].f1, target.channels[1][0].f1) < 1e-9);
+      QVERIFY(maxDifference(other.edited->channels[1][term].f2, expected.channels[1][term].f2) < 0.01);
+    QVERIFY(maxDifference(other.edited->channels[1][0].f1, target.channels[1][0].f1) < 1e-9);
   }
 
   /// A halo drawn at 2.5 widths appears at 2.5 widths, as high; only in the first term.
@@ -100,9 +100,9 @@ class FactorTransferTest : public QObject {
     const FactorEdit other = transferredEdit({.original = shared(source), .edited = shared(edited)}, shared(target));
     std::vector<double> expected = target.channels[2][0].f2;
     for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += halo(target.deviationNodes[i], 0.5);
-    QVERIFY(largestDifference(other.edited->channels[2][0].f2, expected) < 0.02);
-    QVERIFY(largestDifference(other.edited->channels[2][1].f2, target.channels[2][1].f2) < 1e-12);
-    QVERIFY(largestDifference(other.edited->channels[1][0].f2, target.channels[1][0].f2) < 1e-12);
+    QVERIFY(maxDifference(other.edited->channels[2][0].f2, expected) < 0.02);
+    QVERIFY(maxDifference(other.edited->channels[2][1].f2, target.channels[2][1].f2) < 1e-12);
+    QVERIFY(maxDifference(other.edited->channels[1][0].f2, target.channels[1][0].f2) < 1e-12);
   }
 
   void termsThatTheEditDroppedAreDropped() {
@@ -118,7 +118,7 @@ class FactorTransferTest : public QObject {
       for (auto& term : one->channels[0]) term.f1.assign(term.f1.size(), 0), term.f2.assign(term.f2.size(), 0);
     edited.channels[0][0].f1.assign(edited.channels[0][0].f1.size(), 0.5);
     const FactorEdit other = transferredEdit({.original = shared(black), .edited = shared(edited)}, shared(target));
-    QVERIFY(largestDifference(other.edited->channels[0][0].f1, target.channels[0][0].f1) == 0);
+    QVERIFY(maxDifference(other.edited->channels[0][0].f1, target.channels[0][0].f1) == 0);
     for (const auto& channel : other.edited->channels)
       for (const auto& term : channel)
         for (const auto* curve : {&term.f1, &term.f2, &term.f3})

@@ -45,7 +45,7 @@ class ExportTargetTest : public QObject {
   void everyTargetExports() {
     const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05)};
     for (const exports::ExportTarget& target : exports::exportTargets()) {
-      const exports::MadeExport made = exports::makeExport(target, source, small());
+      const exports::ExportResult made = exports::makeExport(target, source, small());
       QVERIFY2(made.snr > 20, target.id.data());
       QCOMPARE(made.parts.size(), target.suffixes.size());
       for (std::size_t i = 0; i < made.parts.size(); ++i) QCOMPARE(made.parts[i].suffix, target.suffixes[i]);
@@ -74,7 +74,7 @@ class ExportTargetTest : public QObject {
 
   void energyAboveOneIsAWarning() {
     const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(1.2), Rgb(0), 0.4, 0.05)};
-    const exports::MadeExport made = exports::makeExport(*exports::findExportTarget("blender"), source, small());
+    const exports::ExportResult made = exports::makeExport(*exports::findExportTarget("blender"), source, small());
     QCOMPARE(made.warnings.size(), std::size_t(1));
     QVERIFY(made.warnings.front().find("more light than it receives") != std::string::npos);
   }

@@ -41,7 +41,7 @@ PdvFactors blend(const PdvFactors& a, const PdvFactors& b, double t) {
   return blended(ends, weights);
 }
 
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
+double maxDifference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = a.size() == b.size() ? 0 : 1e300;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
@@ -75,8 +75,8 @@ class PdvBlendTest : public QObject {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const PdvTerm &term = c.channels[channel][0], &ta = a.channels[channel][0];
       for (std::size_t i = 0; i < term.f1.size(); ++i) QVERIFY(std::abs(term.f1[i] - 0.75 * ta.f1[i]) < 1e-15);
-      QVERIFY(largestDifference(term.f2, ta.f2) < 1e-9);
-      QVERIFY(largestDifference(term.f3, ta.f3) < 1e-15);
+      QVERIFY(maxDifference(term.f2, ta.f2) < 1e-9);
+      QVERIFY(maxDifference(term.f3, ta.f3) < 1e-15);
     }
   }
 
@@ -115,7 +115,7 @@ class PdvBlendTest : public QObject {
     const PdvFactors c = blend(a, half, 0.5);
     for (std::size_t i = 0; i < c.thetaNodes.size(); ++i)
       QVERIFY(std::abs(c.channels[0][0].f1[i] - 0.75 * a.channels[0][0].f1[i]) < 1e-12);
-    QVERIFY(largestDifference(c.channels[0][0].f2, a.channels[0][0].f2) < 1e-9);
+    QVERIFY(maxDifference(c.channels[0][0].f2, a.channels[0][0].f2) < 1e-9);
   }
 
   /// Terms that cancel one another in each material, but not with the other's curves: nothing shoots up in between.
@@ -146,7 +146,7 @@ class PdvBlendTest : public QObject {
     QCOMPARE(c.terms(), maxPdvTerms);
     for (std::size_t l = 1; l < 20; ++l) {
       const PdvFactors& end = l % 2 == 1 ? a : b;
-      QVERIFY(largestDifference(c.channels[0][l].f1, scaled(end.channels[0][(l + 1) / 2].f1, 0.5)) < 1e-15);
+      QVERIFY(maxDifference(c.channels[0][l].f1, scaled(end.channels[0][(l + 1) / 2].f1, 0.5)) < 1e-15);
     }
   }
 
@@ -160,7 +160,7 @@ class PdvBlendTest : public QObject {
   void nodesThatDiffer() {
     const PdvFactors a = factors(1, 2), b = factors(1, 2, 41), c = blend(a, b, 0.5);
     QVERIFY(c.deviationNodes == a.deviationNodes);
-    QVERIFY(largestDifference(c.channels[0][0].f2, a.channels[0][0].f2) < 1e-9);
+    QVERIFY(maxDifference(c.channels[0][0].f2, a.channels[0][0].f2) < 1e-9);
   }
 
   void hardCase31MixedFormsAreRefused() {

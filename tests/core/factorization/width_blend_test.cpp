@@ -30,7 +30,7 @@ Curve blend(const Curve& nodes, const std::vector<Curve>& curves, const Curve& w
   return blendedByWidth(nodes, curves, weights);
 }
 
-double largestDifference(const Curve& a, const Curve& b) {
+double maxDifference(const Curve& a, const Curve& b) {
   double largest = a.size() == b.size() ? 0 : 1e300;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
@@ -46,10 +46,10 @@ class WidthBlendTest : public QObject {
     const auto wide = [&](double width) { return sampled(nodes, [&](double x) { return bell(x / width); }); };
     for (const double t : {0.1, 0.5, 0.8}) {
       const double between = std::pow(0.05, 1 - t) * std::pow(0.4, t);
-      QVERIFY(largestDifference(blend(nodes, {wide(0.05), wide(0.4)}, {1 - t, t}), wide(between)) < 0.01);
+      QVERIFY(maxDifference(blend(nodes, {wide(0.05), wide(0.4)}, {1 - t, t}), wide(between)) < 0.01);
     }
     const double between = std::pow(0.05, 0.2) * std::pow(0.4, 0.5) * std::pow(0.1, 0.3);
-    QVERIFY(largestDifference(blend(nodes, {wide(0.05), wide(0.4), wide(0.1)}, {0.2, 0.5, 0.3}), wide(between)) < 0.01);
+    QVERIFY(maxDifference(blend(nodes, {wide(0.05), wide(0.4), wide(0.1)}, {0.2, 0.5, 0.3}), wide(between)) < 0.01);
   }
 
   /// Also where they rise again, and where they stay at a level.
@@ -60,15 +60,15 @@ class WidthBlendTest : public QObject {
                                                             [](double) { return 1.0; }};
     for (const auto& curve : curves) {
       const Curve values = sampled(nodes, curve);
-      QVERIFY(largestDifference(blend(nodes, {values, values}, {0.3, 0.7}), values) < 1e-9);
-      QVERIFY(largestDifference(blend(nodes, {values, sampled(nodes, bell)}, {1, 0}), values) < 1e-9);
+      QVERIFY(maxDifference(blend(nodes, {values, values}, {0.3, 0.7}), values) < 1e-9);
+      QVERIFY(maxDifference(blend(nodes, {values, sampled(nodes, bell)}, {1, 0}), values) < 1e-9);
     }
   }
 
   /// Curves of 0 do not count; where all are, so is the blend.
   void hardCase12BlackCurves() {
     const Curve nodes = someNodes(50), values = sampled(nodes, bell), black(50, 0.0);
-    QVERIFY(largestDifference(blend(nodes, {black, values}, {0.7, 0.3}), values) < 1e-9);
+    QVERIFY(maxDifference(blend(nodes, {black, values}, {0.7, 0.3}), values) < 1e-9);
     QVERIFY(blend(nodes, {black, black}, {0.7, 0.3}) == black);
   }
 

@@ -42,7 +42,7 @@ class ProjectedProblemTest : public QObject {
     for (const models::Model* model : models::allModels())
       for (const models::ParameterSpec& spec : model->spec().parameters) {
         const UnitScale scale(spec);
-        QVERIFY(scale.lowest() <= scale.highest());
+        QVERIFY(scale.minimum() <= scale.maximum());
         for (const double unit : {0.0, 0.25, 1.0}) {
           const double value = scale.toValue(unit);
           QVERIFY(value >= spec.hardMin && value <= spec.hardMax);

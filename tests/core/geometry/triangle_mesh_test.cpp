@@ -60,7 +60,7 @@ MeshArrays grid(int count) {
   return arrays;
 }
 
-double largestNormalError(const TriangleMesh& mesh, const std::function<Direction(const Direction&)>& expected) {
+double maxNormalError(const TriangleMesh& mesh, const std::function<Direction(const Direction&)>& expected) {
   double worst = 0;
   for (std::size_t i = 0; i < mesh.triangles().size(); ++i)
     for (int corner = 0; corner < 3; ++corner) {
@@ -89,7 +89,7 @@ class TriangleMeshTest : public QObject {
   /// quadrangles it is radial but for what one quadrangle's asymmetry leaves.
   void aSphereIsSmooth() {
     const TriangleMesh mesh = sphereMesh(2, 40, 80);
-    QVERIFY(largestNormalError(mesh, [](const Direction& p) { return glm::normalize(p); }) < 5e-3);
+    QVERIFY(maxNormalError(mesh, [](const Direction& p) { return glm::normalize(p); }) < 5e-3);
   }
 
   void splitVerticesAreWelded() {
@@ -258,12 +258,12 @@ class TriangleMeshTest : public QObject {
     const TriangleMesh sphere = sphereMesh(1, 60, 120);
     const auto gradient = [&](const Direction& p) { return glm::normalize((p - centre) / (axes * axes)); };
     const TriangleMesh ellipsoid = transformed(sphere, matrix);
-    QVERIFY(largestNormalError(ellipsoid, gradient) < 5e-3);
+    QVERIFY(maxNormalError(ellipsoid, gradient) < 5e-3);
     QVERIFY(ellipsoid.isConvex() && std::abs(ellipsoid.volume() / sphere.volume() - 1) < 1e-6);
     QVERIFY(glm::length(ellipsoid.boundingSphere().centre - centre) < 1e-5);
     matrix[0] *= -1.0;
     const TriangleMesh mirrored = transformed(sphere, matrix);
-    QVERIFY(largestNormalError(mirrored, gradient) < 5e-3);
+    QVERIFY(maxNormalError(mirrored, gradient) < 5e-3);
     QVERIFY(mirrored.volume() > 0);
     QVERIFY(glm::length(glm::dvec3(placement(2, halfPi, {5, 6, 7}) * glm::dvec4(0, 0, 1, 1)) - glm::dvec3(7, 6, 7)) <
             1e-12);

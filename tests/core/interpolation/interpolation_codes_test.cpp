@@ -27,7 +27,7 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
       const auto code = between->code(weights_).value();
       QVERIFY(code.transform == transform);
       const Table table = between->table(weights_);
-      QCOMPARE(largestDifference(*dictionary::decode(*all.ensemble, code), *table), 0.0);
+      QCOMPARE(maxDifference(*dictionary::decode(*all.ensemble, code), *table), 0.0);
       // Where the sums of no material are cut at its largest value.
       const dictionary::SparseCode ends[] = {between->code(std::vector{1.0, 0.0, 0.0}).value(),
                                              between->code(std::vector{0.0, 1.0, 0.0}).value(),

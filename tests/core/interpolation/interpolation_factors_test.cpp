@@ -24,7 +24,7 @@ class InterpolationFactorsTest : public QObject, private ThreeMaterials {
     const auto brdf = factorization::makePdvBrdf(blend);
     const Direction wi = fromSpherical(0.4, 0.1), wo = fromSpherical(0.7, 2);
     QCOMPARE(between->brdf(weights_)->evaluate(wi, wo), brdf->evaluate(wi, wo));
-    QCOMPARE(largestDifference(*between->table(weights_), *bakeTable(*brdf, smallGrid)), 0.0);
+    QCOMPARE(maxDifference(*between->table(weights_), *bakeTable(*brdf, smallGrid)), 0.0);
     // All lie on the nodes of the set.
     std::vector<factorization::PdvFactors> each;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -107,7 +107,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
       QCOMPARE(table->valid()[cell] != 0, valid);
       if (valid) QVERIFY(glm::length(Rgb(table->values()[cell]) - expected) <= 1e-6 * glm::length(expected));
     }
-    QVERIFY(largestDifference(*mixed(between->mixture().value(), weights_), *table) < 1e-6);
+    QVERIFY(maxDifference(*mixed(between->mixture().value(), weights_), *table) < 1e-6);
     const Direction wi = fromSpherical(0.4, 0.1), wo = fromSpherical(0.7, 2);
     Rgb expected(0);
     for (std::size_t i = 0; i < 3; ++i) expected += weights_[i] * tables_[i]->evaluate(wi, wo);
@@ -130,7 +130,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
           bakeEdits(std::make_shared<const TabulatedBrdf>(one.grid, one.values, one.valid), EditList{{moves[i]}});
       one.values.assign(moved->values().begin(), moved->values().end());
     }
-    QVERIFY(largestDifference(*mixed(mixture, weights_), *between->table(weights_), false) < 1e-6);
+    QVERIFY(maxDifference(*mixed(mixture, weights_), *between->table(weights_), false) < 1e-6);
   }
 
   /// Clean tables of a model: the truth in between is the model at the parameters in between.
@@ -141,13 +141,13 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     const std::vector<double> half{0.5, 0.5};
     for (const auto space : {InterpolationSpace::parameters, InterpolationSpace::differential}) {
       const auto between = prepareInterpolation(space, endsOf(clean));
-      QVERIFY(largestDifference(*between->table(half), *truth) < 0.02);
+      QVERIFY(maxDifference(*between->table(half), *truth) < 0.02);
       const std::size_t roughness = *models::ggx().spec().find("roughness");
       QVERIFY(std::abs(between->parameters(half)->values[roughness].x - 0.3) < 0.005);
     }
     // The mixture of the two is far from it.
     const auto linear = prepareInterpolation(InterpolationSpace::linear, endsOf(clean));
-    QVERIFY(largestDifference(*linear->table(half), *truth) > 0.3);
+    QVERIFY(maxDifference(*linear->table(half), *truth) > 0.3);
   }
 
   void parametersAreThoseOfTheFits() {
@@ -206,9 +206,9 @@ class InterpolationTest : public QObject, private ThreeMaterials {
       // Of the same values as the BRDF: exactly where that is evaluated at the nodes, nearly where tables are
       // resampled.
       if (space == InterpolationSpace::linear || space == InterpolationSpace::differential)
-        QVERIFY(largestDifference(*onNodesOf(*between->brdf(half), *table), *table) < 0.3);
+        QVERIFY(maxDifference(*onNodesOf(*between->brdf(half), *table), *table) < 0.3);
       else
-        QCOMPARE(largestDifference(*bakeTable(*between->brdf(half), otherGrid), *table), 0.0);
+        QCOMPARE(maxDifference(*bakeTable(*between->brdf(half), otherGrid), *table), 0.0);
     }
   }
 

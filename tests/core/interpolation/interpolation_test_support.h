@@ -55,7 +55,7 @@ class ThreeMaterials {
 };
 
 /// Largest |a - b| / (1 + b) over cells valid in both, which must be all that are valid in either when `sameCells`.
-inline double largestDifference(const TabulatedBrdf& a, const TabulatedBrdf& b, bool sameCells = true) {
+inline double maxDifference(const TabulatedBrdf& a, const TabulatedBrdf& b, bool sameCells = true) {
   double largest = a.grid() == b.grid() ? 0 : 1e300;
   for (std::size_t cell = 0; cell < b.values().size(); ++cell) {
     if (sameCells && a.valid()[cell] != b.valid()[cell]) return 1e300;

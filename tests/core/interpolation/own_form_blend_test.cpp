@@ -44,13 +44,13 @@ std::optional<OwnFormBlend> blendOf(const std::vector<InterpolationEnd>& ends, c
 }
 
 /// The largest |a - b| / (1 + |b|) over directions between the nodes too.
-double largestDifference(const Brdf& a, const Brdf& b, double largestTheta) {
+double maxDifference(const Brdf& a, const Brdf& b, double maxTheta) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   double largest = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Direction wi = fromSpherical(largestTheta * uniform(random), 2 * pi * uniform(random)),
-                    wo = fromSpherical(largestTheta * uniform(random), 2 * pi * uniform(random));
+    const Direction wi = fromSpherical(maxTheta * uniform(random), 2 * pi * uniform(random)),
+                    wo = fromSpherical(maxTheta * uniform(random), 2 * pi * uniform(random));
     const Rgb x = a.evaluate(wi, wo), y = b.evaluate(wi, wo);
     for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(x[c] - y[c]) / (1 + std::abs(y[c])));
   }
@@ -66,7 +66,7 @@ class OwnFormBlendTest : public QObject {
     const std::vector<double> weights{0.3, 0.7};
     const auto blend = blendOf(ownForms(files), weights);
     QVERIFY(blend && dynamic_cast<const UtiaBrdf*>(blend->brdf.get()));
-    QVERIFY(largestDifference(*blend->brdf, *weightedSum(files, weights), radians(75)) < 1e-6);
+    QVERIFY(maxDifference(*blend->brdf, *weightedSum(files, weights), radians(75)) < 1e-6);
   }
 
   /// Of files with equal nodes too, negative colours and all, but where a node's light lies below the horizon: it
@@ -81,7 +81,7 @@ class OwnFormBlendTest : public QObject {
     const auto blend = blendOf(ownForms(files), weights);
     QVERIFY(blend && blend->brdf->asRgl());
     QVERIFY2(blend->accuracy > 45, qPrintable(QString::number(blend->accuracy)));
-    const double difference = largestDifference(*blend->brdf, *weightedSum(files, weights), radians(50));
+    const double difference = maxDifference(*blend->brdf, *weightedSum(files, weights), radians(50));
     QVERIFY2(difference < 1e-3, qPrintable(QString::number(difference)));
   }
 
@@ -95,7 +95,7 @@ class OwnFormBlendTest : public QObject {
     const auto nodes = first->nodes == 0 ? wide : narrow;
     QCOMPARE(first->brdf->asRgl()->tables()->data.rgb.width, nodes->asRgl()->tables()->data.rgb.width);
     QVERIFY2(first->accuracy > 35, qPrintable(QString::number(first->accuracy)));
-    QVERIFY(largestDifference(*first->brdf, *second->brdf, radians(85)) < 1e-6);
+    QVERIFY(maxDifference(*first->brdf, *second->brdf, radians(85)) < 1e-6);
   }
 
   void aWholeWeightIsTheFile() {

@@ -40,10 +40,10 @@ QByteArray described(const test::SamplingCheck& check) {
          ", p " + QByteArray::number(check.pValue) + ", 2 % wider " + QByteArray::number(check.widerPValue);
 }
 
-void verify(const RglBrdf& brdf, double theta, double phi, double mostLost, int draws) {
+void verify(const RglBrdf& brdf, double theta, double phi, double maxLost, int draws) {
   const auto check = test::checkSampling(brdf, fromSpherical(theta, phi), draws, tolerance);
   QVERIFY2(check.valid, described(check));
-  QVERIFY2(check.lost < mostLost, described(check));
+  QVERIFY2(check.lost < maxLost, described(check));
   QVERIFY2(std::abs(check.integral + check.lost - 1) < 3e-3, described(check));
   QVERIFY2(check.pValue > 1e-4, described(check));
   if (draws == million) QVERIFY2(check.widerPValue < 1e-9, described(check));

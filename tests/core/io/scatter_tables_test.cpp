@@ -51,7 +51,7 @@ const ScatterAngles small{{0, 30}, {0, 90, 180}, {0, 10}};
 const ScatterAngles smallAboutNormal{{10}, {0, 90, 180, 270}, {0, 60}};
 
 /// The largest difference at directions between nodes.
-double largestDifference(const Brdf& brdf) {
+double maxDifference(const Brdf& brdf) {
   double largest = 0;
   for (const auto& [wi, wo] : scatteredPairs(3000))
     if (brdf.hasData({wi, wo})) largest = std::max(largest, std::abs(brdf.evaluate(wi, wo).y - isotropic(wi, wo).y));
@@ -66,7 +66,7 @@ class ScatterTablesTest : public QObject {
     io::expectZemax(io::MemorySource(bytes));
     QVERIFY_EXCEPTION_THROWN(io::expectLightTools(io::MemorySource(bytes)), io::FormatMismatch);
     const io::IncidenceFile file = io::readZemax(io::MemorySource(bytes));
-    const double difference = largestDifference(*file.brdf);
+    const double difference = maxDifference(*file.brdf);
     QVERIFY2(difference < 0.01, std::to_string(difference).c_str());
     // At nodes: 20 degrees of incidence, 30 about the mirror direction, toward the normal.
     const Direction wi = fromSpherical(radians(20), 1);
@@ -79,7 +79,7 @@ class ScatterTablesTest : public QObject {
     const Bytes bytes = lightToolsFile(isotropic, fineAboutNormal);
     io::expectLightTools(io::MemorySource(bytes));
     QVERIFY_EXCEPTION_THROWN(io::expectZemax(io::MemorySource(bytes)), io::FormatMismatch);
-    const double difference = largestDifference(*io::readLightTools(io::MemorySource(bytes)).brdf);
+    const double difference = maxDifference(*io::readLightTools(io::MemorySource(bytes)).brdf);
     QVERIFY2(difference < 0.02, std::to_string(difference).c_str());
   }
 
@@ -90,7 +90,7 @@ class ScatterTablesTest : public QObject {
       half.azimuths = steps(first, 5, 37);
       const std::string text = textOf(lightToolsFile(isotropic, half));
       const double difference =
-          largestDifference(*lightTools(replaced(text, "Symmetry Asymmetric", "Symmetry PlaneSymmetrical")).brdf);
+          maxDifference(*lightTools(replaced(text, "Symmetry Asymmetric", "Symmetry PlaneSymmetrical")).brdf);
       QVERIFY2(difference < 0.02, std::to_string(difference).c_str());
     }
   }

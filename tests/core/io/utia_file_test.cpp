@@ -152,7 +152,7 @@ class UtiaFileTest : public QObject {
     }
     const auto path = outputPath("io/small.exr");
     io::writeExr(Image(288, 287), path);
-    QVERIFY(contains(sniffError(readFile(path)), "found an EXR picture of 288 x 287 pixels"));
+    QVERIFY(contains(sniffError(readFile(path)), "found an EXR image of 288 x 287 pixels"));
     Bytes half(picture.begin(), picture.begin() + std::ptrdiff_t(picture.size() / 2));
     QVERIFY(contains(sniffError(half), "cannot be read"));
   }

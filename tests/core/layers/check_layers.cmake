@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# cmake -DROOT=FOLDER -DCORE_ROOMS=A,B,.. -DWIDGET_ROOMS=.. -DAPP_ROOMS=.. -P check_layers.cmake: fails where a layer
-# includes from a layer above it, or a room from a room behind it in its layer's list. Lists every offence.
+# cmake -DROOT=FOLDER -DCORE_MODULES=A,B,.. -DWIDGET_MODULES=.. -DAPP_MODULES=.. -P check_layers.cmake: fails where a layer
+# includes from a layer above it, or a module from a module behind it in its layer's list. Lists every offence.
 cmake_minimum_required(VERSION 3.22)
 
 set(qt "[<\"](Q[A-Z][A-Za-z0-9]*|Qt[A-Z][A-Za-z0-9]*/.*)(\\.h)?[>\"]")
@@ -21,14 +21,14 @@ function(must_not_include folder what regex)
   message(STATUS "${folder}: ${count} files checked for ${what}")
 endfunction()
 
-# check_rooms(LAYER ROOMS): a room may hold rooms of its own (preview and preview/gl), each a line of the list.
-function(check_rooms layer rooms)
-  string(REPLACE "," ";" rooms "${rooms}")
-  while(rooms)
-    list(POP_FRONT rooms room)
-    if(rooms)
-      list(JOIN rooms "|" above)
-      must_not_include(${layer}/${room} "a room above it" "[<\"]${layer}/(${above})/[^/]*[>\"]")
+# check_modules(LAYER MODULES): a module may hold modules of its own (preview and preview/gl), each a line of the list.
+function(check_modules layer modules)
+  string(REPLACE "," ";" modules "${modules}")
+  while(modules)
+    list(POP_FRONT modules module)
+    if(modules)
+      list(JOIN modules "|" above)
+      must_not_include(${layer}/${module} "a module above it" "[<\"]${layer}/(${above})/[^/]*[>\"]")
     endif()
   endwhile()
 endfunction()
@@ -38,9 +38,9 @@ must_not_include(core OpenGL "${opengl}")
 must_not_include(core "the layers above it" "[<\"](widgets|app|tests)/")
 must_not_include(widgets "the layers above it" "[<\"](app|tests)/")
 must_not_include(python "other layers than core" "[<\"](widgets|app|tests)/")
-check_rooms(core "${CORE_ROOMS}")
-check_rooms(widgets "${WIDGET_ROOMS}")
-check_rooms(app/gonio "${APP_ROOMS}")
+check_modules(core "${CORE_MODULES}")
+check_modules(widgets "${WIDGET_MODULES}")
+check_modules(app/gonio "${APP_MODULES}")
 # Menus and panels get what they use: the window composes them, and none of them knows it.
 must_not_include(app/gonio "the window" "\"app/gonio/window/main_window.h\"" ${ROOT}/app/gonio/main.cpp
                  ${ROOT}/app/gonio/window/main_window.cpp)

@@ -146,7 +146,7 @@ class PlotCurvesTest : public QObject {
   void spacingOfTheSliceIsUndone() {
     for (const auto spacing : {ThetaHSpacing::linear, ThetaHSpacing::squareRoot})
       for (const double fraction : {0.0, 0.1, 0.7, 1.0})
-        QVERIFY(std::abs(thetaHShare(spacing, thetaHAt(spacing, fraction)) - fraction) < tolerance);
+        QVERIFY(std::abs(thetaHFraction(spacing, thetaHAt(spacing, fraction)) - fraction) < tolerance);
     QCOMPARE(thetaHAt(ThetaHSpacing::squareRoot, 0.5), halfPi / 4);
   }
 

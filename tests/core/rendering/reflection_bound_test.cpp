@@ -18,7 +18,7 @@ using namespace gonio;
 
 ReflectionBound boundOf(std::shared_ptr<const Brdf> brdf) { return RenderMaterial(std::move(brdf)).bound(); }
 
-double largestAlbedo(const Brdf& brdf) {
+double maxAlbedo(const Brdf& brdf) {
   double albedo = 0;
   for (const double theta : {0, 45, 70, 80, 85, 89})
     albedo = std::max(albedo, maxChannel(directionalAlbedo(brdf, radians(theta))));
@@ -57,16 +57,16 @@ class ReflectionBoundTest : public QObject {
         QVERIFY(bound.at(fraction) >= 0.7 * fraction * (1 - 1e-12));
         QVERIFY(bound.at(fraction) <= 0.7 * fraction * (1 + 1e-9));
       }
-      QVERIFY(std::abs(bound.largestAlbedo() - 0.7) < 1e-9);
+      QVERIFY(std::abs(bound.maxAlbedo() - 0.7) < 1e-9);
     }
   }
 
   /// All that a mirror reflects may come from a speck.
   void mirrorsRiseAtOnce() {
     const ReflectionBound bound = boundOf(test::ggx(Rgb(0), Rgb(1), 0.005, 0.9));
-    QVERIFY(bound.largestAlbedo() > 0.85);
-    QVERIFY(bound.at(1e-3) > 0.8 * bound.largestAlbedo());
-    QVERIFY(bound.at(1e-4) > 0.5 * bound.largestAlbedo());
+    QVERIFY(bound.maxAlbedo() > 0.85);
+    QVERIFY(bound.at(1e-3) > 0.8 * bound.maxAlbedo());
+    QVERIFY(bound.at(1e-4) > 0.5 * bound.maxAlbedo());
     QCOMPARE(bound.at(0), 0.0);
   }
 
@@ -93,8 +93,8 @@ class ReflectionBoundTest : public QObject {
   void albedosOfModelsAgreeWithQuadrature() {
     for (const models::Model* model : models::allModels()) {
       const auto brdf = model->instantiate(models::defaultParameters(model->spec()));
-      const double expected = largestAlbedo(*brdf);
-      const double found = boundOf(model->instantiate(models::defaultParameters(model->spec()))).largestAlbedo();
+      const double expected = maxAlbedo(*brdf);
+      const double found = boundOf(model->instantiate(models::defaultParameters(model->spec()))).maxAlbedo();
       QVERIFY2(found > 0.93 * expected && found < 1.2 * expected,
                qPrintable(QString("%1: %2, expected %3").arg(model->spec().id.data()).arg(found).arg(expected)));
     }
@@ -125,9 +125,8 @@ class ReflectionBoundTest : public QObject {
   void wardDuerGains() {
     const models::Model& model = models::findModel("ward-duer");
     const auto brdf = model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}));
-    QVERIFY(largestAlbedo(*brdf) > 1.2);
-    QVERIFY(boundOf(model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}))).largestAlbedo() >
-            1.2);
+    QVERIFY(maxAlbedo(*brdf) > 1.2);
+    QVERIFY(boundOf(model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}))).maxAlbedo() > 1.2);
   }
 
   /// A material that reflects along one azimuth alone is not taken for black or dim by the azimuth that is looked at.
@@ -137,7 +136,7 @@ class ReflectionBoundTest : public QObject {
         return Rgb(wi.z > 0 && std::abs(std::remainder(degrees(azimuth(wo)) - turn, 180)) < 22 ? 0.9 / pi : 0);
       };
       const ReflectionBound bound = boundOf(std::make_shared<const test::FunctionBrdf>(reflects, false));
-      QVERIFY(std::abs(bound.largestAlbedo() - 0.9) < 0.1);
+      QVERIFY(std::abs(bound.maxAlbedo() - 0.9) < 0.1);
     }
   }
 };

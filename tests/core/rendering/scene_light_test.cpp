@@ -167,7 +167,7 @@ class SceneLightTest : public QObject {
     int close = 0;
     for (int n = 0; n < 100; ++n) {
       const SceneObject receiver = object(randomShape(known, random)), other = object(randomShape(known, random));
-      const double bound = largestFormFactor(receiver, other);
+      const double bound = maxFormFactor(receiver, other);
       QVERIFY(bound > 0 && bound <= 1);
       for (int k = 0; k < 5; ++k) {
         const SurfacePoint point = randomSurfacePoint(receiver.shape, random);
@@ -185,8 +185,8 @@ class SceneLightTest : public QObject {
     }
     QVERIFY(close > 20);
     const SceneObject a = object(Sphere{{0, 0, 0}, 1}), b = object(Sphere{{5, 0, 0}, 2});
-    QCOMPARE(largestFormFactor(a, b), 0.25);
-    QCOMPARE(largestFormFactor(a, a), 1.0);
+    QCOMPARE(maxFormFactor(a, b), 0.25);
+    QCOMPARE(maxFormFactor(a, a), 1.0);
   }
 
   void sourcesInTheirOrder() {

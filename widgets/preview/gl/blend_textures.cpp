@@ -62,8 +62,8 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
     if (blend.own != uploadedOwn_ || !own_) own_ = resources.base(blend.own);
     uploadedOwn_ = blend.own;
     own_->bind(gl, program);
-    weights[blend.ownIndex] -= float(blend.ownShare);
-    program.setUniformValue("blendOwnShare", float(blend.ownShare));
+    weights[blend.ownIndex] -= float(blend.ownFraction);
+    program.setUniformValue("blendOwnShare", float(blend.ownFraction));
     program.setUniformValue("blendOwnIndex", int(blend.ownIndex));
   }
   program.setUniformValueArray("blendTables", units.data(), count);

@@ -9,7 +9,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double rangeQuantile = 0.995, smallestRange = 1e-3;
+constexpr double rangeQuantile = 0.995, minRange = 1e-3;
 
 struct PreviewComparisonText {
   Q_DECLARE_TR_FUNCTIONS(PreviewComparison)
@@ -28,17 +28,17 @@ std::vector<double> pictureDifferences(const Image& first, const Image& second, 
     else if (kind == DifferenceKind::absolute)
       differences.push_back(std::abs(difference));
     else
-      differences.push_back(std::abs(difference) / std::max(l2, smallestRelativeLuminance));
+      differences.push_back(std::abs(difference) / std::max(l2, minRelativeLuminance));
   }
   return differences;
 }
 
 double automaticRange(std::vector<double> differences) {
-  if (differences.empty()) return smallestRange;
+  if (differences.empty()) return minRange;
   for (double& difference : differences) difference = std::abs(difference);
   const auto at = differences.begin() + std::ptrdiff_t(rangeQuantile * double(differences.size() - 1));
   std::nth_element(differences.begin(), at, differences.end());
-  if (!(*at > smallestRange)) return smallestRange;
+  if (!(*at > minRange)) return minRange;
   const double power = std::pow(10, std::floor(std::log10(*at)));
   for (const double step : {1.0, 2.0, 5.0})
     if (*at <= step * power * (1 + 1e-9)) return step * power;

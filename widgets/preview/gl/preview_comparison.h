@@ -33,7 +33,7 @@ enum class DifferenceKind {
   relative      ///< |L1 - L2| / L2, as a ratio
 };
 /// Minimum denominator of a relative difference, since a relative error of black is undefined.
-inline constexpr double smallestRelativeLuminance = 1e-3;
+inline constexpr double minRelativeLuminance = 1e-3;
 
 struct PreviewComparison {
   CompareMode mode = CompareMode::off;

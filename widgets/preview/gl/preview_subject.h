@@ -35,11 +35,11 @@ struct PreviewBlend {
   std::vector<editing::DifferentialEdit> moves = {};  ///< one edit per material, applied before mixing, all to one
                                                       ///< target; or empty
   /// The material of the largest weight in its native form (an RGL or UTIA file without edits), which replaces the
-  /// table for `ownShare` of the weight: the difference to the second largest weight. So the transition to another
+  /// table for `ownFraction` of the weight: the difference to the second largest weight. So the transition to another
   /// material is continuous, and at weight 1 the table is not used.
   std::shared_ptr<const Brdf> own = {};
   std::size_t ownIndex = 0;
-  double ownShare = 0;
+  double ownFraction = 0;
 };
 
 /// The content of a picture; empty by default.

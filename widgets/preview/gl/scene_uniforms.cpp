@@ -38,7 +38,7 @@ bool SceneUniforms::canDraw(const Scene& scene) {
   std::size_t triangles = 0;
   for (const SceneObject& object : scene.objects)
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) triangles += (*mesh)->mesh().triangles().size();
-  return !scene.objects.empty() && scene.objects.size() <= mostObjects && scene.directionalLights.size() <= maxLights &&
+  return !scene.objects.empty() && scene.objects.size() <= maxObjects && scene.directionalLights.size() <= maxLights &&
          scene.pointLights.size() <= maxLights && triangles <= MeshTexture::maxTriangles;
 }
 

@@ -14,7 +14,7 @@ class SceneUniforms {
  public:
   /// Maximum number of reflections in the shader, limited by compile and frame time.
   static constexpr int maxReflections = 8;
-  static constexpr std::size_t mostObjects = 24, maxLights = 8;
+  static constexpr std::size_t maxObjects = 24, maxLights = 8;
 
   /// Whether the shader can draw the scene; larger ones are traced on the CPU.
   static bool canDraw(const Scene& scene);

@@ -75,7 +75,7 @@ void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgr
   double cosineShare = lobe ? TabulatedLobe::cosineShare : 1;
   GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
   if (lobe && lobe->round()) {
-    cosineShare = 1 - lobe->round()->specularShare;
+    cosineShare = 1 - lobe->round()->specularFraction;
     grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .fraction = 1};
   }
   program.setUniformValue("lobeCosineShare", float(cosineShare));

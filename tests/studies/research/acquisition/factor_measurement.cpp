@@ -17,8 +17,8 @@ namespace gonio::acquisition {
 
 namespace {
 
-constexpr double smallestScale = 1e-12, headroom = 2;
-const double largestAngle = radians(89);
+constexpr double minScale = 1e-12, headroom = 2;
+const double maxAngle = radians(89);
 
 struct Place {
   double angle, distance;
@@ -56,8 +56,7 @@ std::optional<DirectionPair> armsAt(FactorAxes axes, const Place& at) {
   } else {
     pair = fromHalfDifference(at.distance, at.angle, 0);
   }
-  if (pair.wi.z < std::cos(largestAngle) * (1 - 1e-9) || pair.wo.z < std::cos(largestAngle) * (1 - 1e-9))
-    return std::nullopt;
+  if (pair.wi.z < std::cos(maxAngle) * (1 - 1e-9) || pair.wo.z < std::cos(maxAngle) * (1 - 1e-9)) return std::nullopt;
   return pair;
 }
 
@@ -86,7 +85,7 @@ class Goniometer {
 };
 
 void checkOptions(const FactorMeasurementOptions& o) {
-  if (!(o.fixedAngle >= 0 && o.fixedAngle <= largestAngle)) throw Error("the fixed angle must be 0 to 89 degrees");
+  if (!(o.fixedAngle >= 0 && o.fixedAngle <= maxAngle)) throw Error("the fixed angle must be 0 to 89 degrees");
   if (o.angles < 2 || o.distances < 2) throw Error("each curve needs two readings or more");
   if (!(o.noise >= 0) || !std::isfinite(o.noise)) throw Error("the noise must be a number, 0 or more");
 }
@@ -104,7 +103,7 @@ void divideByDifference(FactorMeasurement& m, double fixedAngle) {
     for (std::size_t j = 0; j < m.distances.size(); ++j) {
       const auto arms = armsAt(m.axes, {fixedAngle, m.distances[j]});
       const double there = along(placeOf(m.axes, *arms).angle);
-      if (there > smallestScale) m.across[channel][j] *= along(fixedAngle) / there;
+      if (there > minScale) m.across[channel][j] *= along(fixedAngle) / there;
     }
   }
 }
@@ -148,7 +147,7 @@ FactorMeasurement measureFactors(const Brdf& material, const FactorMeasurementOp
   Goniometer goniometer(material, options);
   FactorMeasurement m{.axes = options.axes};
   for (int i = 0; i < options.angles; ++i) {
-    const double angle = largestAngle * i / (options.angles - 1);
+    const double angle = maxAngle * i / (options.angles - 1);
     const std::optional<Rgb> z = goniometer.read({angle, 0});
     if (!z) continue;
     m.angles.push_back(angle);
@@ -169,7 +168,7 @@ FactorMeasurement measureFactors(const Brdf& material, const FactorMeasurementOp
       for (const double z : curve) m.highest = std::max(m.highest, z + headroom);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double scale = m.across[channel].front();
-    m.unscaled[channel] = !(scale > smallestScale);
+    m.unscaled[channel] = !(scale > minScale);
     if (m.unscaled[channel])
       std::fill(m.along[channel].begin(), m.along[channel].end(), 1.0);
     else

@@ -94,12 +94,12 @@ KSvdResult learnPatchAtoms(const TrainingMaterials& materials, const PatchTraini
     drawn[signal].resize(patches.rows(), Index(each));
     for (auto column : drawn[signal].colwise()) column = patches.col(Index(random() % std::uint64_t(patches.cols())));
   };
-  constexpr double readingShare = 0.1;
+  constexpr double readingFraction = 0.1;
   forEachSignal(
-      materials, options.signals, draw, [](std::size_t) {}, control.between(0, readingShare));
+      materials, options.signals, draw, [](std::size_t) {}, control.between(0, readingFraction));
   Eigen::MatrixXd all(Index(count(options.patch)), Index(signals * each));
   for (std::size_t s = 0; s < signals; ++s) all.middleCols(Index(s * each), Index(each)) = drawn[s];
-  return learnKSvd(all, options.kSvd, control.between(readingShare, 1));
+  return learnKSvd(all, options.kSvd, control.between(readingFraction, 1));
 }
 
 std::size_t PatchCode::coefficients() const {
