@@ -37,6 +37,7 @@ std::string describe(const DictionaryArguments& options, const TrainingMaterials
             {"seed", t.seed},
             {"grid", {materials.grid.thetaHCount, materials.grid.thetaDCount, materials.grid.phiDCount}},
             {"materials", materials.names}};
+  if (!t.signals.scaled) json["scaled"] = false;
   return json.dump();
 }
 
@@ -95,6 +96,7 @@ int train(const DictionaryArguments& options, const Tool& tool) {
          {"subspaceLoss", result.state.subspace.loss},
          {"ensembles", ensembles},
          {"orthonormality", orthonormality},
+         {"scaled", result.ensemble.scaled},
          {"seconds", result.seconds},
          {"out", options.out}},
         std::string(result.complete ? "" : "stopped: the best so far\n") +
@@ -120,10 +122,12 @@ int info(const std::string& path, const Tool& tool) {
          {"sparsities", sparsities},
          {"bytes", ensemble.bytes()},
          {"orthonormality", orthonormality},
+         {"scaled", ensemble.scaled},
          {"learnedFrom", ensemble.learnedFrom}},
-        std::to_string(ensemble.dictionaries.size()) + " dictionaries, " + std::to_string(ensemble.bytes()) +
-            " bytes, orthonormal to " + number(orthonormality) + "\nsparsities" + text + "\nlearned from " +
-            std::to_string(ensemble.learnedFrom.size()) + " materials\n");
+        std::to_string(ensemble.dictionaries.size()) +
+            (ensemble.scaled ? " dictionaries, " : " dictionaries without the scale of the cells, ") +
+            std::to_string(ensemble.bytes()) + " bytes, orthonormal to " + number(orthonormality) + "\nsparsities" +
+            text + "\nlearned from " + std::to_string(ensemble.learnedFrom.size()) + " materials\n");
   return 0;
 }
 
@@ -153,6 +157,9 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->add_option("--subspace-loss", training.subspaceLoss,
                    "Max. fraction of the energy that the shared subspace may omit (3e-5)")
       ->check(CLI::Range(0.0, 0.5));
+  command->add_flag(
+      "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
+      "Learn from transformed values without the scale of the cells");
   command->add_option("--seed", training.seed, "Seed of the initial assignment of materials to dictionaries (1)");
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");

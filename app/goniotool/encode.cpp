@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/encode.h"
+
+#include <algorithm>
+
+#include "app/goniotool/encode_components.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -16,18 +20,25 @@ namespace {
 
 using namespace dictionary;
 
+constexpr const char* componentsMethod = "components";
+
 struct EncodeArguments {
-  std::string material, dictionary, out, transform;
+  std::string material, dictionary, basis, out, transform, method{codingMethodNames[0]};
   EncodeOptions encoding;
   double relativeError = 0, renderedSnr = 0;
   std::size_t bytes = 0;
-  bool single = false;
+  bool single = false, asPublished = false;
 };
 
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 EncodeOptions encodeOptions(const EncodeArguments& options) {
   EncodeOptions encoding = options.encoding;
+  if (options.asPublished) {
+    encoding = publishedEncodeOptions(options.encoding.coefficients);
+    encoding.gamma = options.encoding.gamma;
+  }
+  encoding.method = CodingMethod(std::ranges::find(codingMethodNames, options.method) - codingMethodNames.begin());
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
   if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, materials::codeHeaderBytes);
   std::erase_if(encoding.transforms,
@@ -40,6 +51,8 @@ std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const EncodeArgumen
 }
 
 int encode(const EncodeArguments& options, const Tool& tool) {
+  if (options.asPublished && options.method != codingMethodNames[0])
+    throw UsageError("encode: --as-published projects once, so it needs no --method");
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts values in half precision; leave out --single");
   const auto dictionary = dictionaryOf(options);
@@ -73,23 +86,29 @@ int encode(const EncodeArguments& options, const Tool& tool) {
     text += nameOf(candidate.code.transform) + ": gamma error " + number(candidate.gammaError) + "\n";
   }
   for (const ChannelCode& channel : encoded.code.channels) dictionaries.push_back(channel.dictionary);
-  Json json{{"coefficients", encoded.code.coefficients()},
-            {"bytes", bytes.size()},
-            {"dictionary", dictionaries},
-            {"transform", nameOf(encoded.code.transform)},
-            {"candidates", candidates},
-            {"errors", errorsJson(errors)},
-            {"brdfSnr", decibelsJson(snr)},
+  Json json{{"method", options.method},  {"scaled", encoded.code.scaled}, {"coefficients", encoded.code.coefficients()},
+            {"bytes", bytes.size()},     {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
+            {"candidates", candidates},  {"errors", errorsJson(errors)},  {"brdfSnr", decibelsJson(snr)},
             {"seconds", encoded.seconds}};
   if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
-            " bytes, transform " + nameOf(encoded.code.transform) + ", dictionaries " + dictionaries.dump() +
-            ", BRDF SNR " + number(snr) + " dB" +
+            " bytes, transform " + nameOf(encoded.code.transform) + (encoded.code.scaled ? "" : " without the scale") +
+            ", dictionaries " + dictionaries.dump() + ", BRDF SNR " + number(snr) + " dB" +
             (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
             " s\n" + text + errorsText(errors));
   return 0;
+}
+
+int encodeByMethod(const EncodeArguments& options, const CLI::App& command, const Tool& tool) {
+  if ((options.method == componentsMethod) != !options.basis.empty())
+    throw UsageError("encode: --method components and --basis belong together");
+  if (options.method != componentsMethod) return encode(options, tool);
+  for (const char* of :
+       {"--dictionary", "--error", "--bytes", "--rendered-snr", "--transform", "--gamma", "--single", "--as-published"})
+    if (command.count(of) > 0) throw UsageError(std::string("encode: ") + of + " is not for --method components");
+  return encodeComponents({options.material, options.basis, options.out, int(options.encoding.coefficients)}, tool);
 }
 
 int decode(const EncodeArguments& options, const Tool& tool) {
@@ -129,8 +148,22 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--gamma", options->encoding.gamma, "Exponent of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
   command->add_flag("--single", options->single, "Store values in single instead of half precision");
-  command->add_option("--out", options->out, "Code file to write (" + suffixOf(materials::FormatId::code) + ")");
-  command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
+  std::vector<std::string> methods(codingMethodNames.begin(), codingMethodNames.end());
+  methods.emplace_back(componentsMethod);
+  command
+      ->add_option("--method", options->method,
+                   "omp: largest coefficients; basis-pursuit: smallest sum of absolute values; components: principal "
+                   "components of --basis (omp)")
+      ->check(CLI::IsMember(methods));
+  command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
+  command->add_flag("--as-published", options->asPublished,
+                    "Published method: no scale of the cells, one projection, a gamma error without weights");
+  command->add_option("--out", options->out,
+                      "Code file to write (" + suffixOf(materials::FormatId::code) + "); with --method components " +
+                          outputHelp("the material that they represent"));
+  command->callback([options, command, &tool] {
+    tool.run = [options, command, &tool] { return encodeByMethod(*options, *command, tool); };
+  });
 }
 
 void addDecode(CLI::App& app, Tool& tool) {

@@ -30,9 +30,15 @@ struct FactorArguments {
   std::string method = pdvMethod, weights{pdvWeightNames[1]}, deviations = nodesOfMaterial;
   std::size_t bytes = bytesOfTenTerms;
   int terms = 10, samples = smallComparisonPicture().samples;
-  bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false;
+  bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false, joint = false;
 
   PdvOptions pdvOptions() const {
+    PdvOptions result = separateOptions();
+    result.joint = joint;
+    return result;
+  }
+  /// Of terms that are found one after the other.
+  PdvOptions separateOptions() const {
     const auto pdvForm = PdvForm(std::ranges::find(formNames, form) - formNames.begin());
     const int count = swaps() && !keepFurther ? 1 : terms;
     if (asPublished) return publishedPdvOptions(pdvForm, count);
@@ -44,7 +50,7 @@ struct FactorArguments {
   }
   /// Whether options other than form, transform and terms change the factorisation.
   bool choosesNodesOrWeights() const {
-    return asPublished || weights != pdvWeightNames[1] || deviations != nodesOfMaterial;
+    return asPublished || joint || weights != pdvWeightNames[1] || deviations != nodesOfMaterial;
   }
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
@@ -58,8 +64,8 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven || options.choosesNodesOrWeights())
     throw UsageError("factor: " + options.material +
-                     " contains factors already: leave out --form, --transform, --weights, --deviations and "
-                     "--as-published");
+                     " contains factors already: leave out --form, --transform, --weights, --deviations, "
+                     "--joint and --as-published");
   return {.factors = materials::readPdv(options.material).truncated(options.terms),
           .residuals = {},
           .cells = 0,
@@ -92,6 +98,10 @@ void checkOptions(const FactorArguments& options) {
   if (options.asPublished &&
       (options.transformGiven || options.weights != pdvWeightNames[1] || options.deviations != nodesOfMaterial))
     throw UsageError("factor: --as-published sets --transform, --weights and --deviations; leave these out");
+  if (options.joint && options.swaps())
+    throw UsageError(
+        "factor: --joint fits all terms together, --swap-f1 and --swap-f2 replace curves of the first one; "
+        "leave out one of them");
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
   if (!options.decode.empty()) materials::writableFormat(options.decode);
@@ -123,6 +133,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   addQuality(json, quality);
   if (!materials::isPdv(options.material)) {
     json["weights"] = options.asPublished ? pdvWeightNames[0] : std::string_view(options.weights);
+    json["joint"] = options.joint;
     json["deviations"] = options.asPublished ? nodesOfLibrary : options.deviations.c_str();
   }
   if (!options.out.empty()) json["out"] = options.out;
@@ -163,20 +174,22 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
       "--deviations", options->deviations,
       "Nodes of |Dp|: adapted to the material, or common to all materials of the library (material)");
   deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary}));
-  return {terms,
-          form,
-          transform,
-          weights,
-          deviations,
-          command.add_flag("--as-published", options->asPublished,
-                           "Published method: --transform log-plus --weights equal --deviations library"),
-          command.add_option("--decode", options->decode,
-                             outputHelp("File to write: the material that the factors represent")),
-          command.add_option("--swap-f1", options->swapF1,
-                             "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
-          command.add_option("--swap-f2", options->swapF2,
-                             "Replace F2 of the first term (highlight profile) with that of this material"),
-          command.add_flag("--keep-terms", options->keepFurther, "Retain the other terms when F1 or F2 is replaced")};
+  return {
+      terms,
+      form,
+      transform,
+      weights,
+      deviations,
+      command.add_flag("--as-published", options->asPublished,
+                       "Published method: --transform log-plus --weights equal --deviations library"),
+      command.add_flag("--joint", options->joint, "Fit all terms together after they were found one after the other"),
+      command.add_option("--decode", options->decode,
+                         outputHelp("File to write: the material that the factors represent")),
+      command.add_option("--swap-f1", options->swapF1,
+                         "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
+      command.add_option("--swap-f2", options->swapF2,
+                         "Replace F2 of the first term (highlight profile) with that of this material"),
+      command.add_flag("--keep-terms", options->keepFurther, "Retain the other terms when F1 or F2 is replaced")};
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace gonio::factorization {
 
 struct ComparedModel {
-  std::shared_ptr<const Brdf>
-      brdf;               ///< evaluated from its factors; sample() uses those of Lawrence et al., else cosines
+  /// Evaluated from its factors; sample() uses those of Lawrence et al. and of Bilgili et al., otherwise cosines.
+  std::shared_ptr<const Brdf> brdf;
   std::size_t bytes = 0;  ///< of its factors and colours in single precision, without the nodes of the axes
 };
 

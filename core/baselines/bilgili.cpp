@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/baselines/tensor_half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/masked_rank_one.h"
 #include "core/math/monotone_cubic.h"
@@ -76,6 +78,57 @@ std::size_t termBytes(const HalfOutAxes& axes) {
 
 constexpr std::size_t colourBytes = 7 * sizeof(float);  // kd, ks, highest
 
+Rgb reflectanceAt(const BilgiliFactors& f, const HalfOut& at) {
+  return glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at));
+}
+
+/// The luminance times the cosine of the light at the nodes, per solid angle of the half vector.
+TensorHalfVectorSampler bilgiliSampler(const BilgiliFactors& f) {
+  const HalfOutAxes& axes = f.axes;
+  std::vector<double> density(axes.size(), 0);
+  for (std::size_t h = 0; h < axes.thetaH.size(); ++h)
+    for (std::size_t p = 0; p < axes.phiH.size(); ++p)
+      for (std::size_t o = 0; o < axes.thetaO.size(); ++o) {
+        const HalfOut node{.thetaO = axes.thetaO[o], .thetaH = axes.thetaH[h], .phiH = axes.phiH[p]};
+        const auto [pair, valid] = fromHalfOut(node);
+        if (!valid) continue;
+        const double cosD = glm::dot(fromSpherical(node.thetaO, 0), fromSpherical(node.thetaH, node.phiH));
+        density[axes.index(h, p, o)] =
+            luminance(reflectanceAt(f, node)) * std::max(0.0, pair.wi.z) * halfOutMeasure(std::max(0.0, cosD));
+      }
+  return {axes, density};
+}
+
+class BilgiliBrdf final : public Brdf {
+ public:
+  explicit BilgiliBrdf(BilgiliFactors factors) : factors_(std::move(factors)) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      values[i] = Rgb(0);
+      if (isBelowHorizon(wi) || isBelowHorizon(wo)) continue;
+      if (const HalfOut at = toHalfOut(wi, wo); at.valid) values[i] = reflectanceAt(factors_, at);
+    }
+  }
+  bool isReciprocal() const override { return false; }
+  bool hasImportanceSampling() const override { return true; }
+  double samplingCost() const override { return 2; }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }
+  double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }
+
+ private:
+  const TensorHalfVectorSampler& sampler() const {
+    std::call_once(samplerOnce_, [this] { sampler_.emplace(bilgiliSampler(factors_)); });
+    return *sampler_;
+  }
+
+  BilgiliFactors factors_;
+  mutable std::once_flag samplerOnce_;
+  mutable std::optional<TensorHalfVectorSampler> sampler_;
+};
+
 }  // namespace
 
 std::size_t BilgiliFactors::bytes() const { return terms.size() * termBytes(axes) + colourBytes; }
@@ -115,11 +168,7 @@ BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const H
 }
 
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
-  const auto reflectance = [f = std::move(factors)](const Direction& wi, const Direction& wo) {
-    const HalfOut at = toHalfOut(wi, wo);
-    return at.valid ? glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at)) : Rgb(0);
-  };
-  return makePairwiseBrdf(reflectance, false);
+  return std::make_shared<const BilgiliBrdf>(std::move(factors));
 }
 
 }  // namespace gonio::factorization

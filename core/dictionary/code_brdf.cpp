@@ -115,7 +115,8 @@ class CodeBrdf final : public Brdf {
     checkCode(ensemble, code);
     const auto geometry = GridGeometry::of(code.grid);
     for (const ChannelCode& channel : code.channels)
-      channels_.emplace_back(unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry), channel);
+      channels_.emplace_back(
+          unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry, code.scaled), channel);
   }
 
   using Brdf::evaluate;

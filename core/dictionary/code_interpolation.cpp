@@ -27,6 +27,8 @@ void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::spa
       throw Error("interpolation: the codes have different transforms, " +
                   std::string(dataTransformNames[std::size_t(codes.front().transform)]) + " and " +
                   std::string(dataTransformNames[std::size_t(code.transform)]) + ": encode one of them again");
+    if (code.scaled != codes.front().scaled)
+      throw Error("interpolation: found a code with and one without the scale of the cells: encode one of them again");
   }
 }
 

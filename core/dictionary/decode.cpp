@@ -64,7 +64,8 @@ template ComposedSlabs<float> composeSlabs<float>(const ModeMatrices<float>&, st
 template void compose<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>, float*);
 template void compose<double>(const ModeMatrices<double>&, std::vector<Coefficient<double>>, double*);
 
-std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry) {
+std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry, bool scaled) {
+  if (!scaled) return dictionary.modes;
   std::array<Eigen::MatrixXd, 3> atoms;
   for (std::size_t mode = 0; mode < 3; ++mode)
     atoms[mode] = dictionary.modes[mode].array().colwise() / geometry.importance[mode];
@@ -91,7 +92,7 @@ std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const Spar
   std::array<Eigen::ArrayXf, 3> signals;
   parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) {
     const ChannelCode& channel = code.channels[c];
-    const auto atoms = unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry);
+    const auto atoms = unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry, code.scaled);
     signals[c].resize(Eigen::Index(code.grid.size()));
     compose<float>({atoms[0].cast<float>(), atoms[1].cast<float>(), atoms[2].cast<float>()}, channel.coefficients,
                    signals[c].data());

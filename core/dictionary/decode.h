@@ -25,8 +25,10 @@ ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::ve
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The atoms divided by the importance of their nodes. They compose transformed values instead of scaled signals.
-std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry);
+/// The atoms divided by the importance of their nodes if `scaled`: they compose transformed values of a code with that
+/// SparseCode::scaled.
+std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry,
+                                             bool scaled = true);
 
 /// The transformed values of a code in every cell, one array per channel, in single precision. @throws as checkCode().
 std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/coordinates/grid_directions.h"
+#include "core/dictionary/basis_pursuit.h"
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/gram.h"
@@ -55,7 +56,7 @@ std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, d
 }
 
 /// The largest transformed value of the valid cells of a signal.
-float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry) {
+float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
   const Sizes sizes = modeSizes(table.grid());
   double highest = 0;
   Eigen::Index cell = 0;
@@ -64,12 +65,14 @@ float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const 
       float most = 0;
       for (int phi = 0; phi < sizes[0]; ++phi, ++cell)
         if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
-      highest = std::max(highest, double(most) / (geometry.importance[1][d] * geometry.importance[2][h]));
+      const double scale = scaled ? geometry.importance[1][d] * geometry.importance[2][h] : 1;
+      highest = std::max(highest, double(most) / scale);
     }
   return float(highest);
 }
 
-void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded, double gamma) {
+void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded,
+             const EncodeOptions& options) {
   const GridDirections directions(table.grid());
   const double cosGrazing = std::cos(grazing);
   struct Sums {
@@ -87,10 +90,10 @@ void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const Tabu
       if (table.valid()[cell] == 0 || decoded.valid()[cell] == 0) continue;
       const DirectionPair pair = directions.at(cell).pair;
       if (std::min(pair.wi.z, pair.wo.z) < cosGrazing) continue;
-      const double weight = cellMeasure * pair.wi.z * pair.wo.z;
+      const double weight = options.solidAngles ? cellMeasure * pair.wi.z * pair.wo.z : 1;
       for (int c = 0; c < 3; ++c) {
         const double a = table.values()[cell][c], b = decoded.values()[cell][c];
-        const double d = gammaTransformed(a, gamma) - gammaTransformed(b, gamma);
+        const double d = gammaTransformed(a, options.gamma) - gammaTransformed(b, options.gamma);
         sum.gammaError += weight * d * d;
         sum.squaredError += weight * (a - b) * (a - b);
       }
@@ -109,6 +112,10 @@ void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const Tabu
 }
 
 }  // namespace
+
+EncodeOptions publishedEncodeOptions(std::size_t coefficients) {
+  return {.coefficients = coefficients, .refinements = 0, .scaled = false, .solidAngles = false};
+}
 
 Encoder::Encoder(const Ensemble& ensemble) : ensemble_(ensemble) {
   for (const Dictionary& d : ensemble.dictionaries)
@@ -143,10 +150,11 @@ struct Encoder::Attempt {
 void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl& control) const {
   const auto geometry = GridGeometry::of(ensemble_.grid);
   attempt.transform = transform;
-  attempt.signals = signalsOf(attempt.table, transform, *geometry);
+  const bool scaled = isScaled(attempt.options);
+  attempt.signals = signalsOf(attempt.table, transform, *geometry, scaled);
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
-                      attempt.channels[c].highest = highestOf(attempt.signals[c], attempt.table, *geometry);
+                      attempt.channels[c].highest = highestOf(attempt.signals[c], attempt.table, *geometry, scaled);
                       attempt.channels[c].dictionary =
                           chooseDictionary(attempt.signals[c], attempt.options.coefficients);
                     },
@@ -154,9 +162,10 @@ void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl
   refine(attempt, 0, control);
 }
 
-/// Each channel's largest coefficients, after so many more rounds.
+/// Each channel's coefficients, after so many more rounds.
 void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) const {
   const Sizes sizes = modeSizes(ensemble_.grid);
+  const TaskControl silent{.stop = control.stop, .progress = {}};
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
                       ChannelCode& code = attempt.channels[c];
@@ -165,6 +174,11 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
                         channel.emplace(attempt.signals[c], attempt.table.valid(), sizes,
                                         matrices_[std::size_t(code.dictionary)]);
                         channel->keepLargest(attempt.options.coefficients, code.coefficients);
+                      }
+                      if (attempt.options.method == CodingMethod::basisPursuit && rounds > 0) {
+                        pursueBasis(*channel, attempt.options.coefficients, rounds, code.coefficients, silent);
+                        refitValues(*channel, rounds, code.coefficients, silent);
+                        return;
                       }
                       for (int round = attempt.rounds; round < attempt.rounds + rounds; ++round) {
                         control.throwIfStopped();
@@ -179,7 +193,10 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
 EncodedCandidate Encoder::finished(const Attempt& attempt) const {
   const EncodeOptions& options = attempt.options;
   EncodedCandidate candidate;
-  candidate.code = {.grid = ensemble_.grid, .transform = attempt.transform, .channels = attempt.channels};
+  candidate.code = {.grid = ensemble_.grid,
+                    .transform = attempt.transform,
+                    .scaled = isScaled(options),
+                    .channels = attempt.channels};
   for (std::size_t c = 0; c < 3; ++c) {
     auto& coefficients = candidate.code.channels[c].coefficients;
     std::sort(coefficients.begin(), coefficients.end(), isLarger<float>);
@@ -187,7 +204,7 @@ EncodedCandidate Encoder::finished(const Attempt& attempt) const {
     if (options.relativeError) coefficients.resize(countForError(coefficients, energy, *options.relativeError));
   }
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
-  measure(candidate, attempt.table, *decode(ensemble_, candidate.code), options.gamma);
+  measure(candidate, attempt.table, *decode(ensemble_, candidate.code), options);
   return candidate;
 }
 

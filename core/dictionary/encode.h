@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -11,6 +13,17 @@
 #include "core/support/task_control.h"
 
 namespace gonio::dictionary {
+
+/// How the coefficients of a code are chosen.
+enum class CodingMethod {
+  /// Greedily: the largest projections. Over an orthonormal dictionary these are the atoms of orthogonal matching
+  /// pursuit, and their values the least-squares fit.
+  orthogonalMatchingPursuit,
+  basisPursuit  ///< by the smallest sum of absolute values (core/dictionary/basis_pursuit.h), then least squares
+};
+
+/// Names in JSON, in Python and on the command line, in the order of CodingMethod.
+inline constexpr std::array<std::string_view, 2> codingMethodNames{"omp", "basis-pursuit"};
 
 struct EncodeOptions {
   std::size_t coefficients = 262;  ///< maximum per channel (Tongbuasirilai 2023, section 4.3.2.4: 262, the size of
@@ -24,13 +37,24 @@ struct EncodeOptions {
   double gamma = 2;          ///< exponent of the error that selects the transform, in [1, 3]
   int refinements = 15;      ///< rounds that update the invalid cells, see encode()
   int trialRefinements = 3;  ///< rounds before the transform is selected; the others refine the selected one
+  CodingMethod method = CodingMethod::orthogonalMatchingPursuit;
+  /// Whether signals are scaled by GridGeometry::importance. Over an ensemble that was trained without the scale they
+  /// never are.
+  bool scaled = true;
+  bool solidAngles = true;  ///< whether the gamma error weights the cells by projected solid angles; else equally
 };
+
+/// The options of the published method (Tongbuasirilai 2023, eq. 4.37 to 4.39 and section 4.3.2.4): one projection of
+/// the transformed values without a scale, so that invalid cells have the values of the last valid ones, and a gamma
+/// error without weights.
+EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
 /// The code of one transform.
 struct EncodedCandidate {
   SparseCode code;
   /// Mean over the valid cells to 85 degrees, weighted by the projected solid angles of both directions, of
-  /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (Tongbuasirilai 2023, section 4.3.2.4, there without weights).
+  /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (Tongbuasirilai 2023, section 4.3.2.4, there without weights, as
+  /// with EncodeOptions::solidAngles false).
   double gammaError = 0;
   /// Mean of (rho - rho')^2, 1/sr^2, over the same cells with the same weights; for information only.
   double squaredError = 0;
@@ -52,9 +76,10 @@ class Encoder {
   /// these coefficients (the exact minimiser, because the dictionaries are orthonormal). Then refinement rounds replace
   /// the values of invalid cells, which are free, by those that the code gives them, so that the coefficients represent
   /// the valid cells. This is iterative hard thresholding on the valid cells, with the momentum of Beck and Teboulle
-  /// 2009, "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems". The transform with the
-  /// smallest gamma error is selected and refined further; if that does not lower its error, the code before it is
-  /// returned. @throws Error if the table has another grid; Cancelled.
+  /// 2009, "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems". With
+  /// CodingMethod::basisPursuit the rounds apply soft thresholding, and as many rounds of least squares follow. The
+  /// transform with the smallest gamma error is selected and refined further; if that does not lower its error, the
+  /// code before it is returned. @throws Error if the table has another grid; Cancelled.
   Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
 
@@ -63,6 +88,7 @@ class Encoder {
   void start(Attempt& attempt, DataTransform transform, const TaskControl& control) const;
   void refine(Attempt& attempt, int rounds, const TaskControl& control) const;
   EncodedCandidate finished(const Attempt& attempt) const;
+  bool isScaled(const EncodeOptions& options) const { return options.scaled && ensemble_.scaled; }
   int chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
 
   const Ensemble& ensemble_;

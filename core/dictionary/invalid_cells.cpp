@@ -47,6 +47,22 @@ void InvalidCellRounds::keepLargest(std::size_t count, std::vector<Coefficient<f
   keepLargestOfSlices(slices_.data(), sizes_, matrices_, count, kept);
 }
 
+void InvalidCellRounds::project(std::vector<Coefficient<float>>& code) const {
+  const Eigen::Index n0 = sizes_[0], n1 = sizes_[1], fibres = matrices_[1].cols(), atoms0 = matrices_[0].cols();
+  std::sort(code.begin(), code.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
+  Eigen::VectorXf fibre(n0);
+  Eigen::Index known = -1;
+  for (Coefficient<float>& c : code) {
+    const Eigen::Index pair = Eigen::Index(c.index) / atoms0;
+    if (pair != known) {
+      const Eigen::Map<const Eigen::MatrixXf> slice(slices_.data() + n0 * n1 * (pair / fibres), n0, n1);
+      fibre.noalias() = slice * matrices_[1].col(pair % fibres);
+      known = pair;
+    }
+    c.value = matrices_[0].col(Eigen::Index(c.index) % atoms0).dot(fibre);
+  }
+}
+
 void InvalidCellRounds::update(const std::vector<Coefficient<float>>& code, float momentum) {
   const Eigen::Index rowsOfSlice = Eigen::Index(sizes_[0]) * sizes_[1];
   const ComposedSlabs<float> composed = composeSlabs(matrices_, code);

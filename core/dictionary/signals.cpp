@@ -109,7 +109,7 @@ void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
 }
 
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
-                                        const GridGeometry& geometry) {
+                                        const GridGeometry& geometry, bool scaled) {
   const Eigen::Index cells = Eigen::Index(table.grid().size());
   const auto interleaved =
       Eigen::Map<const Eigen::Array<float, 3, Eigen::Dynamic>>(&table.values().data()->x, 3, cells);
@@ -119,7 +119,7 @@ std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
     values = interleaved.row(c);
     dictionary::transform(values, transform, geometry.weights);
     hold(values, table);
-    scale(values, table.grid(), geometry);
+    if (scaled) scale(values, table.grid(), geometry);
   }
   return signals;
 }

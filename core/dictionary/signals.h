@@ -26,11 +26,11 @@ struct GridGeometry {
 };
 
 /// The signals that training and encoding use: the three channels of a table, transformed, with invalid cells filled,
-/// scaled by the importance. Along theta_h (toward the horizon) invalid cells repeat the transformed value of the last
-/// valid one, so that no coefficients are spent on an artificial step at the horizon. Single precision, without
-/// cancellation for small values. About 20 ms for a MERL table.
+/// scaled by the importance unless `scaled` is false. Along theta_h (toward the horizon) invalid cells repeat the
+/// transformed value of the last valid one, so that no coefficients are spent on an artificial step at the horizon.
+/// Single precision, without cancellation for small values. About 20 ms for a MERL table.
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
-                                        const GridGeometry& geometry);
+                                        const GridGeometry& geometry, bool scaled = true);
 
 /// transformed() and inverseTransformed() of arrays, in place and in single precision. BRDF values are in 1/sr, >= 0.
 /// The inverse maps negative y to 0 and limits y of the logarithms to 88, so that results stay in the range of float (a

@@ -26,6 +26,7 @@ struct ChannelCode {
 struct SparseCode {
   HalfDifferenceGrid grid;
   DataTransform transform = DataTransform::logPlus;
+  bool scaled = true;  ///< whether it represents signals scaled by GridGeometry::importance; else transformed values
   std::array<ChannelCode, 3> channels;
 
   /// The largest number of coefficients of a channel.

@@ -38,6 +38,7 @@ class Training {
         result_.ensemble.dictionaries.push_back({d, ensemble.sparsity});
     result_.ensemble.grid = materials_.grid;
     result_.ensemble.learnedFrom = materials_.names;
+    result_.ensemble.scaled = options_.signals.scaled;
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return std::move(result_);
   }

@@ -21,7 +21,7 @@ void forEachSignal(
                         const auto table = materials.load(material);
                         std::size_t signal = material * options.signalsPerMaterial();
                         for (const DataTransform transform : options.transforms) {
-                          const auto signals = signalsOf(*table, transform, *geometry);
+                          const auto signals = signalsOf(*table, transform, *geometry, options.scaled);
                           for (int c = 0; c < 3; ++c) work(material, signal++, signals[std::size_t(c)]);
                         }
                       },

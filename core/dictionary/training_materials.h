@@ -22,6 +22,7 @@ struct TrainingMaterials {
 /// The signals of a material: three channels for each transform.
 struct SignalOptions {
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
+  bool scaled = true;  ///< by GridGeometry::importance; false as in the published method
 
   std::size_t signalsPerMaterial() const { return 3 * transforms.size(); }
 };

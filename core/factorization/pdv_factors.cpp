@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/factorization/deviation_grid.h"
+#include "core/factorization/joint_terms.h"
 #include "core/factorization/pdv_samples.h"
 #include "core/math/parallel.h"
 
@@ -65,6 +66,35 @@ void holdUnmeasured(std::vector<double>& curve, const std::vector<bool>& measure
     }
 }
 
+using MeasuredNodes = std::array<std::vector<bool>, 3>;
+
+PdvTerm heldTerm(RankOne term, const MeasuredNodes& measured) {
+  holdUnmeasured(term.a, measured[0]);
+  holdUnmeasured(term.b, measured[1]);
+  holdUnmeasured(term.c, measured[2]);
+  return {std::move(term.a), std::move(term.b), std::move(term.c)};
+}
+
+/// Replaces the terms of all channels by jointly fitted ones. Returns the weighted squared norm of what they leave.
+double fitJointly(const std::array<MaskedTensor, 3>& channels, const MeasuredNodes& measured, PdvFactors& factors,
+                  const TaskControl& control) {
+  std::array<double, 3> lefts{};
+  parallelForBlocks(
+      channels.size(), 1,
+      [&](std::size_t channel, std::size_t) {
+        std::vector<RankOne> terms;
+        for (const PdvTerm& term : factors.channels[channel])
+          terms.push_back({.a = term.f1, .b = term.f2, .c = term.f3, .residuals = {}});
+        lefts[channel] =
+            refineJointly(channels[channel], terms, {.firstNonnegative = true}, {.stop = control.stop, .progress = {}})
+                .back();
+        for (std::size_t l = 0; l < terms.size(); ++l)
+          factors.channels[channel][l] = heldTerm(std::move(terms[l]), measured);
+      },
+      control);
+  return lefts[0] + lefts[1] + lefts[2];
+}
+
 }  // namespace
 
 PdvFactors PdvFactors::truncated(int count) const {
@@ -79,7 +109,7 @@ PdvOptions publishedPdvOptions(PdvForm form, int terms) {
 }
 
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
-  constexpr double preparationShare = 0.2;
+  const double preparationShare = 0.2, termsEnd = options.joint ? 0.4 : 1;
   const auto start = std::chrono::steady_clock::now();
   PdvFactorization result{.factors = makeAxes(table, options, {.stop = control.stop})};
   PdvSamples samples = samplePdv(table, result.factors, options.weights, {.stop = control.stop});
@@ -91,29 +121,32 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
     for (const float y : channel.values) result.factors.highest = std::max(result.factors.highest, double(y));
   }
   result.residuals.push_back(total > 0 ? 1 : 0);
-  const std::vector<bool> measured[] = {measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),
-                                        measuredNodes(channels[0], 2)};
+  const MeasuredNodes measured{measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),
+                               measuredNodes(channels[0], 2)};
+  const std::array<MaskedTensor, 3> measurement = options.joint ? channels : std::array<MaskedTensor, 3>();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   result.termSeconds.push_back(elapsed());
   for (int term = 0; term < options.terms; ++term) {
     control.throwIfStopped();
-    control.report(preparationShare + (1 - preparationShare) * term / options.terms);
+    control.report(preparationShare + (termsEnd - preparationShare) * term / options.terms);
     double left = 0;
     std::array<double, 3> lefts{};
     parallelForBlocks(channels.size(), 1, [&](std::size_t channel, std::size_t) {
       RankOne best = bestRankOne(channels[channel], {.nonnegative = term == 0});
       subtract(channels[channel], best);
-      holdUnmeasured(best.a, measured[0]);
-      holdUnmeasured(best.b, measured[1]);
-      holdUnmeasured(best.c, measured[2]);
       lefts[channel] = channels[channel].squaredNorm();
-      result.factors.channels[channel].push_back({best.a, best.b, best.c});
+      result.factors.channels[channel].push_back(heldTerm(std::move(best), measured));
     });
     for (const double channelLeft : lefts) left += channelLeft;
     result.residuals.push_back(total > 0 ? std::min(result.residuals.back(), std::sqrt(left / total)) : 0);
     result.termSeconds.push_back(elapsed());
+  }
+  if (options.joint && total > 0) {
+    const double left = fitJointly(measurement, measured, result.factors, control.between(termsEnd, 1));
+    result.residuals.back() = std::min(result.residuals.back(), std::sqrt(left / total));
+    result.termSeconds.back() = elapsed();
   }
   control.report(1);
   result.seconds = elapsed();

@@ -66,6 +66,9 @@ struct PdvOptions {
   PdvWeights weights = PdvWeights::projectedSolidAngle;
   /// Nodes of |Dp|; empty: deviationNodes() of the material.
   std::vector<double> deviationNodes = {};
+  /// Improves all terms together after they were found one by one (core/factorization/joint_terms.h). The squared error
+  /// is never larger; fewer terms of the result are then not the best ones of their number.
+  bool joint = false;
 };
 inline constexpr int maxPdvTerms = 20;
 
@@ -78,7 +81,8 @@ inline constexpr int pdvThetaNodes = 90, pdvPhiNodes = 180;
 struct PdvFactorization {
   PdvFactors factors;
   /// |y - y^| / |y| in the weighted norm over all channels, for 0, 1, ... terms; never increases. The first is 1, or 0
-  /// for a black material.
+  /// for a black material. With PdvOptions::joint the last is that of the joint terms, the others those of the terms
+  /// found one by one.
   std::vector<double> residuals;
   std::size_t cells = 0;  ///< number of cells on the disk with data
   double seconds = 0;
@@ -86,7 +90,8 @@ struct PdvFactorization {
 };
 
 /// Factorises a table: each term is the best rank-one approximation of the residual of the terms before, over the cells
-/// with data. Deterministic. About 1 s for ten terms of three factors in RGB on two cores. @throws Cancelled; Error if
+/// with data; with PdvOptions::joint these are the start of a joint fit of all terms. Deterministic. About 1 s for ten
+/// terms of three factors in RGB on two cores, some seconds more for a joint fit. @throws Cancelled; Error if
 /// the number of terms or the nodes are out of range.
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options = {},
                               const TaskControl& control = {});

@@ -55,11 +55,11 @@ class DictionaryInterpolation final : public Interpolation {
   std::size_t coefficients_;
 };
 
-/// The transform in which all are blended: that of the first code. Without any, none yet.
-std::optional<DataTransform> givenTransform(std::span<const InterpolationEnd> ends) {
+/// The code whose transform and scale all have: the first one. Null if there is none.
+const SparseCode* givenCode(std::span<const InterpolationEnd> ends) {
   for (const InterpolationEnd& end : ends)
-    if (end.code) return end.code->transform;
-  return {};
+    if (end.code) return end.code.get();
+  return nullptr;
 }
 
 /// The index of the transform with the least gamma error, summed over the materials.
@@ -74,13 +74,16 @@ std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationEnd> en
                                             const TaskControl& control) {
   const dictionary::Encoder encoder(*options.ensemble);
   dictionary::EncodeOptions encode = options.encode;
-  const std::optional<DataTransform> transform = givenTransform(ends);
-  if (transform) encode.transforms = {*transform};
+  const SparseCode* const given = givenCode(ends);
+  if (given) {
+    encode.transforms = {given->transform};
+    encode.scaled = given->scaled;
+  }
   std::vector<SparseCode> codes(ends.size());
   std::vector<dictionary::Encoded> encoded;
   std::vector<std::size_t> materials;  // of `encoded`
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (ends[i].code && ends[i].code->transform == *transform) {
+    if (ends[i].code && ends[i].code->transform == given->transform && ends[i].code->scaled == given->scaled) {
       codes[i] = *ends[i].code;
       dictionary::checkCode(*options.ensemble, codes[i]);
       continue;

@@ -22,6 +22,7 @@ constexpr io::ContainerFormat codeFormat{.name = "sparse code",
                                          .versionBytes = sizeof(std::uint16_t),
                                          .maxBytes = std::uint64_t(1) << 21};
 constexpr int maxCodeNodes = 1024;
+constexpr std::uint8_t withoutScale = 128;  ///< flag beside the transform
 
 /// A number of the header. @param what for the error.
 template <typename Number>
@@ -46,7 +47,7 @@ HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
 std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
   const HalfDifferenceGrid& grid = code.grid;
   io::ContainerWriter file(codeFormat);
-  file.number(std::uint8_t(code.transform));
+  file.number(std::uint8_t(std::uint8_t(code.transform) | (code.scaled ? 0 : withoutScale)));
   file.number(std::uint8_t(precision));
   for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
     file.number(std::uint16_t(number));
@@ -63,7 +64,11 @@ void writeCode(const SparseCode& code, std::uint64_t dictionaryId, const std::fi
 CodeFile readCode(const io::ByteSource& source) {
   io::ContainerReader file(codeFormat, source);
   CodeFile result;
-  result.code.transform = DataTransform(takeNumber<std::uint8_t>(file, "the transform", 0, 1));
+  const auto transform = file.number<std::uint8_t>();
+  if ((transform & ~withoutScale) > 1)
+    file.fail("the transform is " + std::to_string(transform) + ", expected 0, 1, 128 or 129");
+  result.code.transform = DataTransform(transform & ~withoutScale);
+  result.code.scaled = (transform & withoutScale) == 0;
   result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 1));
   result.code.grid = takeGrid(file);
   result.dictionaryId = file.number<std::uint64_t>();
@@ -92,7 +97,8 @@ void setCode(const CodeFile& file, Material& material) {
   material.brdf = material.table;
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
   material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
-                                std::string(dataTransformNames[std::size_t(code.transform)]);
+                                std::string(dataTransformNames[std::size_t(code.transform)]) +
+                                (code.scaled ? "" : ", as published (without the scale)");
 }
 
 }  // namespace gonio::materials

@@ -9,9 +9,10 @@
 #include "core/materials/material.h"
 
 /// A file of a sparse code, `.code`: a container (core/io/container.h) "GONIOCOD", uint16 version 1; uint8 transform
-/// (in the order of dataTransformNames), uint8 precision (0 single, 1 half), uint16 numbers of nodes of theta_h,
-/// theta_d, phi_d, uint16 whether phi_d is folded, uint64 id of the ensemble (NamedEnsemble); then
-/// dictionary::packChannels(). About 3 kB for 262 coefficients per channel in half precision.
+/// (in the order of dataTransformNames; plus 128 for a code that is not SparseCode::scaled), uint8 precision (0 single,
+/// 1 half), uint16 numbers of nodes of theta_h, theta_d, phi_d, uint16 whether phi_d is folded, uint64 id of the
+/// ensemble (NamedEnsemble); then dictionary::packChannels(). About 3 kB for 262 coefficients per channel in half
+/// precision.
 namespace gonio::materials {
 
 /// Size of the file before the packed channels.

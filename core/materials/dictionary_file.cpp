@@ -33,8 +33,10 @@ void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path
   json sparsities = json::array();
   for (const Dictionary& dictionary : ensemble.dictionaries) sparsities.push_back(dictionary.sparsity);
   io::ContainerWriter file(dictionaryFormat);
-  file.description(
-      {{"grid", gridJson(ensemble.grid)}, {"sparsities", sparsities}, {"learnedFrom", ensemble.learnedFrom}});
+  json description{
+      {"grid", gridJson(ensemble.grid)}, {"sparsities", sparsities}, {"learnedFrom", ensemble.learnedFrom}};
+  if (!ensemble.scaled) description["scaled"] = false;
+  file.description(description);
   for (const Dictionary& dictionary : ensemble.dictionaries)
     for (const Eigen::MatrixXd& mode : dictionary.modes) file.values(Eigen::MatrixXf(mode.cast<float>()));
   io::writeFileAtomically(path, file.bytes());
@@ -46,6 +48,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
   const JsonObject root(description, "");
   auto named = std::make_shared<NamedEnsemble>();
   named->ensemble.grid = gridOf(root.object("grid"));
+  if (root.contains("scaled")) named->ensemble.scaled = root.flag("scaled");
   const json& sparsities = root.array("sparsities");
   if (sparsities.empty() || sparsities.size() > maxDictionaries)
     file.fail("found " + std::to_string(sparsities.size()) + " dictionaries, expected 1 to 256");

@@ -85,6 +85,10 @@ std::vector<glm::dvec2> markerOutline(Marker marker, double size) {
       return corners(3, 1.2 * size, 1.2 * size);
     case Marker::triangleDown:
       return turned(corners(3, 1.2 * size, 1.2 * size), pi);
+    case Marker::triangleLeft:
+      return turned(corners(3, 1.2 * size, 1.2 * size), -pi / 2);
+    case Marker::triangleRight:
+      return turned(corners(3, 1.2 * size, 1.2 * size), pi / 2);
     case Marker::diamond:
       return corners(4, 1.25 * size, 1.25 * size);
     case Marker::cross:

@@ -27,7 +27,8 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{{{"table"
                                                                         {"components", "principal components"},
                                                                         {"nonparametric", "non-parametric factors"},
                                                                         {"baselines", "baselines"},
-                                                                        {"published", "as published"}}};
+                                                                        {"published", "as published"},
+                                                                        {"alternatives", "alternative algorithms"}}};
 
 using factorization::Baseline;
 using List = std::vector<Representation>;
@@ -98,6 +99,13 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       addCounted(list, {family, "factors-2d-published", "PDV factors, two curves, as published"}, choice.terms, "term");
       addCounted(list, {family, "factors-3d-published", "PDV factors, three curves, as published"}, choice.terms,
                  "term");
+      return addCounted(list, {family, "code-published", "Dictionary code, as published"}, choice.coefficients,
+                        "coefficient");
+    case RepresentationFamily::alternatives:
+      addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint"}, choice.terms, "term");
+      addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint"}, choice.terms, "term");
+      return addCounted(list, {family, "code-basis-pursuit", "Dictionary code by basis pursuit"}, choice.coefficients,
+                        "coefficient");
   }
 }
 
@@ -113,7 +121,7 @@ struct CountedBudget {
   std::string what;
 };
 CountedBudget budgetOf(std::string_view id) {
-  if (id == "code") return {maxCodeCoefficients, "coefficients per channel"};
+  if (id == "code" || id.starts_with("code-")) return {maxCodeCoefficients, "coefficients per channel"};
   if (id.starts_with("factors-2d") || id.starts_with("factors-3d")) return {factorization::maxPdvTerms, "terms"};
   if (const Baseline* baseline = studiedBaseline(id); baseline && baseline->maxBytes > 0)
     return {maxBaselineBytes, "bytes"};
@@ -163,6 +171,7 @@ bool needsBudget(std::string_view id) { return maxBudget(id) > 0; }
 Representation representationById(std::string_view id, std::optional<double> budget) {
   RepresentationChoice choice;
   choice.families.push_back(RepresentationFamily::published);
+  choice.families.push_back(RepresentationFamily::alternatives);
   if (const CountedBudget counted = budgetOf(id); counted.max > 0) {
     if (!budget || !(*budget >= 1 && *budget <= counted.max) || *budget != std::floor(*budget))
       throw Error("found the representation '" + std::string(id) + "' with " +

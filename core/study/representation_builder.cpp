@@ -36,9 +36,22 @@ class NearestBrdf final : public Brdf {
   std::shared_ptr<const TabulatedBrdf> table_;
 };
 
-bool isFactors(const Representation& representation) {
-  return representation.family == RepresentationFamily::factors ||
-         representation.family == RepresentationFamily::published;
+bool isFactors(const Representation& representation) { return representation.id.starts_with("factors-"); }
+
+factorization::PdvOptions pdvOptionsOf(const Representation& representation, int terms) {
+  using namespace factorization;
+  const PdvForm form = representation.id.starts_with("factors-2d") ? PdvForm::twoFactors : PdvForm::threeFactors;
+  if (representation.family == RepresentationFamily::published) return publishedPdvOptions(form, terms);
+  return {.form = form, .terms = terms, .joint = representation.family == RepresentationFamily::alternatives};
+}
+
+dictionary::EncodeOptions encodeOptionsOf(const Representation& representation) {
+  const auto coefficients = std::size_t(representation.budget);
+  if (representation.family == RepresentationFamily::published) return dictionary::publishedEncodeOptions(coefficients);
+  dictionary::EncodeOptions options{.coefficients = coefficients};
+  if (representation.family == RepresentationFamily::alternatives)
+    options.method = dictionary::CodingMethod::basisPursuit;
+  return options;
 }
 
 }  // namespace
@@ -69,8 +82,10 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
     case RepresentationFamily::fit:
       return fit(representation, control);
     case RepresentationFamily::factors:
-    case RepresentationFamily::published:
       return factors(representation, control);
+    case RepresentationFamily::published:
+    case RepresentationFamily::alternatives:
+      return isFactors(representation) ? factors(representation, control) : code(representation, control);
     case RepresentationFamily::code:
       return code(representation, control);
     case RepresentationFamily::components:
@@ -107,14 +122,17 @@ BuiltRepresentation RepresentationBuilder::fit(const Representation& representat
 
 BuiltRepresentation RepresentationBuilder::factors(const Representation& representation, const TaskControl& control) {
   using namespace factorization;
-  const auto known = factorizations_.find(representation.id);
   const int terms = int(representation.budget);
-  if (known == factorizations_.end()) {
-    const PdvForm form = representation.id.starts_with("factors-2d") ? PdvForm::twoFactors : PdvForm::threeFactors;
+  if (pdvOptionsOf(representation, terms).joint) {
+    const PdvFactorization joint = factorizePdv(*subject_.table, pdvOptionsOf(representation, terms), control);
+    return {.brdf = makePdvBrdf(joint.factors),
+            .nodes = nullptr,
+            .bytes = materials::pdvFileBytes(joint.factors),
+            .encodeSeconds = joint.seconds};
+  }
+  if (!factorizations_.contains(representation.id)) {
     const int most = std::max(terms, maxTerms_[representation.id]);
-    const bool published = representation.family == RepresentationFamily::published;
-    const PdvOptions options = published ? publishedPdvOptions(form, most) : PdvOptions{.form = form, .terms = most};
-    factorizations_[representation.id] = factorizePdv(*subject_.table, options, control);
+    factorizations_[representation.id] = factorizePdv(*subject_.table, pdvOptionsOf(representation, most), control);
   }
   const PdvFactorization& all = factorizations_.at(representation.id);
   if (terms > all.factors.terms())
@@ -133,9 +151,7 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
     encoder_.emplace(options_.dictionary->ensemble);
     codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
   }
-  dictionary::EncodeOptions encoding;
-  encoding.coefficients = std::size_t(representation.budget);
-  const dictionary::Encoded encoded = encoder_->encode(*codedTable_, encoding, control);
+  const dictionary::Encoded encoded = encoder_->encode(*codedTable_, encodeOptionsOf(representation), control);
   const std::vector<std::byte> file = materials::encodeCode(encoded.code, options_.dictionary->id);
   // Of what the file holds: with the values as they are rounded.
   const dictionary::SparseCode stored = materials::readCode(io::MemorySource(file)).code;

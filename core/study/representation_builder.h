@@ -44,8 +44,8 @@ struct BuiltRepresentation {
 };
 
 /// Builds representations of one material. Common work is done once: factors with fewer terms are prefixes of one
-/// factorisation; fits share their data. Each code is encoded separately, because the best dictionary depends on the
-/// number of coefficients.
+/// factorisation, except joint ones; fits share their data. Each code is encoded separately, because the best
+/// dictionary depends on the number of coefficients.
 class RepresentationBuilder {
  public:
   /// @param planned all representations that will be built.

@@ -25,9 +25,9 @@ struct FamilyLook {
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyLook looks[representationFamilyCount] = {
-    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},  {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},   {Marker::star, "#e69f00"},
-    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}};
+    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},   {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"},
+    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"}};
 
 struct Shape {
   Marker marker;
@@ -61,7 +61,8 @@ std::string numbersText(const StudyRecord& record) {
 /// Short, beside a point: the budget where its shape shows the rest.
 std::string labelOf(const Representation& r) {
   return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::published ||
-                 r.family == RepresentationFamily::code || r.family == RepresentationFamily::components
+                 r.family == RepresentationFamily::alternatives || r.family == RepresentationFamily::code ||
+                 r.family == RepresentationFamily::components
              ? r.budgetText
              : r.label;
 }
@@ -217,10 +218,13 @@ SeriesLook lookOf(const Representation& r) {
     const Shape shape = baselineShape(r.id);
     return {shape.marker, look.colour, shape.hollow, r.label};
   }
-  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d");
+  // Codes of the families that contain factors too have a shape of their own.
+  const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
+  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative);
   const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
-                     r.family == RepresentationFamily::published;
-  return {look.marker, look.colour, hollow, named ? r.label : std::string(familyName(r.family))};
+                     r.family == RepresentationFamily::published || alternative;
+  return {variantCode ? Marker::triangleLeft : look.marker, look.colour, hollow,
+          named ? r.label : std::string(familyName(r.family))};
 }
 
 std::vector<StudyAxes> allCostAxes() {

@@ -36,7 +36,8 @@ DataTransform transformOf(const std::string& name) {
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 PyFactors factorize(const PyMaterial& material, int terms, const std::string& form, const std::string& transform,
-                    const std::string& weights, const std::vector<double>& deviationNodes, const py::object& progress) {
+                    const std::string& weights, const std::vector<double>& deviationNodes, bool joint,
+                    const py::object& progress) {
   const auto chosen = std::ranges::find(formNames, form);
   if (chosen == formNames.end()) throw Error("form: found '" + form + "', expected 2d or 3d");
   const auto weighting = std::ranges::find(pdvWeightNames, weights);
@@ -46,7 +47,8 @@ PyFactors factorize(const PyMaterial& material, int terms, const std::string& fo
                            .transform = transformOf(transform),
                            .terms = terms,
                            .weights = PdvWeights(weighting - pdvWeightNames.begin()),
-                           .deviationNodes = deviationNodes};
+                           .deviationNodes = deviationNodes,
+                           .joint = joint};
   PdvFactorization found = resultOf(progress, [&](const TaskControl& control) {
     return factorizePdv(*material.table(control.between(0, 0.1)), options, control.between(0.1, 1));
   });
@@ -141,10 +143,24 @@ PyDictionaryPtr orBundled(const PyDictionaryPtr& dictionary) {
   return dictionary ? dictionary : materials::bundledDictionary();
 }
 
+dictionary::CodingMethod codingMethodOf(const std::string& name) {
+  const auto found = std::ranges::find(dictionary::codingMethodNames, name);
+  if (found == dictionary::codingMethodNames.end())
+    throw Error("method: found '" + name + "', expected omp or basis-pursuit");
+  return dictionary::CodingMethod(found - dictionary::codingMethodNames.begin());
+}
+
 PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, const PyDictionaryPtr& given,
                       const std::vector<std::string>& transforms, double gamma, std::optional<double> relativeError,
-                      std::optional<std::size_t> bytes, std::optional<double> renderedSnr, const py::object& progress) {
-  dictionary::EncodeOptions options{.coefficients = coefficients, .relativeError = relativeError, .gamma = gamma};
+                      std::optional<std::size_t> bytes, std::optional<double> renderedSnr, const std::string& method,
+                      bool asPublished, const py::object& progress) {
+  dictionary::EncodeOptions options = asPublished ? dictionary::publishedEncodeOptions() : dictionary::EncodeOptions();
+  options.coefficients = coefficients;
+  options.relativeError = relativeError;
+  options.gamma = gamma;
+  options.method = codingMethodOf(method);
+  if (asPublished && options.method != dictionary::CodingMethod::orthogonalMatchingPursuit)
+    throw Error("method: found '" + method + "', expected omp because as_published projects once");
   if (bytes) options.bytes = *bytes - std::min(*bytes, materials::codeHeaderBytes);
   options.transforms.clear();
   for (const std::string& transform : transforms) options.transforms.push_back(transformOf(transform));
@@ -280,6 +296,7 @@ void bindRepresentations(py::module_& module) {
       py::call_guard<py::gil_scoped_release>());
   py::class_<PyCode>(module, "Code")
       .def_property_readonly("transform", [](const PyCode& c) { return nameOf(c.code.transform); })
+      .def_property_readonly("scaled", [](const PyCode& c) { return c.code.scaled; })
       .def_property_readonly("count", [](const PyCode& c) { return c.code.coefficients(); })
       .def_readonly("bytes", &PyCode::bytes)
       .def_readonly("seconds", &PyCode::seconds)
@@ -289,13 +306,13 @@ void bindRepresentations(py::module_& module) {
       .def("save",
            [](const PyCode& c, const std::string& path) { materials::writeCode(c.code, c.dictionary->id, path); });
   using Given = std::shared_ptr<materials::NamedEnsemble>;
-  module.def("encode",
-             [](const PyMaterial& material, std::size_t coefficients, const Given& dictionary,
-                const std::vector<std::string>& transforms, double gamma, std::optional<double> relativeError,
-                std::optional<std::size_t> bytes, std::optional<double> renderedSnr, const py::object& progress) {
-               return encodeSparsely(material, coefficients, dictionary, transforms, gamma, relativeError, bytes,
-                                     renderedSnr, progress);
-             });
+  module.def("encode", [](const PyMaterial& material, std::size_t coefficients, const Given& dictionary,
+                          const std::vector<std::string>& transforms, double gamma, std::optional<double> relativeError,
+                          std::optional<std::size_t> bytes, std::optional<double> renderedSnr,
+                          const std::string& method, bool asPublished, const py::object& progress) {
+    return encodeSparsely(material, coefficients, dictionary, transforms, gamma, relativeError, bytes, renderedSnr,
+                          method, asPublished, progress);
+  });
   module.def("read_code", [](const std::string& path, const Given& dictionary) { return readCode(path, dictionary); });
 }
 

@@ -121,7 +121,7 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines" or "published"."""
+    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published" or "alternatives"."""
     representation: str
     """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
@@ -154,13 +154,14 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
     Args:
         material: The material to represent.
         representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
-            non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors with the
-            weights and nodes of the papers).
+            non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors and
+            codes as the papers describe them), "alternatives" (PDV factors whose terms are fitted together, codes by basis
+            pursuit).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
-        terms: Numbers of terms for "factors" and "published". They also set the budgets of "baselines": the sizes of .pdv
+        terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv
             files with as many terms in the form "3d".
-        coefficients: Numbers of coefficients per channel for "codes".
+        coefficients: Numbers of coefficients per channel for the codes of "codes", "published" and "alternatives".
         dictionary: The ensemble of dictionaries for "codes"; None: the bundled one.
         components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
         basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required

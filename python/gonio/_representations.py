@@ -126,7 +126,8 @@ class Factors:
 
 
 def factorize(material: Material, terms: int = 10, form: str = "3d", transform: str = "log-plus",
-              weights: str = "projected-solid-angle", deviation_nodes: Sequence[float] = (), progress: Progress = None) -> Factors:
+              weights: str = "projected-solid-angle", deviation_nodes: Sequence[float] = (), joint: bool = False,
+              progress: Progress = None) -> Factors:
     """Factorises a material into curves over projected-deviation coordinates. Takes about 1 s for ten terms. The published
     method is `factorize(material, terms, form, weights="equal", deviation_nodes=gonio.published_deviation_nodes())`.
 
@@ -140,12 +141,14 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
         weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
             docs/factors.md) or "equal" (as in the papers).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
+        joint: Fit all terms together after they were found one after the other (docs/factors.md). Takes some seconds. The
+            first terms then depend on the number.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
         Error: An argument is out of its range.
     """
-    return Factors(_core.factorize(material._handle, terms, form, transform, weights, list(deviation_nodes), progress))
+    return Factors(_core.factorize(material._handle, terms, form, transform, weights, list(deviation_nodes), joint, progress))
 
 
 def published_deviation_nodes(materials: Sequence[Material] = (), progress: Progress = None) -> NDArray[np.float64]:
@@ -299,6 +302,11 @@ class Code:
         return self._handle.transform
 
     @property
+    def scaled(self) -> bool:
+        """Whether the code represents values scaled by the importance of the cells; False if `as_published`."""
+        return self._handle.scaled
+
+    @property
     def bytes(self) -> int:
         """Size of the file that save() writes, bytes."""
         return self._handle.bytes
@@ -336,7 +344,8 @@ class Code:
 def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dictionary] = None,
            transforms: Sequence[str] = ("log-plus", "cosine-log"), gamma: float = 2.0,
            relative_error: Optional[float] = None, max_bytes: Optional[int] = None,
-           rendered_snr: Optional[float] = None, progress: Progress = None) -> Code:
+           rendered_snr: Optional[float] = None, method: str = "omp", as_published: bool = False,
+           progress: Progress = None) -> Code:
     """Encodes a material as a sparse code. Takes about 1 s, or a minute if `rendered_snr` is given.
 
     Args:
@@ -349,13 +358,17 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
             their energy; None: no such limit.
         max_bytes: Use fewer coefficients if the file would be larger than this; None: no such limit.
         rendered_snr: Use the smallest number of coefficients that reaches this rendered SNR in dB; None: no such limit.
+        method: "omp" (the largest coefficients, as orthogonal matching pursuit chooses them) or "basis-pursuit" (those of the
+            smallest sum of absolute values; docs/dictionaries.md).
+        as_published: Encode the transformed values without the scale of the cells, by one projection (Tongbuasirilai 2023,
+            eq. 4.37 to 4.39; docs/dictionaries.md).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
         Error: An argument is out of its range, or the material's table has another grid than the dictionary.
     """
     return Code(_core.encode(material._handle, coefficients, dictionary._handle if dictionary else None, list(transforms),
-                             gamma, relative_error, max_bytes, rendered_snr, progress))
+                             gamma, relative_error, max_bytes, rendered_snr, method, as_published, progress))
 
 
 def open_code(path: PathLike, dictionary: Optional[Dictionary] = None) -> Code:

@@ -86,6 +86,34 @@ def test_codes_are_sums_of_atoms(code):
     np.testing.assert_allclose(ratios[0][valid], ratios[1][valid], rtol=1e-3)
 
 
+def test_codes_by_other_methods(code, tmp_path):
+    paint = gonio.open("library:sgd/blue-metallic-paint")
+    options = {"coefficients": 64, "transforms": ["log-plus"]}
+    convex = gonio.encode(paint, method="basis-pursuit", **options)
+    published = gonio.encode(paint, as_published=True, **options)
+    assert code.scaled and convex.scaled and not published.scaled
+    assert len(convex.channels[0].values) <= 64
+    # Without the scale the decoded transformed values are the sums of atoms themselves.
+    channel = published.channels[1]
+    atoms = gonio.dictionary().atoms(channel.dictionary)
+    nodes = (20, 30, 60)
+    signal = sum(value * atoms[0][nodes[2], i[0]] * atoms[1][nodes[1], i[1]] * atoms[2][nodes[0], i[2]]
+                 for value, i in zip(channel.values.astype(float), channel.indices))
+    np.testing.assert_allclose(published.material().values[nodes][1], np.expm1(max(signal, 0)), rtol=1e-3, atol=1e-5)
+    published.save(tmp_path / "published.code")
+    np.testing.assert_array_equal(gonio.decode(tmp_path / "published.code").values, published.material().values)
+    for wrong in ({"method": "lars"}, {"method": "basis-pursuit", "as_published": True}):
+        with pytest.raises(gonio.Error, match="method"):
+            gonio.encode(paint, **wrong)
+
+
+def test_joint_factors(paint, factors):
+    joint = gonio.factorize(paint, terms=3, joint=True)
+    assert joint.residuals[3] < factors.residuals[3] and joint.bytes == factors.bytes
+    np.testing.assert_array_equal(joint.residuals[:3], factors.residuals[:3])
+    assert joint.f1[:, 0].min() >= 0
+
+
 def test_code_files_round_trip(code, tmp_path):
     code.save(tmp_path / "paint.code")
     assert (tmp_path / "paint.code").stat().st_size == code.bytes

@@ -17,7 +17,9 @@ QString kindToolTip(study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::baselines)
     return StudyRun::tr("Other factorisations from the literature, at the sizes of PDV factors");
   if (family == study::RepresentationFamily::published)
-    return StudyRun::tr("PDV factors with the weights and nodes of the papers");
+    return StudyRun::tr("PDV factors and dictionary codes as the papers describe them");
+  if (family == study::RepresentationFamily::alternatives)
+    return StudyRun::tr("PDV factors whose terms are fitted together, dictionary codes by basis pursuit");
   return StudyRun::tr("Measures representations of this kind");
 }
 

@@ -63,6 +63,51 @@ class GoniotoolDictionaryTest : public QObject {
     QVERIFY(foreign.error.contains("plastic.code") && foreign.error.contains("another dictionary"));
   }
 
+  /// Without the scale, of the dictionary or of the code alone; by basis pursuit; by principal components. Each file
+  /// holds what is reported.
+  void otherMethods() {
+    const QString out = folder_.path("published.dictionary"), code = folder_.path("published.code"),
+                  decoded = folder_.path("published.binary");
+    const ToolResult trained =
+        runJson({"dictionary", "train", plastic_, rough_, "--as-published", "--dictionaries", "1", "--sparsities", "40",
+                 "--iterations", "1", "--subspace-loss", "0.001", "--out", out});
+    VERIFY_SUCCESS(trained);
+    QVERIFY(!trained.json["scaled"].get<bool>());
+    QVERIFY(!runJson({"dictionary", "info", out}).json["scaled"].get<bool>());
+    const auto encoded = [&](const QStringList& options) {
+      const QStringList all = QStringList{"encode", plastic_, "--dictionary", out, "--coefficients", "100", "--out", code};
+      const ToolResult result = runJson(all + options);
+      if (runTool({"decode", code, "--dictionary", out, "--out", decoded}).code != 0) return -1.0;
+      const double error = metrics::brdfErrors(*readTable(plastic_), *readTable(decoded))[0];
+      const double reported = result.json["errors"]["log"].get<double>();
+      return std::abs(reported / error - 1) < 1e-3 && !result.json["scaled"].get<bool>() ? error : -1.0;
+    };
+    for (const QStringList& options :
+         {QStringList(), QStringList{"--as-published"}, QStringList{"--method", "basis-pursuit"}}) {
+      const double error = encoded(options);
+      QVERIFY2(error > 0 && error < 0.05, qPrintable(options.join(' ') + QString::number(error)));
+    }
+    // A code without the scale over the bundled dictionary is a material of every subcommand.
+    VERIFY_SUCCESS(runJson({"encode", merl_, "--coefficients", "200", "--as-published", "--out", code}));
+    const ToolResult info = runJson({"info", code});
+    VERIFY_SUCCESS(info);
+    QVERIFY(info.out.contains("sparse code"));
+
+    const QString plan = folder_.path("few.csv"), basis = folder_.path("few.basis");
+    VERIFY_SUCCESS(runJson({"plan", "--train", plastic_, rough_, "--samples", "2", "--out", plan}));
+    const QStringList components{"encode", plastic_, "--method", "components", "--basis", basis};
+    const ToolResult two = runJson(components + QStringList{"--coefficients", "2", "--out", decoded});
+    VERIFY_SUCCESS(two);
+    QCOMPARE(two.json["coefficients"].get<int>(), 2);
+    QVERIFY(two.json["errors"]["log"].get<double>() < 0.3);
+    QCOMPARE(readTable(decoded)->grid(), readTable(plastic_)->grid());
+    QCOMPARE(runTool(components + QStringList{"--coefficients", "262"}).code, 1);
+    QCOMPARE(runTool(components + QStringList{"--coefficients", "2", "--single"}).code, 2);
+    QCOMPARE(runTool({"encode", plastic_, "--method", "components"}).code, 2);
+    QCOMPARE(runTool({"encode", plastic_, "--method", "basis-pursuit", "--as-published"}).code, 2);
+    QCOMPARE(runTool({"encode", plastic_, "--method", "lars"}).code, 2);
+  }
+
   void wrongTrainingsAreTold() {
     const QString out = folder_.path("none.dictionary");
     const ToolResult none = runTool({"dictionary", "train", plastic_, "--exclude", "plastic", "--out", out});

@@ -95,6 +95,23 @@ class GoniotoolFactorTest : public QObject {
     QVERIFY(plain.json["residuals"] != result.json["residuals"]);
   }
 
+  /// --joint writes the factors of the library, of the same size with a lower residual.
+  void jointTerms() {
+    const QString out = folder_.path("joint.pdv");
+    const QStringList start{"factor", plastic_, "--samples", "1", "--terms", "2"};
+    const ToolResult result = runJson(start + QStringList{"--joint", "--out", out}), plain = runJson(start);
+    VERIFY_SUCCESS(result);
+    VERIFY_SUCCESS(plain);
+    const auto library = factorizePdv(*readTable(plastic_), {.terms = 2, .joint = true});
+    QVERIFY(result.json["residuals"] == nlohmann::json({library.residuals[1], library.residuals[2]}));
+    QVERIFY(result.json["joint"].get<bool>() && !plain.json["joint"].get<bool>());
+    QVERIFY(result.json["residuals"][0] == plain.json["residuals"][0]);
+    QVERIFY(result.json["residuals"][1] < plain.json["residuals"][1]);
+    QVERIFY(result.json["bytes"] == plain.json["bytes"]);
+    QCOMPARE(runTool(start + QStringList{"--joint", "--swap-f1", rough_}).code, 2);
+    QCOMPARE(runTool({"factor", out, "--joint"}).code, 2);
+  }
+
   /// Of a file of factors the factors are taken, not found again.
   void factorsOfFactors() {
     const QString all = folder_.path("all.pdv"), two = folder_.path("two.pdv");

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
 #include "tests/core/dictionary/code_test_support.h"
@@ -181,6 +183,70 @@ class EncodeTest : public QObject {
                       .size() > bytes);
     }
     QCOMPARE(encoder.encode(*table, {.coefficients = 50, .bytes = 3}).code.coefficients(), std::size_t(0));
+  }
+
+  /// Without the scale a code represents the transformed values themselves: its coefficients are their largest
+  /// projections, and decoding needs no division.
+  void publishedCodesHaveNoScale() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(2).load(1);
+    EncodeOptions options = publishedEncodeOptions(30);
+    options.transforms = {DataTransform::logPlus};
+    const Encoded encoded = Encoder(ensemble).encode(*table, options);
+    QVERIFY(!encoded.code.scaled);
+    const auto geometry = GridGeometry::of(smallGrid);
+    const auto signals = signalsOf(*table, DataTransform::logPlus, *geometry, false);
+    const auto decoded = decodeSignals(ensemble, encoded.code);
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
+      if (table->valid()[cell] != 0)
+        QVERIFY(std::abs(double(signals[0][Eigen::Index(cell)]) - std::log1p(double(table->values()[cell].x))) < 1e-6);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const ChannelCode& channel = encoded.code.channels[c];
+      const Eigen::ArrayXd signal = signals[c].cast<double>();
+      Workspace<double> workspace;
+      const double* projection = transposedModeProducts(
+          signal.data(), modeSizes(smallGrid), ensemble.dictionaries[std::size_t(channel.dictionary)].modes, workspace);
+      std::vector<Coefficient<double>> largest;
+      keepLargest(std::span(projection, smallGrid.size()), 30, largest);
+      QCOMPARE(channel.coefficients.size(), std::size_t(30));
+      QVERIFY(std::abs(energy<float>(channel.coefficients) / energy<double>(largest) - 1) < 1e-5);
+      // Parseval: the error is the energy that was left out. Clamping to the largest value only lowers it.
+      const double left = (signal - decoded[c].cast<double>()).square().sum();
+      QVERIFY(left <= (1 + 1e-4) * (signal.square().sum() - energy<double>(largest)));
+    }
+    // The mean of the gamma error is over the cells, by hand.
+    const auto values = decode(ensemble, encoded.code);
+    double sum = 0, count = 0;
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      if (table->valid()[cell] == 0 || std::min(pair.wi.z, pair.wo.z) < std::cos(radians(85))) continue;
+      for (int c = 0; c < 3; ++c, ++count)
+        sum += std::pow(std::sqrt(double(table->values()[cell][c])) - std::sqrt(double(values->values()[cell][c])), 2);
+    }
+    QVERIFY(std::abs(encoded.candidates[0].gammaError / (sum / count) - 1) < 1e-9);
+  }
+
+  /// Over an ensemble that was trained without the scale no code has it, and codes of both kinds are not mixed.
+  void ensemblesWithoutTheScale() {
+    Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(2).load(0);
+    const SparseCode scaled = Encoder(ensemble).encode(*table, {.coefficients = 50}).code;
+    ensemble.scaled = false;
+    const SparseCode unscaled =
+        Encoder(ensemble).encode(*table, {.coefficients = 50, .transforms = {scaled.transform}}).code;
+    QVERIFY(scaled.scaled && !unscaled.scaled);
+    QVERIFY(relativeDifference(*table, *decode(ensemble, unscaled)) < 0.7);
+    const std::array codes{scaled, unscaled};
+    const std::array weights{0.5, 0.5};
+    QVERIFY_EXCEPTION_THROWN(interpolateCodes(ensemble, codes, weights, 50), Error);
+    const auto brdf = makeCodeBrdf(ensemble, unscaled);
+    const auto decoded = decode(ensemble, unscaled);
+    for (const std::size_t cell : {20, 700, 1500}) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      if (decoded->valid()[cell] == 0) continue;
+      const double expected = double(decoded->values()[cell].y);
+      QVERIFY(std::abs(brdf->evaluate(pair.wi, pair.wo).y - expected) < 1e-3 * std::max(1e-2, expected));
+    }
   }
 
   void packsAndUnpacks() {

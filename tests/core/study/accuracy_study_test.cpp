@@ -8,6 +8,7 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
+#include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
@@ -39,6 +40,7 @@ std::vector<Representation> few() {
                      RepresentationFamily::published};
   choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
   choice.terms = {1, 3};
+  choice.coefficients = {};
   return representationsOf(choice);
 }
 
@@ -86,7 +88,8 @@ class AccuracyStudyTest : public QObject {
     fails("ggxx", {}, "'ggxx', expected one of table-nearest, table-trilinear, factors-2d");
     fails("components", 4, "'components'");
     fails("tucker", 4,
-          "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, kautz-mccool");
+          "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, code-published, "
+          "factors-2d-joint, factors-3d-joint, code-basis-pursuit, kautz-mccool");
     fails("lawrence", {}, "no budget, expected a whole number from 1 to 100000000 (bytes)");
     fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
     fails("factors-2d", 2.5, "the budget 2.5");
@@ -208,6 +211,31 @@ class AccuracyStudyTest : public QObject {
     other.build(few().back());
     unplanned.budget = 4;
     QVERIFY_EXCEPTION_THROWN(other.build(unplanned), Error);
+  }
+
+  /// What the study builds is what the functions of the library make with the options of each variant.
+  void publishedCodesAndAlternatives() {
+    const auto table = bakeTable(*plastic().table, dictionary::test_support::smallGrid);
+    BuildOptions build;
+    build.dictionary = std::make_shared<const materials::NamedEnsemble>(
+        materials::NamedEnsemble{dictionary::test_support::randomEnsemble(2), 1});
+    const dictionary::Encoder encoder(build.dictionary->ensemble);
+    const auto encoded = [&](const dictionary::EncodeOptions& options) {
+      const auto code = encoder.encode(*table, options).code;
+      return materials::encodeCode(code, 1).size();
+    };
+    const std::array all{representationById("code-published", 100), representationById("code-basis-pursuit", 100),
+                         representationById("factors-3d-joint", 2), representationById("factors-3d-joint", 3)};
+    RepresentationBuilder builder({table, table}, build, all);
+    QCOMPARE(builder.build(all[0]).bytes, encoded(dictionary::publishedEncodeOptions(100)));
+    QCOMPARE(builder.build(all[1]).bytes,
+             encoded({.coefficients = 100, .method = dictionary::CodingMethod::basisPursuit}));
+    for (const Representation& joint : {all[2], all[3]}) {
+      const auto factors = factorization::factorizePdv(*table, {.terms = int(joint.budget), .joint = true}).factors;
+      const BuiltRepresentation built = builder.build(joint);
+      QCOMPARE(built.bytes, materials::pdvFileBytes(factors));
+      QVERIFY(*factorization::pdvFactorsOf(*built.brdf) == factors);
+    }
   }
 
   /// Codes are of the dictionary's grid: a table on another is sampled first.

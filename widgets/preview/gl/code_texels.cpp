@@ -69,8 +69,8 @@ CodeTexels codeTexels(const dictionary::Ensemble& ensemble, const dictionary::Sp
       list->resize(std::size_t(list == &ranges[c].groups ? texels.groups : texels.slabs), glm::vec4(0));
     texels.groupRanges.insert(texels.groupRanges.end(), ranges[c].groups.begin(), ranges[c].groups.end());
     texels.slabRanges.insert(texels.slabRanges.end(), ranges[c].slabs.begin(), ranges[c].slabs.end());
-    const auto atoms =
-        dictionary::unscaledAtoms(ensemble.dictionaries[std::size_t(code.channels[c].dictionary)], *geometry);
+    const auto atoms = dictionary::unscaledAtoms(ensemble.dictionaries[std::size_t(code.channels[c].dictionary)],
+                                                 *geometry, code.scaled);
     for (std::size_t mode = 0; mode < 2; ++mode) {
       const Eigen::MatrixXf single = atoms[mode].cast<float>();
       texels.atoms[mode].insert(texels.atoms[mode].end(), single.data(), single.data() + single.size());
