@@ -232,7 +232,7 @@ std::string namesText() {
 Scene meshScene(const std::filesystem::path& path) {
   Scene scene = openScene("shader-ball");
   scene.name = path.stem().string();
-  scene.description = "A mesh on the ground in the studio";
+  scene.description = "A mesh on the ground";
   scene.objects[0].name = scene.name;
   scene.objects[0].shape =
       placedMesh(std::make_shared<const TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);

@@ -72,6 +72,8 @@ class LibraryViewTest : public QObject {
                                                             {"paint red metal", {"b"}},
                                                             {"metallic-paint", {"c", "b"}},
                                                             {"measured rgl", {"c"}},
+                                                            {"measured", {"c"}},
+                                                            {"near-measured paint", {"b"}},
                                                             {"fabric published", {"d"}},
                                                             {"near metal", {"a", "b"}},
                                                             {"METAL", {"c", "a", "b"}},

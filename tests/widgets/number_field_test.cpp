@@ -44,10 +44,27 @@ class NumberFieldTest : public QObject {
     QCOMPARE(field.value(), 0.25);
   }
 
+  /// A letter where a number begins is left to the window as a shortcut; the letters of a unit are typed.
+  void lettersBeginNoNumber() {
+    NumberField field;
+    field.setValue(2);
+    field.selectAll();
+    QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_C, Qt::NoModifier, QStringLiteral("c"));
+    asked.ignore();
+    QApplication::sendEvent(&field, &asked);
+    QVERIFY(!asked.isAccepted());
+    QTest::keyClicks(&field, QStringLiteral("c"));
+    QCOMPARE(field.text(), QStringLiteral("2"));
+    QTest::keyClicks(&field, QStringLiteral("3c"));
+    QCOMPARE(field.text(), QStringLiteral("3c"));
+    type(field, "pi");
+    QCOMPARE(field.text(), QStringLiteral("pi"));
+  }
+
   void nonsenseRestores() {
     NumberField field;
     field.setValue(0.25);
-    type(field, "rough");
+    type(field, "4rough");
     QTest::keyClick(&field, Qt::Key_Return);
     QCOMPARE(field.value(), 0.25);
     QCOMPARE(field.text(), QStringLiteral("0.25"));

@@ -76,11 +76,22 @@ void NumberField::offer(double value) {
 
 void NumberField::stepBy(double steps) { offer(m_value + steps * m_step); }
 
+bool NumberField::isStrayLetter(const QKeyEvent& event) const {
+  const QString typed = event.text();
+  const bool isLetter = typed.size() == 1 && typed[0].isLetter() && typed.compare("p", Qt::CaseInsensitive) != 0;
+  return isLetter && (text().isEmpty() || selectedText() == text());
+}
+
 bool NumberField::event(QEvent* event) {
   // Esc belongs to the field while something is typed in it, to the window (cancel the topmost task) otherwise.
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
       text() != m_shown) {
     event->accept();
+    return true;
+  }
+  // A letter begins no number, so that it remains the shortcut of the window that it is.
+  if (event->type() == QEvent::ShortcutOverride && isStrayLetter(*static_cast<QKeyEvent*>(event))) {
+    event->ignore();
     return true;
   }
   return QLineEdit::event(event);
@@ -103,6 +114,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Down:
       return stepBy(-fine);
     default:
+      if (isStrayLetter(*event)) return event->ignore();
       QLineEdit::keyPressEvent(event);
   }
 }

@@ -34,6 +34,8 @@ class NumberField : public QLineEdit {
   void clamped(double typed, double used);
 
  protected:
+  /// Whether a key is a letter where a number begins, so not meant for the field.
+  bool isStrayLetter(const QKeyEvent& event) const;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;

@@ -15,6 +15,12 @@ QStringList wordsOf(const QString& text) {
   return text.toLower().split(between, Qt::SkipEmptyParts);
 }
 
+/// Words of which hyphens are a part.
+QStringList termsOf(const QString& text) {
+  static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}-]+"));
+  return text.toLower().split(between, Qt::SkipEmptyParts);
+}
+
 }  // namespace
 
 LibraryOrder::LibraryOrder(LibraryModel* model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {
@@ -28,7 +34,7 @@ void LibraryOrder::setGrouping(LibraryGrouping grouping) {
 }
 
 void LibraryOrder::setSearch(const QString& text) {
-  m_words = wordsOf(text);
+  m_words = text.toLower().split(' ', Qt::SkipEmptyParts);
   invalidateFilter();
 }
 
@@ -52,11 +58,15 @@ bool LibraryOrder::matches(int row) const {
   const QDateTime opened = index.data(LibraryModel::OpenedRole).toDateTime();
   if (m_filter.recent && (opened.isNull() || opened.daysTo(QDateTime::currentDateTime()) > recentDays)) return false;
   if (m_words.isEmpty()) return true;
-  const QStringList own = wordsOf(
-      QStringList{index.data().toString(), kind, badge, m_model->group(row, LibraryGrouping::source), tags.join(' ')}
-          .join(' '));
+  const QStringList own = wordsOf(QStringList{index.data().toString(), kind, tags.join(' ')}.join(' '));
+  // A badge is one term: "measured" is no beginning of "near-measured copy".
+  const QStringList origin = termsOf(badge + ' ' + m_model->group(row, LibraryGrouping::source));
+  const auto begins = [](const QStringList& all, const QString& word) {
+    return std::ranges::any_of(all, [&](const QString& one) { return one.startsWith(word); });
+  };
   return std::ranges::all_of(m_words, [&](const QString& word) {
-    return std::ranges::any_of(own, [&](const QString& one) { return one.startsWith(word); });
+    const QStringList parts = wordsOf(word);
+    return begins(origin, word) || std::ranges::all_of(parts, [&](const QString& part) { return begins(own, part); });
   });
 }
 

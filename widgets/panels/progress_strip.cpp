@@ -9,6 +9,8 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "widgets/panels/elided_label.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -18,7 +20,7 @@ constexpr int barSteps = 1000;
 ProgressStrip::ProgressStrip(QWidget* parent)
     : QWidget(parent),
       m_text(new QLabel(this)),
-      m_notice(new QLabel(this)),
+      m_notice(new ElidedLabel(this)),
       m_bar(new QProgressBar(this)),
       m_cancel(new QToolButton(this)),
       m_pause(new QToolButton(this)),

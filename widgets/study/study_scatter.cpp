@@ -144,6 +144,7 @@ void StudyScatter::refresh() {
   addMark(m_best, tr("best"), QPen(style.text, 1.5, Qt::DashLine), fitRingSize + 4, true);
   m_hint->setVisible(m_records.empty());
   m_chart->legend->setVisible(!m_records.empty());
+  for (QCPAxis* axis : m_chart->axisRect()->axes()) axis->setVisible(!m_records.empty());
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }
 

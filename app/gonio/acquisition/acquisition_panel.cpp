@@ -162,8 +162,7 @@ void AcquisitionPanel::refresh() {
 void AcquisitionPanel::openResult() {
   if (!m_session.result()) return;
   m_subject->keepOpenMaterial();
-  m_session.open(m_document,
-                 QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/acquired"));
+  m_session.open(m_document, reconstructionFolder());
 }
 
 }  // namespace gonio::app

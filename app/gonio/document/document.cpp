@@ -63,6 +63,9 @@ Document::Document(QObject* parent) : QObject(parent) {
 
 bool Document::isModified() const {
   if (m_history.isClean()) return false;
+  // A material from a file, without edits, can be opened again.
+  const bool isSource = m_content.path.isEmpty() && material() && !material()->material.source.path.empty();
+  if (isSource && state().incident == editing::EditDocument().incident && changeTheSame({}, edits())) return false;
   return !m_saved || m_saved->material != material() || m_saved->state.incident != state().incident ||
          !changeTheSame(m_saved->state.edits, edits());
 }

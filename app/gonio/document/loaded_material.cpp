@@ -3,6 +3,7 @@
 #include "app/gonio/document/loaded_material.h"
 
 #include <QCoreApplication>
+#include <QStandardPaths>
 
 #include "core/documents/edit_document.h"
 #include "core/documents/edited_material.h"
@@ -78,9 +79,14 @@ LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskCo
                           control.between(readShare, 1));
 }
 
+QString reconstructionFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/acquired");
+}
+
 QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
   if (loaded.blend) return text("Saved blend");
+  if (loaded.material.source.path.parent_path() == reconstructionFolder().toStdString()) return text("Reconstruction");
   if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Near-measured");
   return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");
 }

@@ -66,5 +66,7 @@ LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr
 /// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Published fit" or "Kept
 /// blend".
 QString sourceKind(const LoadedMaterial& material);
+/// Where the acquisition workspace stores the materials that it opens.
+QString reconstructionFolder();
 
 }  // namespace gonio::app

@@ -36,11 +36,11 @@ std::shared_ptr<const Brdf> ExportSubject::edited() const {
 }
 
 exports::ExportSource ExportSubject::source() const {
-  return exports::exportSource(material->material.name, material->material, edited(), edits);
+  return exports::exportSource(name.toStdString(), material->material, edited(), edits);
 }
 
 QString ExportSubject::proposedName() const {
-  return QString::fromStdString(exports::proposedName(material->material.name, edits));
+  return QString::fromStdString(exports::proposedName(name.toStdString(), edits));
 }
 
 QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene) {

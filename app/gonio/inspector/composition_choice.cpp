@@ -31,7 +31,7 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
          "highlight while it widens; additive is the published method."));
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addRow(tr("Co&mposition"), m_choice);
+  layout->addRow(tr("Composition"), m_choice);
   connect(m_choice, &QComboBox::activated, this, [this](int index) { setComposition(m_document, Composition(index)); });
   for (const auto signal :
        {&Document::materialChanged, &Document::editChanged, &Document::stateChanged, &Document::selectionChanged})

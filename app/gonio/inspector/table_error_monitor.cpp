@@ -23,7 +23,7 @@ void TableErrorMonitor::measure() {
   m_measuring = material && (material->isSampled() || !material->isTable());
   if (!m_measuring) return;
   m_tasks.run<double>(
-      {tr("Measuring table accuracy of %1").arg(QString::fromStdString(material->material.name)), tableErrorKey, true},
+      {tr("Measuring table accuracy of %1").arg(m_document.name()), tableErrorKey, true},
       [material, picture = m_picture](const TaskControl& control) {
         const RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
         return comparison.signalToNoiseRatio(comparison.render(*material->table(control), control.between(0.5, 1)));

@@ -17,8 +17,8 @@ BlendOverview::BlendOverview(const BlendSpaces& spaces)
   static_assert(BlendSpaces::pictureCount == 7);
   m_strip->setSteps(steps);
   m_strip->setEmptyText(
-      tr("Drop a material from the library on A and another on B to compare all interpolation spaces side by side.\nOr "
-         "press Current to use the open material."));
+      tr("Drop a material from the library on each slot to compare all interpolation spaces side by side.\nPress "
+         "Current in a slot to use the open material."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_strip, 1);

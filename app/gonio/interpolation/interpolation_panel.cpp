@@ -36,7 +36,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_placeEditor(new BlendPlaceEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
-      m_modelLabel(new QLabel(tr("&Model"))),
+      m_modelLabel(new QLabel(tr("Mo&del"))),
       m_modelBox(new widgets::ModelBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
       m_keep(new QPushButton(tr("Sa&ve as Material"))) {
@@ -185,6 +185,10 @@ void InterpolationPanel::take(const QStringList& ids) {
   const QString& id = ids.front();
   for (int i = 0; i < m_ends.count(); ++i)
     if (!m_ends.at(i) && !m_ends.isReading(i)) return m_ends.read(i, id);
+  if (m_ends.count() == widgets::maxBlended)
+    return Q_EMIT failed(tr("All %1 slots have a material").arg(widgets::maxBlended),
+                         tr("Empty a slot, or drop the material on the slot whose material it replaces."));
+  m_ends.addPlace();
   m_ends.read(m_ends.count() - 1, id);
 }
 

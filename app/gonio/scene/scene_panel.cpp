@@ -44,7 +44,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_scenes(new QComboBox),
       m_description(new QLabel),
       m_result(new QLabel),
-      m_measure(new QPushButton(tr("&Measure costs"))),
+      m_measure(new QPushButton(tr("Meas&ure costs"))),
       m_compare(new QPushButton(tr("&Compare with the reference"))),
       m_neighbours(new SceneNeighbours(document, tasks)),
       m_effects(new widgets::EffectList) {

@@ -103,6 +103,7 @@ void ViewStrip::build() {
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
   m_slider->setMinimumWidth(fontMetrics().height() * 3);
+  m_slider->setMaximumWidth(fontMetrics().height() * 6);
 }
 
 void ViewStrip::connectParts() {

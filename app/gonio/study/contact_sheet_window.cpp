@@ -51,8 +51,8 @@ ContactSheetWindow::ContactSheetWindow(BackgroundTasks& tasks, SheetSource sourc
   m_renderKey = key + "pictures";
   m_mapsKey = key + "maps";
   m_pairKey = key + "pair";
-  setWindowTitle(tr("Contact Sheet: %1").arg(QString::fromStdString(m_source.material->material.name)));
-  m_tiles.push_back({QString::fromStdString(m_source.material->material.name), sourceKind(*m_source.material), {}, {}});
+  setWindowTitle(tr("Contact Sheet: %1").arg(m_source.name));
+  m_tiles.push_back({m_source.name, sourceKind(*m_source.material), {}, {}});
   for (const SheetEntry& entry : m_source.entries) m_tiles.push_back({entry.name, entry.numbers, {}, {}});
   build();
   showTiles();
@@ -199,7 +199,7 @@ void ContactSheetWindow::compareSelected() {
 }
 
 void ContactSheetWindow::save() {
-  const QString name = QString::fromStdString(m_source.material->material.name) + tr(" contact sheet.png");
+  const QString name = m_source.name + tr(" contact sheet.png");
   const QString proposed = widgets::inDialogFolder(pictureFolder, name);
   widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PNG (*.png)"), [this](const QString& path) {
     widgets::rememberDialogFolder(pictureFolder, path);

@@ -27,6 +27,7 @@ struct SheetEntry {
 };
 
 struct SheetSource {
+  QString name;                ///< of the document
   LoadedMaterialPtr material;  ///< the reference of all entries
   std::vector<SheetEntry> entries;
 };

@@ -37,7 +37,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
       m_view(new QTreeView(this)),
       m_empty(new QLabel(m_view)) {
   buildView();
-  auto* label = new QLabel(tr("&Metric"), this);
+  auto* label = new QLabel(tr("Me&tric"), this);
   label->setBuddy(m_metric);
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
     m_metric->addItem(widgets::fromView(record.name));
@@ -56,7 +56,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   top->addWidget(m_copy);
   m_copy->setToolTip(tr("Copies the fits, with every error, as comma-separated text"));
   connect(m_sheet, &QPushButton::clicked, this,
-          [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.material(), m_model)); });
+          [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.name(), m_document.material(), m_model)); });
   connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model.csv()); });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);

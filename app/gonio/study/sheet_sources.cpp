@@ -48,14 +48,14 @@ widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studi
   return widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
 }
 
-SheetSource sheetSource(const LoadedMaterialPtr& material, const FitRankingModel& ranking) {
-  SheetSource source{material, {}};
+SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const FitRankingModel& ranking) {
+  SheetSource source{name, material, {}};
   for (int row = 0; row < ranking.rowCount(); ++row) source.entries.push_back(fitEntry(*material, ranking.ranked(row)));
   return source;
 }
 
-SheetSource sheetSource(const LoadedMaterialPtr& material, const StudyModel& study) {
-  SheetSource source{material, {}};
+SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const StudyModel& study) {
+  SheetSource source{name, material, {}};
   for (const int row : study.measuredRows()) source.entries.push_back(studyEntry(study.studied(row)));
   return source;
 }

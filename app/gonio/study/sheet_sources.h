@@ -14,8 +14,8 @@ class StudyModel;
 widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studied, const TaskControl& control);
 
 /// The finished fits, as models without the measurement.
-SheetSource sheetSource(const LoadedMaterialPtr& material, const FitRankingModel& ranking);
+SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const FitRankingModel& ranking);
 /// The measured representations.
-SheetSource sheetSource(const LoadedMaterialPtr& material, const StudyModel& study);
+SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const StudyModel& study);
 
 }  // namespace gonio::app

@@ -65,6 +65,9 @@ QWidget* StudyPanel::buildChoice() {
   m_sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
   m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
+  QSizePolicy keepsRoom = m_back->sizePolicy();
+  keepsRoom.setRetainSizeWhenHidden(true);
+  m_back->setSizePolicy(keepsRoom);
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
   m_kinds->setToolTip(tr("Kinds of representations to measure; deselecting a kind removes its results"));
@@ -111,8 +114,7 @@ void StudyPanel::chooseKinds() {
 void StudyPanel::connectParts() {
   connect(m_measure, &QPushButton::clicked, this, [this] { m_run->isRunning() ? m_run->cancel() : measure(); });
   connect(m_back, &QPushButton::clicked, this, [this] { show(-1); });
-  connect(m_sheet, &QPushButton::clicked, this,
-          [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.material(), m_model)); });
+  connect(m_sheet, &QPushButton::clicked, this, &StudyPanel::openSheet);
   connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_run->csv()); });
   connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportSvg);
   connect(m_cost, &QComboBox::currentIndexChanged, this, &StudyPanel::refreshPlot);
@@ -204,10 +206,16 @@ void StudyPanel::refreshPlot() {
   refresh();
 }
 
+bool StudyPanel::openSheet() {
+  if (m_model.measuredRows().empty()) return false;
+  Q_EMIT contactSheetRequested(sheetSource(m_document.name(), m_document.material(), m_model));
+  return true;
+}
+
 void StudyPanel::refresh() {
   const bool open = m_document.material() != nullptr, running = m_run->isRunning();
   const bool whole = open && m_model.missing().empty();
-  m_measure->setText(running ? tr("Stop") : whole ? tr("Re-&measure") : tr("&Measure"));
+  m_measure->setText(running ? tr("Stop") : whole ? tr("Re-meas&ure") : tr("Meas&ure"));
   m_measure->setEnabled(open && m_model.rowCount() > 0);
   m_kinds->setEnabled(!running);
   m_back->setVisible(m_subject.has_value());

@@ -38,6 +38,8 @@ class StudyPanel : public QWidget {
   void measure() { m_run->measure(); }
   /// Shows a row in the preview; the same row again, or -1, shows the material.
   void show(int row);
+  /// The measured representations as images side by side. @return false if none is measured.
+  bool openSheet();
 
  Q_SIGNALS:
   void subjectChanged();

@@ -92,9 +92,7 @@ void StudyRun::start(const LoadedMaterialPtr& material) {
       [](bool) {}, [this](const QString& error) { Q_EMIT failed(tr("Cannot measure all representations"), error); });
 }
 
-std::string StudyRun::title() const {
-  return m_document.material() ? m_document.material()->material.name : std::string();
-}
+std::string StudyRun::title() const { return m_document.material() ? m_document.name().toStdString() : std::string(); }
 
 std::vector<std::string> StudyRun::machine() const {
   return m_machine ? machineLines(*m_machine) : std::vector<std::string>();

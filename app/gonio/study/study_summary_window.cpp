@@ -197,7 +197,7 @@ QString StudySummaryWindow::status() const {
 
 void StudySummaryWindow::refresh() {
   const bool running = isRunning();
-  m_measure->setText(running ? tr("S&top") : m_model.isEmpty() ? tr("&Measure") : tr("&Measure the Rest"));
+  m_measure->setText(running ? tr("S&top") : m_model.isEmpty() ? tr("Meas&ure") : tr("Meas&ure the Rest"));
   m_measure->setEnabled(running || nextMaterial());
   m_measure->setToolTip(running ? tr("Stops measuring; finished results stay (Escape)")
                                 : tr("Measures the missing representations in the background"));

@@ -23,7 +23,13 @@ AnalyseMenu::AnalyseMenu(const FigureDialog::Parts& figures, ComparisonControlle
         study.measure();
       });
   measure->setToolTip(tr("Accuracy vs. cost: the error and the cost of every representation of the material"));
-  const auto enable = [&document, measure] { measure->setEnabled(document.material() != nullptr); };
+  QAction* sheet = addAction(tr("Contact S&heet..."), this, [&docks, &study] {
+    if (!study.openSheet()) docks.show(QStringLiteral("study"));
+  });
+  sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
+  const auto enable = [&document, measure, sheet] {
+    for (QAction* action : {measure, sheet}) action->setEnabled(document.material() != nullptr);
+  };
   connect(&document, &Document::materialChanged, this, enable);
   enable();
   addFigure(figures, window);

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <iterator>
@@ -31,8 +32,26 @@ void collect(const QMenu* menu, const QString& prefix, QList<NamedAction>& found
   }
 }
 
-bool hasAll(const QString& text, const QStringList& words) {
-  return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+/// How well an entry matches: each word begins one of its text, or of its text and keywords, or stands anywhere in
+/// them.
+enum class Match { text, keywords, anywhere, none };
+
+bool beginsAll(const QString& text, const QStringList& words) {
+  static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
+  const QStringList own = text.split(between, Qt::SkipEmptyParts);
+  return std::ranges::all_of(words, [&](const QString& word) {
+    return std::ranges::any_of(own, [&](const QString& one) { return one.startsWith(word, Qt::CaseInsensitive); });
+  });
+}
+
+Match matchOf(const SearchEntry& entry, const QStringList& words) {
+  if (words.isEmpty()) return entry.isCommand ? Match::text : Match::none;
+  if (beginsAll(entry.text, words)) return Match::text;
+  const QString all = entry.text + ' ' + entry.keywords;
+  if (beginsAll(all, words)) return Match::keywords;
+  const bool isThere =
+      std::ranges::all_of(words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+  return isThere ? Match::anywhere : Match::none;
 }
 
 SearchEntry entryOf(const NamedAction& named) {
@@ -95,15 +114,11 @@ void CommandSearch::add(int entry) {
 void CommandSearch::filter(const QString& text) {
   m_list->clear();
   const QStringList words = text.split(' ', Qt::SkipEmptyParts);
-  std::vector<int> byKeywords;
-  for (int i = 0; i < int(m_entries.size()); ++i) {
-    const SearchEntry& entry = m_entries[std::size_t(i)];
-    if (words.isEmpty() ? entry.isCommand : hasAll(entry.text, words))
-      add(i);
-    else if (!words.isEmpty() && hasAll(entry.text + ' ' + entry.keywords, words))
-      byKeywords.push_back(i);
-  }
-  for (const int entry : byKeywords) add(entry);
+  std::vector<Match> matches;
+  for (const SearchEntry& entry : m_entries) matches.push_back(matchOf(entry, words));
+  for (const Match match : {Match::text, Match::keywords, Match::anywhere})
+    for (int i = 0; i < int(m_entries.size()); ++i)
+      if (matches[std::size_t(i)] == match) add(i);
   if (m_list->count() == 0) {
     auto* none = new QListWidgetItem(tr("No entry matches \"%1\".").arg(text));
     none->setFlags(Qt::NoItemFlags);

@@ -182,8 +182,10 @@ void DocumentFiles::exportBrdf() {
   QString chosen = filters.front();
   const QString suggested =
       QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(forms.front()));
+  // Whether the file may be replaced is asked below: not before it is known that it is no source.
   const QString path =
-      QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen);
+      QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen,
+                                   QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   widgets::rememberDialogFolder(exportPurpose, path);
   exports::MaterialForm form = forms[std::size_t(std::max(qsizetype(0), filters.indexOf(chosen)))];
@@ -193,7 +195,13 @@ void DocumentFiles::exportBrdf() {
       form = other;
       break;
     }
-  m_parts.exports.writeMaterial(withSuffix(path, suffixOf(form)), form);
+  const QString target = withSuffix(path, suffixOf(form));
+  if (m_parts.exports.refuses(target)) return;
+  if (QFileInfo::exists(target) &&
+      QMessageBox::question(m_window, tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName())) !=
+          QMessageBox::Yes)
+    return;
+  m_parts.exports.writeMaterial(target, form);
 }
 
 void DocumentFiles::exportImage() {

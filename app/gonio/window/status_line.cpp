@@ -7,6 +7,7 @@
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/edit_steps.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
@@ -37,7 +38,10 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   connect(m_progress, &widgets::ProgressStrip::entryCancelRequested, &m_tasks, [this](int id) { m_tasks.cancel(id); });
   QLabel* representation =
       addPermanent(bar, tr("What the preview shows. Native form: evaluated as stored, not resampled to a table."));
-  const auto showRepresentation = [this, representation] { representation->setText(representationText()); };
+  const auto showRepresentation = [this, representation, explanation = representation->toolTip()] {
+    representation->setText(representationText());
+    representation->setToolTip(representation->text() + '\n' + explanation);
+  };
   for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
     connect(&m_comparison, signal, this, showRepresentation);
   showRepresentation();
@@ -51,7 +55,7 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
 }
 
 QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip) {
-  auto* label = new QLabel;
+  auto* label = new widgets::ElidedLabel;
   label->setToolTip(toolTip);
   label->setContentsMargins(8, 0, 8, 0);
   bar.addPermanentWidget(label);

@@ -36,7 +36,7 @@ class ContactSheetTest : public QObject {
   /// The material first, then the best; pictures and maps of all on one scale; fewer where fewer are asked for.
   void showsTheBestFirst() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource(material_, ranking_), nullptr);
+    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
     QVERIFY(wait([&] { return window.isComplete(); }));
     const auto& tiles = window.sheet().tiles();
     QCOMPARE(tiles.size(), std::size_t(4));
@@ -55,7 +55,7 @@ class ContactSheetTest : public QObject {
   /// Only what is shown is rendered, the rest when it is asked for.
   void rendersWhatIsShown() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource(material_, ranking_), nullptr);
+    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
     window.setCount(1);
     QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
     window.setCount(3);
@@ -68,7 +68,7 @@ class ContactSheetTest : public QObject {
   /// Two tiles go to the preview: the material in its own form and the model alone.
   void comparesTwo() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource(material_, ranking_), nullptr);
+    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
     QSignalSpy compare(&window, &ContactSheetWindow::compareRequested);
     window.sheet().toggle(2);
     window.sheet().toggle(1);
@@ -85,7 +85,7 @@ class ContactSheetTest : public QObject {
   /// One number for one thing: the ranking's SNR is that of the comparison.
   void theComparisonTellsTheSameSnr() {
     const auto reference = comparisonReference(widgets::measuredSubject(material_->base, material_->lobe));
-    const SheetSource source = sheetSource(material_, ranking_);
+    const SheetSource source = sheetSource("acrylic", material_, ranking_);
     for (const SheetEntry& entry : source.entries)
       QCOMPARE(compareSubjects(entry.subject({}), *reference).renderedSnr, entry.snr);
   }
@@ -93,7 +93,7 @@ class ContactSheetTest : public QObject {
   /// A window that is closed while it works leaves no work behind.
   void closingEndsTheWork() {
     BackgroundTasks tasks;
-    { ContactSheetWindow window(tasks, sheetSource(material_, ranking_), nullptr); }
+    { ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr); }
     QVERIFY(tasks.isIdle());
   }
 

@@ -195,6 +195,16 @@ class DocumentTest : public QObject {
     QCOMPARE(m_document->history().count(), 0);
   }
 
+  /// Edits that were undone to a material that can be opened again leave nothing to save, even if another state was
+  /// saved.
+  void aMaterialWithoutEditsIsNotModified() {
+    setParameter(*m_document, index("f0"), Rgb(0.5));
+    m_document->history().setClean();
+    QVERIFY(!m_document->isModified());
+    m_document->history().undo();
+    QVERIFY(!m_document->history().isClean() && !m_document->isModified());
+  }
+
   void savingIsWhatModifiedComparesWith() {
     QSignalSpy title(m_document, &Document::titleChanged);
     setParameter(*m_document, index("f0"), Rgb(0.5));

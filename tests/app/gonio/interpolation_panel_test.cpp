@@ -193,6 +193,13 @@ class InterpolationPanelTest : public QObject {
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.take({"a", "b", "c", "d", "e"});
     QVERIFY(failed.count() == 1 && editor.panel.ends().count() == 2);
+    // One more takes a slot of its own, also while the others are being read; without a free slot nothing is replaced.
+    for (const char* more : {"library:sgd/red-fabric", "library:sgd/alumina-oxide", "library:sgd/black-fabric"})
+      editor.panel.take({more});
+    QVERIFY(failed.count() == 2 && editor.panel.ends().count() == 4);
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
+    QCOMPARE(editor.panel.ends().at(1)->name, QString("nickel"));
+    QCOMPARE(editor.panel.ends().at(3)->name, QString("alumina-oxide"));
     editor.panel.spaces().pause();
   }
 

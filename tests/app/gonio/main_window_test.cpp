@@ -229,6 +229,9 @@ class MainWindowTest : public QObject {
     QVERIFY(found("hdri").contains("Light > Sunset"));
     QCOMPARE(found("model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
     QVERIFY(found("undo").first().startsWith("Edit > "));
+    // Words begin words: "red" is no part of "near-measured" here.
+    QCOMPARE(found("red metallic").first(), QString("Library > red-metallic-paint (near-measured)"));
+    QVERIFY(found("contact sheet").first().startsWith("Analyse > Contact Sheet"));
     QCOMPARE(found("xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
     auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files(), *window));
