@@ -70,7 +70,8 @@ QStringList without(const QStringList& ids, const QString& id) {
 
 std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, const TaskControl& control) {
   if (ids.size() < 2)
-    throw Error("The training set has " + std::to_string(ids.size()) + " materials; it needs at least 2.");
+    throw Error("The training set has " + std::to_string(ids.size()) + (ids.size() == 1 ? " material" : " materials") +
+                "; it needs at least 2.");
   const auto load = [&](std::size_t material) {
     const std::string id = ids[qsizetype(material)].toStdString();
     return materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});

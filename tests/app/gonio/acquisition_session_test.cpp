@@ -242,7 +242,7 @@ class AcquisitionSessionTest : public QObject {
     PlanSettings settings = acquisition.library.settings();
     settings.training.ids.resize(1);
     QVERIFY(!acquisition.plan(settings));
-    QCOMPARE(acquisition.failures, QStringList{"The training set has 1 materials, expected 2 or more."});
+    QCOMPARE(acquisition.failures, QStringList{"The training set has 1 material; it needs at least 2."});
     settings.training.ids << "/nowhere/missing.binary";
     QVERIFY(!acquisition.plan(settings));
     QVERIFY2(acquisition.failures.last().contains("/nowhere/missing.binary"), qPrintable(acquisition.failures.last()));
