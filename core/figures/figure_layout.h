@@ -65,8 +65,8 @@ struct FigureLayout {
 /// breaks of labels. @throws Error if the columns would be narrower than 9 mm.
 FigureLayout layOutFigure(const FigureDescription& description, const FigureTexts& texts, const TextWidth& width);
 
-/// Breaks a text into lines of at most `maxWidth` mm: at spaces, after hyphens and underscores, and between letters where a
-/// part is wider than a line. @param size of the font, pt.
+/// Breaks a text into lines of at most `maxWidth` mm: at spaces, after hyphens and underscores, and between letters
+/// where a part is wider than a line. @param size of the font, pt.
 std::vector<std::string> brokenLines(const std::string& text, double maxWidth, double size, const TextWidth& width,
                                      bool bold = false);
 
