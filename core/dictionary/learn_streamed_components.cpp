@@ -13,8 +13,8 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// The fractions of the progress at which the materials are read, and at which the Gram matrix is complete.
-constexpr double readFraction = 0.3, gramFraction = 0.7;
+/// The fractions of the progress at which the columns are written, and at which the Gram matrix is complete.
+constexpr double writtenFraction = 0.3, gramFraction = 0.7;
 constexpr std::uint64_t valueBytes = sizeof(float);
 
 /// rho w of all cells of the first material, a column for each channel of each material.
@@ -85,7 +85,7 @@ PrincipalComponents learnStreamedComponents(
   const std::uint64_t columns = 3 * materials;
   checkComponents(pca.mapping.cells.size(), columns, options);
   ColumnFile file(pca.mapping.cells.size(), columns);
-  const std::vector<std::size_t> kept = fill(file, pca.mapping, first, load, control.between(0, readFraction));
+  const std::vector<std::size_t> kept = fill(file, pca.mapping, first, load, control.between(0, writtenFraction));
   const std::size_t blockCells = cellsPerBlock(options, columns);
   const auto forEachBlock = [&](const TaskControl& part, const auto& work) {
     for (std::size_t begin = 0; begin < kept.size(); begin += blockCells) {
@@ -98,7 +98,7 @@ PrincipalComponents learnStreamedComponents(
 
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(Eigen::Index(columns), Eigen::Index(columns));
   std::vector<float> variance;
-  forEachBlock(control.between(readFraction, gramFraction), [&](std::size_t, std::size_t, TallMatrix block) {
+  forEachBlock(control.between(writtenFraction, gramFraction), [&](std::size_t, std::size_t, TallMatrix block) {
     const std::vector<float> medians = rowMedians(block);
     const std::vector<float> means = mapAndCentre(medians, block, {});
     const std::vector<float> variances = rowVariance(block);
