@@ -34,7 +34,7 @@ AcquisitionError errorOf(const TabulatedBrdf& table, const ComparisonPicture& pi
           metrics::brdfError(metrics::BrdfMetric::log, *reference.table, table)};
 }
 
-void addErrorMap(AcquisitionResult& result, const Image& picture, const Image& against) {
+void addErrorMap(ComparedPicture& result, const Image& picture, const Image& against) {
   result.errorRange =
       widgets::automaticRange(widgets::pictureDifferences(picture, against, widgets::DifferenceKind::absolute));
   result.errorMap = QImage(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
@@ -76,6 +76,20 @@ AcquisitionReferencePtr readAcquisitionReference(const QString& id, const Render
                               control.between(readShare, 1));
 }
 
+ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionReferencePtr& reference,
+                                const TaskControl& control) {
+  ComparedPicture result;
+  if (!reference) {
+    result.picture = spherePicture(table, comparedSide, comparedSamples, control);
+    return result;
+  }
+  const ComparisonPicture picture = reference->comparison->render(table, control);
+  result.picture = withoutSurroundings(picture.image);
+  result.error = errorOf(table, picture, *reference);
+  addErrorMap(result, picture.image, reference->comparison->reference());
+  return result;
+}
+
 AcquisitionInput AcquisitionInput::prefix(std::size_t samples) const {
   AcquisitionInput part = *this;
   part.plan.samples.resize(std::min(samples, plan.samples.size()));
@@ -91,15 +105,8 @@ AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionRef
   auto reconstruction = std::make_shared<const acquisition::Reconstruction>(acquisition::reconstruct(
       *input.basis, input.plan, input.values, input.options, control.between(0, reconstructedShare)));
   result->reconstruction = reconstruction;
-  const TaskControl rest = control.between(reconstructedShare, 1);
-  if (reference) {
-    const ComparisonPicture picture = reference->comparison->render(*reconstruction->table, rest);
-    result->picture = withoutSurroundings(picture.image);
-    result->error = errorOf(*reconstruction->table, picture, *reference);
-    addErrorMap(*result, picture.image, reference->comparison->reference());
-  } else {
-    result->picture = spherePicture(*reconstruction->table, comparedSide, comparedSamples, rest);
-  }
+  static_cast<ComparedPicture&>(*result) =
+      comparedPicture(*reconstruction->table, reference, control.between(reconstructedShare, 1));
   std::vector<double> deviations(reconstruction->deviation.begin(), reconstruction->deviation.end());
   if (!deviations.empty()) result->deviationRange = widgets::automaticRange(std::move(deviations));
   return result;

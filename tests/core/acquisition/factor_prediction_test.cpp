@@ -156,18 +156,28 @@ class FactorPredictionTest : public QObject {
     QVERIFY(supportOf(measureFactors(test::lambert(Rgb(0.5)), {.fixedAngle = radians(60)})).warnings.empty());
   }
 
-  /// The curves as PDV factors are the unbounded prediction, up to single precision.
+  /// The curves as PDV factors are the unbounded prediction, up to single precision, also where the curve across
+  /// increases.
   void curvesAsFactors() {
-    const FactorMeasurement m = measureFactors(productOfCurves(FactorAxes::projectedDeviation), {.fixedAngle = 0.6});
-    const auto factors = factorization::makePdvBrdf(factorsOfCurves(m));
-    const auto predicted = predictFromFactors(m, FactorBound::none);
-    std::mt19937_64 random(3);
-    for (int n = 0; n < 500; ++n) {
-      const auto [wi, wo] = factorPair(random);
-      // Below the second reading, the node at 0 that factors need changes the slope.
-      if (polarAngle(wo) < m.angles[1]) continue;
-      const Rgb found = factors->evaluate(wi, wo), expected = predicted->evaluate(wi, wo);
-      QVERIFY(glm::length(found - expected) < 1e-5 * (1 + glm::length(expected)));
+    const test::FunctionBrdf increasing([](const Direction& wi, const Direction& wo) {
+      const ProjectedDeviation at = toProjectedDeviation(wi, wo);
+      return Rgb(std::expm1(0.1 * (1 + at.thetaR) * (1 + at.deviation)));
+    });
+    for (const test::FunctionBrdf& material : {productOfCurves(FactorAxes::projectedDeviation), increasing}) {
+      const FactorMeasurement m = measureFactors(material, {.fixedAngle = 0.6});
+      const factorization::PdvFactors curves = factorsOfCurves(m);
+      for (const auto& channel : curves.channels)
+        QVERIFY(channel[0].f2.empty() || std::ranges::max(channel[0].f2) <= 1 + 1e-12);
+      const auto factors = factorization::makePdvBrdf(curves), predicted = predictFromFactors(m, FactorBound::none);
+      std::mt19937_64 random(3);
+      for (int n = 0; n < 500; ++n) {
+        const auto [wi, wo] = factorPair(random);
+        // Below the second reading, the node at 0 that factors need changes the slope.
+        if (polarAngle(wo) < m.angles[1]) continue;
+        const Rgb found = factors->evaluate(wi, wo), expected = predicted->evaluate(wi, wo);
+        const Rgb limit = Rgb(std::expm1(curves.highest) * (1 + 1e-5));
+        QVERIFY(glm::length(found - glm::min(expected, limit)) < 1e-4 * (1 + glm::length(expected)));
+      }
     }
     QVERIFY_EXCEPTION_THROWN(factorsOfCurves(measureFactors(varnish(), {.axes = FactorAxes::halfDifference})), Error);
   }
