@@ -67,7 +67,8 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 
-int measureBy(const CLI::App& command, MeasureArguments options, MeasureFactorsArguments factors, const Tool& tool) {
+int measureBy(const CLI::App& command, const MeasureArguments& options, MeasureFactorsArguments factors,
+              const Tool& tool) {
   if (factors.axes.empty()) {
     for (const char* name : factorsOptions)
       if (command.count(name) > 0) throw UsageError(std::string("measure: ") + name + " needs --factors");

@@ -77,11 +77,13 @@ bool isFarAbove(const Rgb& z, const Rgb& limit) {
 void addFractions(const FactorMeasurement& m, FactorSupport& support) {
   const PredictedBrdf predicted(m, FactorBound::none);
   double total = 0;
-  for (double thetaI = 2.5; thetaI < 90; thetaI += 5)
-    for (double thetaO = 2.5; thetaO < 90; thetaO += 5)
-      for (double phi = 2.5; phi < 180; phi += 5) {
-        const double i = radians(thetaI), o = radians(thetaO);
-        const DirectionPair pair{fromSpherical(i, radians(phi)), fromSpherical(o, 0)};
+  constexpr int thetas = 18, phis = 36;
+  const auto angle = [](int step) { return radians(5 * step + 2.5); };
+  for (int thetaI = 0; thetaI < thetas; ++thetaI)
+    for (int thetaO = 0; thetaO < thetas; ++thetaO)
+      for (int phi = 0; phi < phis; ++phi) {
+        const double i = angle(thetaI), o = angle(thetaO);
+        const DirectionPair pair{fromSpherical(i, angle(phi)), fromSpherical(o, 0)};
         const double weight = std::sin(2 * i) * std::sin(2 * o);
         const FactorPlace at = factorPlace(m.axes, pair);
         const auto [z, limit] = predicted.product(pair);
