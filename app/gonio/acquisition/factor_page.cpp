@@ -181,6 +181,9 @@ void FactorPage::showResult() {
     const AxesText texts = axesTexts()[std::size_t(read.axes)];
     curves = {{}, read.distances, read.along, read.across, texts.angle, texts.distance};
     for (const double angle : read.angles) curves.angles.push_back(degrees(angle));
+    // The curve along of such a channel is 1, which is no reading.
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      if (read.unscaled[channel]) curves.along[channel].clear();
     pictures.reconstruction = m_result->picture;
     pictures.errorMap = m_result->errorMap;
     pictures.errorRange = m_result->errorRange;
