@@ -22,8 +22,9 @@ SECTIONS = {
                             "Parameter", "Fit", "Metric"],
     "Factors, codes, interpolation": ["factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
                                       "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation"],
-    "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan",
-                    "Readings", "Reconstruction", "Basis"],
+    "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "plan_factors", "open_factor_readings",
+                    "predict_from_factors", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings", "Reconstruction",
+                    "FactorPlan", "FactorPrediction", "Basis"],
     "Images, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
                                    "Effect", "Record", "Export", "Target"],
 }
@@ -53,7 +54,8 @@ def fields_of(item):
 def signature(function):
     """Arguments as they are written: names, types, defaults."""
     text = re.sub(r"(: |-> )'([^']*)'", r"\1\2", str(inspect.signature(function)))
-    for written, shown in (("self, ", ""), ("(self)", "()"), (" -> None", ""), (str(math.radians(85)), "radians(85)")):
+    for written, shown in (("self, ", ""), ("(self)", "()"), (" -> None", ""),
+                           *((str(math.radians(angle)), f"radians({angle})") for angle in (85, 89, 60, 2))):
         text = text.replace(written, shown)
     return re.sub(r"NDArray\[np\.(\w+?)_?\]", r"NDArray[\1]", text)
 

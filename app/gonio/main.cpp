@@ -85,7 +85,7 @@ Options readOptions(const QApplication& application) {
   hidden("encoded", "COUNT");                        // shows the code of so many coefficients
   hidden("thumbnails", "FOLDER");                    // renders the pictures of the library, for scripts/thumbnails.sh
   hidden("acquire", "COUNT");                        // acquires the material from so many samples
-  hidden("acquisition-page", "0-2");                 // of the Acquisition dock
+  hidden("acquisition-page", "0-3");                 // of the Acquisition dock
   hidden("scene", "NAME");                           // shows the Scene dock with this scene
   QCommandLineOption openingTimes("opening-times");  // prints how long the files take to open, and exits
   openingTimes.setFlags(QCommandLineOption::HiddenFromHelp);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <array>
+
 #include "app/goniotool/materials.h"
+#include "app/goniotool/measure_factors.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/materials/plan_file.h"
@@ -27,15 +30,73 @@ int measure(MeasureArguments options, const Tool& tool) {
   return 0;
 }
 
+constexpr std::array factorsOptions{"--fixed-angle",    "--angles", "--distances", "--max-polar",
+                                    "--min-separation", "--values", "--predict",   "--bound"};
+
+template <std::size_t count>
+std::vector<std::string> namesOf(const std::array<std::string_view, count>& names) {
+  return {names.begin(), names.end()};
+}
+
+/// The options of --factors.
+void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsArguments>& options) {
+  command
+      .add_option("--factors", options->axes,
+                  "Instead of a plan, read two curves over these axes and predict the material: projected-deviation, "
+                  "symmetric-deviation, half-difference or half-out")
+      ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
+  command
+      .add_option("--fixed-angle", options->fixedDegrees,
+                  "Angle of the curve across the mirror direction, degrees (60)")
+      ->check(CLI::Range(0.0, 89.9));
+  command.add_option("--angles", options->angles, "Readings along the mirror direction (90)")
+      ->check(CLI::Range(2, 2000));
+  command.add_option("--distances", options->distances, "Readings across the mirror direction (90)")
+      ->check(CLI::Range(2, 2000));
+  command.add_option("--max-polar", options->maxPolarDegrees, "Max polar angle of both arms, degrees (89)")
+      ->check(CLI::Range(0.1, 89.9));
+  command.add_option("--min-separation", options->minSeparationDegrees, "Min angle between the arms, degrees (2)")
+      ->check(CLI::Range(0.0, 180.0));
+  command.add_option("--values", options->values, "CSV file of the readings of both curves, instead of a simulation");
+  command.add_option("--predict", options->predict,
+                     outputHelp("File to write: the predicted material") + ", or its factors (.pdv)");
+  command
+      .add_option(
+          "--bound", options->bound,
+          "Limits of the prediction: readings (the nearest readings, and the exchanged pair) or none (readings)")
+      ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
+}
+
+int measureBy(const CLI::App& command, const MeasureArguments& options, MeasureFactorsArguments factors,
+              const Tool& tool) {
+  if (factors.axes.empty()) {
+    for (const char* name : factorsOptions)
+      if (command.count(name) > 0) throw UsageError(std::string("measure: ") + name + " needs --factors");
+    if (options.material.empty() || options.plan.empty() || options.out.empty())
+      throw UsageError("measure: expected MATERIAL, --plan and --out, or --factors");
+    return measure(options, tool);
+  }
+  if (!options.plan.empty()) throw UsageError("measure: --plan cannot be used with --factors");
+  factors.material = options.material;
+  factors.out = options.out;
+  factors.noise = options.noise;
+  factors.noise.misalignment = radians(options.misalignmentDegrees);
+  return measureFactors(factors, tool);
+}
+
 }  // namespace
 
 void addMeasure(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<MeasureArguments>();
+  const auto factors = std::make_shared<MeasureFactorsArguments>();
   CLI::App* command = app.add_subcommand(
-      "measure", "Simulates the measurement of a material by a goniometer at the directions of a plan");
-  command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--plan", options->plan, "CSV file of a plan (from goniotool plan)")->required();
-  command->add_option("--out", options->out, "CSV file to write: index, r, g, b, 1/sr")->required();
+      "measure",
+      "Simulates the measurement of a material by a goniometer: at the directions of a plan, or of two curves");
+  command->add_option("MATERIAL", options->material, materialHelp);
+  command->add_option("--plan", options->plan, "CSV file of a plan (from goniotool plan)");
+  command->add_option("--out", options->out,
+                      "CSV file to write: index, r, g, b, 1/sr; with --factors also the directions");
+  addFactorsOptions(*command, factors);
   command->add_option("--noise", options->noise.relative, "Relative standard deviation of a reading (0)")
       ->check(CLI::Range(0.0, 100.0));
   command
@@ -47,7 +108,7 @@ void addMeasure(CLI::App& app, Tool& tool) {
                    "Standard deviation of the direction of each arm about each of two axes, degrees (0)")
       ->check(CLI::Range(0.0, 90.0));
   command->add_option("--seed", options->noise.seed, "Seed of the random errors (1)");
-  command->callback([options, &tool] { tool.run = [options, &tool] { return measure(*options, tool); }; });
+  command->callback([=, &tool] { tool.run = [=, &tool] { return measureBy(*command, *options, *factors, tool); }; });
 }
 
 }  // namespace gonio::tool

@@ -11,6 +11,7 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_file.h"
 #include "core/materials/material_formats.h"
+#include "core/materials/npf_file.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::materials {
@@ -45,6 +46,7 @@ Material readMaterial(const io::ByteSource& source, const TaskControl& control) 
 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string(), control);
+  if (isNpfRow(path)) return readNpfRow(path);
   return namingFile(path, [&] {
     Material material = readMaterial(io::FileSource(path), control);
     material.name = path.stem().string();

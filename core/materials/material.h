@@ -37,7 +37,8 @@ struct Material {
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;
 };
 
-/// Reads a file of any supported format, recognised by content, or a bundled material ("library:SOURCE/NAME").
+/// Reads a file of any supported format, recognised by content, a bundled material ("library:SOURCE/NAME"), or a row of
+/// a table of non-parametric factors ("FILE#ROW", npf_file.h).
 /// @throws Error with the file and the fault in its first line; if no format accepts the file, the following lines
 /// state what each reader found. @throws Cancelled.
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control = {});

@@ -30,5 +30,6 @@ PYBIND11_MODULE(_core, module) {
   bindEdits(module);
   bindRepresentations(module);
   bindAcquisition(module);
+  bindFactorMeasurement(module);
   bindPictures(module);
 }

@@ -38,6 +38,7 @@ from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, F
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, bundled_basis, learn_basis, measure, open_basis, open_plan,
                            plan, reconstruct)
+from ._factor_measurement import (FactorPlan, FactorPrediction, open_factor_readings, plan_factors, predict_from_factors)
 from ._pictures import (Comparison, Effect, Export, Record, Target, compare, effects, export, render, scenes, study, targets)
 
 __all__ = [
@@ -52,6 +53,7 @@ __all__ = [
     "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
     "Interpolation",
     # Acquisition
+    "plan_factors", "open_factor_readings", "predict_from_factors", "FactorPlan", "FactorPrediction",
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
     "Reconstruction", "Basis",
     # Images, studies, exports

@@ -47,7 +47,7 @@ void directionalSliderStep(benchmark::State& state) { runFrames(state, false, tr
 void environmentFrame(benchmark::State& state) { runFrames(state, true, false); }
 void environmentSliderStep(benchmark::State& state) { runFrames(state, true, true); }
 
-/// A material in its own form, or as a table: the baseline.
+/// A material in its native form, or as a table: the baseline.
 void runFormFrames(benchmark::State& state, bool environment, std::shared_ptr<const Brdf> brdf, bool asTable) {
   PreviewFixture& fixture = PreviewFixture::instance();
   if (asTable) brdf = bakeTable(*brdf);

@@ -151,6 +151,7 @@ class ReaderMutationTest : public QObject {
     readPlanBytes(planSeed());
     readValuesBytes(valuesSeed());
     readValuesBytes(spectraSeed());
+    readFactorReadingsBytes(factorReadingsSeed());
     readBasisBytes(basisSeed());
   }
 
@@ -175,6 +176,7 @@ class ReaderMutationTest : public QObject {
   void plan() { check("plan.csv", planSeed(), readPlanBytes); }
   void values() { check("values.csv", valuesSeed(), readValuesBytes); }
   void spectra() { check("spectra.csv", spectraSeed(), readValuesBytes); }
+  void factorReadings() { check("readings.csv", factorReadingsSeed(), readFactorReadingsBytes); }
   void basis() { check("pca.basis", basisSeed(), readBasisBytes); }
   void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
   void figure() { check("figure.json", figureSeed(), readFigureBytes); }

@@ -105,6 +105,14 @@ inline Bytes spectraSeed() {
   return bytesOf("index,450,550nm,600 nm,noise\n1,0.5,1e-3,7,0.1\n3,1,2,3,4\n2,+0,0,1e300,1\n");
 }
 
+/// Two readings along the mirror direction and two across it.
+inline Bytes factorReadingsSeed() {
+  return bytesOf(
+      "# method: factors, half-out\nindex,curve,theta_i,phi_i,theta_o,phi_o,order,r,g,b,noise\n"
+      "1,along,30,180,30,0,1,0.5,0.4,0.3,0.1\n2,along,60,180,60,0,2,1,0.9,0.8,0\n"
+      "3,across,60,180,60,0,3,1,0.9,0.8,0\n4,across,20,180,60,0,4,0.1,0.1,0,0.2\n");
+}
+
 /// Two components over a grid of 3 x 2 x 2.
 inline Bytes basisSeed() {
   const auto basis = test::learnFrom(test::smoothMaterials(2, {.thetaHCount = 3, .thetaDCount = 2, .phiDCount = 2}));

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/acquisition/factor_prediction.h"
 #include "core/documents/edit_document.h"
 #include "core/figures/figure_description.h"
 #include "core/geometry/mesh_intersector.h"
@@ -20,13 +21,14 @@
 #include "core/io/ply_file.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
+#include "core/materials/factor_readings_file.h"
 #include "core/materials/material.h"
+#include "core/materials/npf_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
-#include "tests/studies/research/baselines/npf_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
@@ -75,8 +77,25 @@ inline void readNpfBytes(std::span<const std::byte> bytes) {
   const auto end = std::find(bytes.begin(), bytes.end(), std::byte(0));
   const std::string_view names(reinterpret_cast<const char*>(bytes.data()), std::size_t(end - bytes.begin()));
   const auto table = bytes.subspan(std::min(names.size() + 1, bytes.size()));
-  for (const auto& [name, factors] : factorization::readNpf(io::MemorySource(table), names).materials)
+  for (const auto& [name, factors] : materials::readNpf(io::MemorySource(table), names).materials)
     checkValues(*factorization::makeNonparametricBrdf(factors));
+}
+
+/// What was read predicts a material, if the readings lie on two curves, and is the same when it is written and read
+/// again, to the six decimals of the angles.
+inline void readFactorReadingsBytes(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const auto axes : {acquisition::FactorAxes::symmetricDeviation, acquisition::FactorAxes::halfOut}) {
+    const materials::FactorReadings readings = materials::parseFactorReadings(text, axes);
+    const auto again =
+        materials::parseFactorReadings(materials::factorReadingsCsv(readings.plan, readings.values), axes);
+    if (again.values.rgb != readings.values.rgb || again.plan.curves != readings.plan.curves)
+      throw std::logic_error("readings that are lost in their file");
+    const acquisition::FactorMeasurement curves = acquisition::factorMeasurement(readings.plan, readings.values);
+    for (const acquisition::FactorBound bound : {acquisition::FactorBound::readings, acquisition::FactorBound::none})
+      checkValues(*acquisition::predictFromFactors(curves, bound));
+    acquisition::supportOf(curves);
+  }
 }
 
 /// What was read packs and unpacks again.

@@ -18,6 +18,7 @@
 #include <optional>
 #include <set>
 
+#include "core/acquisition/factor_prediction.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/materials/material.h"
@@ -26,7 +27,6 @@
 #include "core/support/error.h"
 #include "tests/studies/acquisition_records.h"
 #include "tests/studies/comparison_judge.h"
-#include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/study_files.h"
 #include "tests/studies/study_program.h"
 
@@ -163,10 +163,11 @@ class Trial {
     if (!selection.method) {
       AcquisitionRecord record = material.caseOf(selection.id, "two-arms", samples, 0);
       if (records_.contains(record)) return;
-      const auto curves = acquisition::measureFactors(
-          material.table(),
-          {.axes = selection.axes, .angles = (samples + 1) / 2, .distances = std::max(2, samples / 2)});
-      return add(material, record, *acquisition::predictFromFactors(curves));
+      const auto curves = acquisition::measureFactors(material.table(), {.axes = selection.axes,
+                                                                         .fixedAngle = 1,
+                                                                         .angles = (samples + 1) / 2,
+                                                                         .distances = std::max(2, samples / 2)});
+      return add(material, record, *acquisition::predictFromFactors(curves, acquisition::FactorBound::none));
     }
     for (std::uint64_t seed = 1; seed <= (selection.draws ? std::uint64_t(options_.seeds) : 1); ++seed)
       for (const Way& way : ways) {

@@ -21,12 +21,12 @@
 
 #include "core/baselines/baselines.h"
 #include "core/factorization/pdv_factors.h"
+#include "core/materials/npf_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
-#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::factor_comparison_study {
@@ -155,8 +155,8 @@ int run(const Options& options) {
   }
   ComparisonRecords records(options.csv);
   const std::vector<std::size_t> budgets = byteBudgets();
-  const std::optional<factorization::NpfTable> published =
-      options.npf.empty() ? std::nullopt : std::optional(factorization::readNpf(options.npf));
+  const std::optional<materials::NpfTable> published =
+      options.npf.empty() ? std::nullopt : std::optional(materials::readNpf(options.npf));
   std::printf("material                     model            L     SNR    PSNR    BRDF      KB      s\n");
   for (const std::filesystem::path& file : options.files) {
     std::vector<Contestant> all = contestants(options);

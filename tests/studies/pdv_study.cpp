@@ -13,6 +13,7 @@
 #include <functional>
 #include <random>
 
+#include "core/acquisition/factor_prediction.h"
 #include "core/baselines/baselines.h"
 #include "core/brdf/lobe_mixture.h"
 #include "core/coordinates/half_difference.h"
@@ -26,7 +27,6 @@
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
 #include "core/rendering/rendered_comparison.h"
-#include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/research/factorization/printed_pdv_sampler.h"
 #include "tests/studies/study_program.h"
 
@@ -89,7 +89,7 @@ void printMeasurement(const std::string& name, const TabulatedBrdf& table) {
     double rendered = -1e9, renderedAt = 0, reflectance = -1e9, reflectanceAt = 0;
     for (double degrees = 10; degrees < 80; degrees += 10) {
       const auto m = acquisition::measureFactors(table, {.axes = axes, .fixedAngle = radians(degrees)});
-      const auto predicted = acquisition::predictFromFactors(m);
+      const auto predicted = acquisition::predictFromFactors(m, acquisition::FactorBound::none);
       const double snr = metrics::brdfSignalToNoiseRatio(table, *predicted);
       const double picture = comparison.signalToNoiseRatio(comparison.render(*predicted));
       if (snr > reflectance) reflectance = snr, reflectanceAt = degrees;

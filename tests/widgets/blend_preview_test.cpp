@@ -138,7 +138,7 @@ class BlendPreviewTest : public QObject {
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }
 
-  /// A measured file beside a table: itself at the end, near the own forms' mixture before it, and no step where
+  /// A measured file beside a table: itself at the end, near the native forms' mixture before it, and no step where
   /// another material takes the lead.
   void filesInTheirOwnForm() {
     std::vector<editing::InterpolationEnd> materials = ends(2);

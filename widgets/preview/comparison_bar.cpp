@@ -20,7 +20,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr double minRange = 1e-6, maxRange = 1e6;
+constexpr double minScale = 1e-6, maxScale = 1e6;
 /// The last entry of the lists: chooses a file.
 constexpr int otherMaterialEntry = 4;
 
@@ -130,7 +130,7 @@ QWidget* ComparisonBar::buildDifference() {
   m_range = new NumberField(row);
   m_range->setAccessibleName(tr("Scale maximum"));
   m_range->setToolTip(tr("Luminance difference at the maximum of the colour scale; lower it to see small differences"));
-  m_range->setRange(minRange, maxRange);
+  m_range->setRange(minScale, maxScale);
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     m_comparison.range = range;
     emitComparison();

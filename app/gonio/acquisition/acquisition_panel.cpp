@@ -15,6 +15,7 @@
 #include "app/gonio/acquisition/acquisition_files.h"
 #include "app/gonio/acquisition/acquisition_status.h"
 #include "app/gonio/acquisition/error_curve_page.h"
+#include "app/gonio/acquisition/factor_page.h"
 #include "app/gonio/acquisition/reconstruction_page.h"
 #include "app/gonio/acquisition/samples_page.h"
 
@@ -22,7 +23,8 @@ namespace gonio::app {
 
 namespace {
 constexpr int controlEms = 20;
-}
+
+}  // namespace
 
 AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
@@ -35,6 +37,7 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_samples(new SamplesPage(m_session, *m_controls, *m_files)),
       m_reconstruction(new ReconstructionPage(m_session, *m_controls)),
       m_curve(new ErrorCurvePage(m_session)),
+      m_factors(new FactorPage(m_session, *m_controls, tasks)),
       m_pages(new QTabWidget),
       m_start(new QPushButton),
       m_progress(new QProgressBar),
@@ -42,6 +45,9 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
   m_pages->addTab(m_samples, tr("Samples"));
   m_pages->addTab(m_reconstruction, tr("&Reconstruction"));
   m_pages->addTab(m_curve, tr("Error vs. m"));
+  m_pages->addTab(m_factors, tr("T&wo curves"));
+  m_pages->setTabToolTip(factorPage,
+                         tr("Measures two curves instead of chosen directions, and predicts the material from them"));
   m_pages->setDocumentMode(true);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -111,6 +117,10 @@ void AcquisitionPanel::connectParts() {
   connect(m_charts, &AcquisitionCharts::currentChanged, this, &AcquisitionPanel::mark);
   connect(m_samples, &SamplesPage::currentChanged, this, &AcquisitionPanel::mark);
   connect(m_reconstruction, &ReconstructionPage::openRequested, this, &AcquisitionPanel::openResult);
+  connect(m_factors, &FactorPage::openRequested, this, &AcquisitionPanel::openPrediction);
+  connect(m_factors, &FactorPage::failed, this, &AcquisitionPanel::failed);
+  // The charts show the directions of the other pages.
+  connect(m_pages, &QTabWidget::currentChanged, this, [this](int page) { m_charts->setVisible(page != factorPage); });
   connect(m_pages, &QTabWidget::tabBarClicked, this, [this] { m_pageChosen = true; });
   connect(m_start, &QPushButton::clicked, this, &AcquisitionPanel::start);
 }
@@ -118,7 +128,8 @@ void AcquisitionPanel::connectParts() {
 QString AcquisitionPanel::status() const { return m_status->text(); }
 
 bool AcquisitionPanel::isSettled() const {
-  return !isVisible() || (!m_session.isBusy() && !m_session.referenceReader().isReading() && !m_session.isOpening());
+  return !isVisible() || (!m_session.isBusy() && !m_session.referenceReader().isReading() && !m_session.isOpening() &&
+                          !m_factors->isBusy());
 }
 
 void AcquisitionPanel::showEvent(QShowEvent* event) {
@@ -163,6 +174,12 @@ void AcquisitionPanel::openResult() {
   if (!m_session.result()) return;
   m_subject->keepOpenMaterial();
   m_session.open(m_document, reconstructionFolder());
+}
+
+void AcquisitionPanel::openPrediction() {
+  if (!m_factors->result()) return;
+  m_subject->keepOpenMaterial();
+  m_session.openTable(m_document, m_factors->result()->table, m_factors->resultName(), reconstructionFolder());
 }
 
 }  // namespace gonio::app

@@ -17,6 +17,7 @@ class AcquisitionCharts;
 class AcquisitionFiles;
 class AcquisitionSubject;
 class ErrorCurvePage;
+class FactorPage;
 class ReconstructionPage;
 class SamplesPage;
 
@@ -26,7 +27,7 @@ class AcquisitionPanel : public QWidget {
   Q_OBJECT
 
  public:
-  enum Page { samplesPage, reconstructionPage, curvePage };
+  enum Page { samplesPage, reconstructionPage, curvePage, factorPage };
 
   AcquisitionPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
@@ -37,6 +38,7 @@ class AcquisitionPanel : public QWidget {
   SamplesPage& samples() const { return *m_samples; }
   ReconstructionPage& reconstruction() const { return *m_reconstruction; }
   ErrorCurvePage& curve() const { return *m_curve; }
+  FactorPage& factors() const { return *m_factors; }
   QTabWidget& pages() const { return *m_pages; }
   QPushButton& startButton() const { return *m_start; }
   /// Description of the current state and of the possible next step.
@@ -68,6 +70,7 @@ class AcquisitionPanel : public QWidget {
   void showResultPage();
   void refresh();
   void openResult();
+  void openPrediction();
 
   Document& m_document;
   AcquisitionSession m_session;
@@ -79,6 +82,7 @@ class AcquisitionPanel : public QWidget {
   SamplesPage* m_samples;
   ReconstructionPage* m_reconstruction;
   ErrorCurvePage* m_curve;
+  FactorPage* m_factors;
   QTabWidget* m_pages;
   QPushButton* m_start;
   QProgressBar* m_progress;

@@ -34,7 +34,7 @@ AcquisitionError errorOf(const TabulatedBrdf& table, const ComparisonPicture& pi
           metrics::brdfError(metrics::BrdfMetric::log, *reference.table, table)};
 }
 
-void addErrorMap(AcquisitionResult& result, const Image& picture, const Image& against) {
+void addErrorMap(ComparedPicture& result, const Image& picture, const Image& against) {
   result.errorRange =
       widgets::automaticRange(widgets::pictureDifferences(picture, against, widgets::DifferenceKind::absolute));
   result.errorMap = QImage(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
@@ -69,11 +69,25 @@ AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& n
 
 AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
                                                  const TaskControl& control) {
-  constexpr double readShare = 0.6;
-  const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readShare / 2));
-  auto table = material.tabulated(control.between(readShare / 2, readShare));
+  constexpr double readFraction = 0.6;
+  const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readFraction / 2));
+  auto table = material.tabulated(control.between(readFraction / 2, readFraction));
   return acquisitionReference(id, QString::fromStdString(material.name), std::move(table), picture,
-                              control.between(readShare, 1));
+                              control.between(readFraction, 1));
+}
+
+ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionReferencePtr& reference,
+                                const TaskControl& control) {
+  ComparedPicture result;
+  if (!reference) {
+    result.picture = spherePicture(table, comparedSide, comparedSamples, control);
+    return result;
+  }
+  const ComparisonPicture picture = reference->comparison->render(table, control);
+  result.picture = withoutSurroundings(picture.image);
+  result.error = errorOf(table, picture, *reference);
+  addErrorMap(result, picture.image, reference->comparison->reference());
+  return result;
 }
 
 AcquisitionInput AcquisitionInput::prefix(std::size_t samples) const {
@@ -91,15 +105,8 @@ AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionRef
   auto reconstruction = std::make_shared<const acquisition::Reconstruction>(acquisition::reconstruct(
       *input.basis, input.plan, input.values, input.options, control.between(0, reconstructedFraction)));
   result->reconstruction = reconstruction;
-  const TaskControl rest = control.between(reconstructedFraction, 1);
-  if (reference) {
-    const ComparisonPicture picture = reference->comparison->render(*reconstruction->table, rest);
-    result->picture = withoutSurroundings(picture.image);
-    result->error = errorOf(*reconstruction->table, picture, *reference);
-    addErrorMap(*result, picture.image, reference->comparison->reference());
-  } else {
-    result->picture = spherePicture(*reconstruction->table, comparedSide, comparedSamples, rest);
-  }
+  static_cast<ComparedPicture&>(*result) =
+      comparedPicture(*reconstruction->table, reference, control.between(reconstructedFraction, 1));
   std::vector<double> deviations(reconstruction->deviation.begin(), reconstruction->deviation.end());
   if (!deviations.empty()) result->deviationRange = widgets::automaticRange(std::move(deviations));
   return result;

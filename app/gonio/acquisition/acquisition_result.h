@@ -39,13 +39,21 @@ struct AcquisitionError {
   double logError = 0;     ///< metrics::BrdfMetric::log
 };
 
-/// A reconstruction with its pictures and errors.
-struct AcquisitionResult {
-  std::shared_ptr<const acquisition::Reconstruction> reconstruction;
+/// A picture of a reconstructed material and its differences from the reference.
+struct ComparedPicture {
   QImage picture;
   std::optional<AcquisitionError> error;  ///< absent without a reference
   QImage errorMap;                        ///< differences of luminance in false colour; null without a reference
-  double errorRange = 0;      ///< the difference shown in the last colour of errorMap, in the scene's unit of radiance
+  double errorRange = 0;  ///< the difference shown in the last colour of errorMap, in the scene's unit of radiance
+};
+
+/// Renders a table and compares it with a reference, which may be null. Some tenths of a second. @throws Cancelled.
+ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionReferencePtr& reference,
+                                const TaskControl& control = {});
+
+/// A reconstruction with its pictures and errors.
+struct AcquisitionResult : ComparedPicture {
+  std::shared_ptr<const acquisition::Reconstruction> reconstruction;
   double deviationRange = 0;  ///< upper limit of nearly all cells' standard deviations; 0 if they are not known
 };
 using AcquisitionResultPtr = std::shared_ptr<const AcquisitionResult>;

@@ -209,11 +209,14 @@ QString AcquisitionSession::resultName() const {
 }
 
 void AcquisitionSession::open(Document& document, const QString& folder) {
-  if (!m_result) return;
-  const QString name = resultName();
+  if (m_result) openTable(document, m_result->reconstruction->table, resultName(), folder);
+}
+
+void AcquisitionSession::openTable(Document& document, std::shared_ptr<const TabulatedBrdf> table, const QString& name,
+                                   const QString& folder) {
   m_tasks.run<LoadedMaterialPtr>(
       {tr("Opening %1").arg(name), openKey},
-      [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
+      [table = std::move(table), folder, name](const TaskControl& control) {
         if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be created");
         const std::string path = freePath(folder, name).toStdString();
         materials::writeMaterial(*table, path);

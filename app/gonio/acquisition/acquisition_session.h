@@ -64,6 +64,9 @@ class AcquisitionSession : public QObject {
   /// Writes the reconstructed table into a folder, as a MERL file named after it, and makes it the document's material:
   /// one undo step.
   void open(Document& document, const QString& folder);
+  /// The same for any table. @param name of the material.
+  void openTable(Document& document, std::shared_ptr<const TabulatedBrdf> table, const QString& name,
+                 const QString& folder);
   bool isOpening() const;
   /// "chrome from 20 samples"
   QString resultName() const;

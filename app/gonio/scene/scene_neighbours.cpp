@@ -49,7 +49,7 @@ std::vector<widgets::SceneMaterial> SceneNeighbours::materials() const {
   return materials;
 }
 
-/// In its own form, with what sampling needs.
+/// In its native form, with what sampling needs.
 SceneNeighbours::Neighbour SceneNeighbours::prepared(BlendEnd end) {
   const std::shared_ptr<const Brdf> brdf = end.material.material();
   const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);

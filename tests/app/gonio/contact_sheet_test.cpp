@@ -65,7 +65,7 @@ class ContactSheetTest : public QObject {
     for (const widgets::SheetTile& tile : window.sheet().tiles()) QVERIFY(!tile.picture.isNull());
   }
 
-  /// Two tiles go to the preview: the material in its own form and the model alone.
+  /// Two tiles go to the preview: the material in its native form and the model alone.
   void comparesTwo() {
     BackgroundTasks tasks;
     ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);

@@ -30,7 +30,7 @@ std::shared_ptr<const Brdf> bundled(const char* name) {
   return materials::readMaterial(std::string("library:rgl/") + name).brdf;
 }
 
-/// Their tables do not matter where materials are mixed in their own form.
+/// Their tables do not matter where materials are mixed in their native form.
 std::vector<InterpolationEnd> ownForms(const std::vector<std::shared_ptr<const Brdf>>& forms) {
   static const Table table = measured(0.3, 0.2, 1);
   std::vector<InterpolationEnd> ends;

@@ -13,10 +13,10 @@
 #include "core/materials/code_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
+#include "core/materials/npf_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
-#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/support/test_program.h"
 
 namespace file_basics_test {
@@ -69,7 +69,7 @@ class FileBasicsTest : public QObject {
     QTest::newRow("document") << Read([](const fs::path& path) { editing::readDocument(path); });
     QTest::newRow("nonparametric") << Read([](const fs::path& path) {
       writeFile("io/npf_row_order.csv", {});
-      factorization::readNpf(path);
+      materials::readNpf(path);
     });
   }
   void readersNameTheFileOnce() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "tests/studies/research/baselines/npf_file.h"
+#include "core/materials/npf_file.h"
 
 #include <QTest>
 #include <cmath>
@@ -12,6 +12,7 @@ namespace npf_file_test {
 using namespace gonio;
 using namespace gonio::factorization;
 using namespace gonio::io;
+using namespace gonio::materials;
 
 constexpr std::size_t columns = 512;
 
@@ -78,6 +79,32 @@ class NpfFileTest : public QObject {
     const std::string names = "row,material\n7,a\n";
     test::writeFile("npf/npf_row_order.csv", std::as_bytes(std::span(names)));
     QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), path.string() + ": the names of the rows, line 2"));
+  }
+
+  /// "FILE#NAME" and "FILE#NUMBER" are materials; a number needs no names.
+  void rowsAreMaterials() {
+    const auto path = test::writeFile("npf-rows/table.bin", table(3));
+    const std::filesystem::path names = path.parent_path() / "npf_row_order.csv";
+    std::filesystem::remove(names);
+    const auto row = [&](const char* name) { return path.string() + "#" + name; };
+    const Material second = readMaterial(row("1"));
+    QCOMPARE(second.name, std::string("table-1"));
+    const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.5, 2)};
+    const NpfTable found = read(table(3), "row,material\n1,second\n");
+    QVERIFY(second.brdf->evaluate(pair.wi, pair.wo) ==
+            makeNonparametricBrdf(*found.find("second"))->evaluate(pair.wi, pair.wo));
+    QVERIFY(test::contains(test::errorOf([&] { readMaterial(row("second")); }), "npf_row_order.csv"));
+    const std::string text = "row,material\n1,second\n";
+    test::writeFile("npf-rows/npf_row_order.csv", std::as_bytes(std::span(text)));
+    const Material named = readMaterial(row("second"));
+    QCOMPARE(named.name, std::string("second"));
+    QCOMPARE(named.source.sha256, second.source.sha256);
+    QVERIFY(named.source.sha256 != readMaterial(row("2")).source.sha256);
+    QVERIFY(test::contains(test::errorOf([&] { readMaterial(row("3")); }), "found row 3, expected 0 to 2"));
+    QVERIFY(test::contains(test::errorOf([&] { readMaterial(row("third")); }), "one of the 1 names"));
+    const auto empty = test::writeFile("npf-rows/empty.bin", test::Bytes(6144));
+    QVERIFY(test::contains(test::errorOf([&] { readMaterial(empty.string() + "#0"); }), "row 0 has no material"));
+    QVERIFY(!isNpfRow("missing.bin#1") && !isNpfRow(path));
   }
 
   /// All hundred; chrome's lobe at the mirror direction of 45 degrees by the published formula, from figures read by

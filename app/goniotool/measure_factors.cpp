@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/measure_factors.h"
+
+#include <optional>
+
+#include "app/goniotool/factor_quality.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "core/materials/factor_readings_file.h"
+#include "core/materials/pdv_file.h"
+#include "core/metrics/brdf_metrics.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace acquisition;
+
+FactorPlan planOf(const MeasureFactorsArguments& options) {
+  return planFactors({.axes = factorAxesNamed(options.axes),
+                      .fixedAngle = radians(options.fixedDegrees),
+                      .angles = options.angles,
+                      .distances = options.distances,
+                      .largestPolarAngle = radians(options.maxPolarDegrees),
+                      .smallestSeparation = radians(options.minSeparationDegrees)});
+}
+
+/// From the file, or of the material.
+materials::FactorReadings readingsOf(const MeasureFactorsArguments& options,
+                                     const std::optional<materials::Material>& material) {
+  if (!options.values.empty()) return materials::readFactorReadings(options.values, factorAxesNamed(options.axes));
+  materials::FactorReadings readings{.plan = planOf(options), .values = {}};
+  readings.values = measure(*material->brdf, readings.plan.plan, options.noise);
+  return readings;
+}
+
+/// Without readings: the directions alone.
+int writeDirections(const MeasureFactorsArguments& options, const Tool& tool) {
+  if (options.out.empty()) throw UsageError("measure: --factors needs MATERIAL, --values or --out");
+  if (!options.predict.empty()) throw UsageError("measure: --predict needs MATERIAL or --values");
+  const FactorPlan plan = planOf(options);
+  materials::writeFactorReadings(plan, {}, options.out);
+  print(tool,
+        {{"axes", options.axes}, {"samples", plan.curves.size()}, {"blocked", plan.blocked}, {"out", options.out}},
+        options.out + ": " + std::to_string(plan.curves.size()) + " directions to measure; add the columns r, g, b\n");
+  return 0;
+}
+
+/// Writes the prediction. Factors are the two curves themselves if the prediction is their product over theta_R and
+/// |Dp|; otherwise they approximate it.
+void writePrediction(const MeasureFactorsArguments& options, const FactorMeasurement& curves, const Brdf& predicted,
+                     const Tool& tool, Json& json, std::string& text) {
+  const auto table = bakeTable(predicted, HalfDifferenceGrid(), tool.control("predicting"));
+  if (materials::hasSuffixOf(materials::FormatId::pdv, options.predict)) {
+    const bool isProduct =
+        curves.axes == FactorAxes::projectedDeviation && factorBoundNamed(options.bound) == FactorBound::none;
+    const factorization::PdvFactors factors =
+        isProduct ? factorsOfCurves(curves)
+                  : factorization::factorizePdv(*table, {}, tool.control("factorising the prediction")).factors;
+    materials::writePdv(factors, options.predict);
+    json["terms"] = factors.terms();
+    text += options.predict +
+            (isProduct ? ": the two curves as one term\n" : ": " + std::to_string(factors.terms()) + " terms, ");
+    if (!isProduct) {
+      const double snr = metrics::brdfSignalToNoiseRatio(*table, *factorization::makePdvBrdf(factors));
+      json["factorsSnr"] = decibelsJson(snr);
+      text += "BRDF SNR " + number(snr) + " dB against the prediction\n";
+    }
+  } else {
+    materials::writeMaterial(*table, options.predict);
+    text += options.predict + ": the predicted material\n";
+  }
+  json["predicted"] = options.predict;
+}
+
+Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) {
+  return {{"contradicted", support.contradicted},
+          {"extrapolated", support.extrapolated},
+          {"bounded", support.bounded},
+          {"unscaled", {curves.unscaled[0], curves.unscaled[1], curves.unscaled[2]}},
+          {"warnings", support.warnings}};
+}
+
+void checkOutputsOf(const MeasureFactorsArguments& options) {
+  if (!options.values.empty() && !options.out.empty())
+    throw UsageError("measure: --values are readings already; leave out --out");
+  if (!options.predict.empty() && !materials::hasSuffixOf(materials::FormatId::pdv, options.predict))
+    materials::writableFormat(options.predict);
+}
+
+}  // namespace
+
+int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
+  checkOutputsOf(options);
+  if (options.material.empty() && options.values.empty()) return writeDirections(options, tool);
+  std::optional<materials::Material> material;
+  if (!options.material.empty()) material = openMaterial(options.material, tool.control("reading"));
+  const materials::FactorReadings readings = readingsOf(options, material);
+  const FactorMeasurement curves = factorMeasurement(readings.plan, readings.values);
+  const FactorSupport support = supportOf(curves);
+  const auto predicted = predictFromFactors(curves, factorBoundNamed(options.bound));
+  if (!options.out.empty()) materials::writeFactorReadings(readings.plan, readings.values, options.out);
+
+  Json json{{"axes", options.axes},
+            {"fixedAngle", degrees(curves.fixedAngle)},
+            {"samples", readings.plan.curves.size()},
+            {"along", curves.angles.size()},
+            {"across", curves.distances.size()},
+            {"blocked", readings.plan.blocked},
+            {"bound", options.bound},
+            {"support", supportJson(curves, support)}};
+  std::string text = std::to_string(curves.angles.size()) + " readings along the mirror direction, " +
+                     std::to_string(curves.distances.size()) + " across it at " + number(degrees(curves.fixedAngle)) +
+                     " degrees";
+  text += readings.plan.blocked > 0 ? ", " + std::to_string(readings.plan.blocked) + " obstructed\n" : "\n";
+  if (!options.predict.empty()) writePrediction(options, curves, *predicted, tool, json, text);
+  if (material) {
+    const auto table = material->tabulated(tool.control("tabulating"));
+    const FactorQuality quality = factorQuality(*material, *table, *predicted, smallComparisonPicture().samples, tool);
+    addQuality(json, quality);
+    text += "prediction: BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) +
+            " dB\n" + errorsText(quality.errors);
+  }
+  for (const std::string& warning : support.warnings) text += "warning: " + warning + "\n";
+  if (!options.out.empty()) json["out"] = options.out;
+  print(tool, json, text);
+  return 0;
+}
+
+}  // namespace gonio::tool

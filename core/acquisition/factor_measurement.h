@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/acquisition/factor_plan.h"
+#include "core/acquisition/measured_values.h"
+
+namespace gonio::acquisition {
+
+/// The two curves of a factor measurement in z = ln(1 + rho), per channel, at the places that were read
+/// (Tongbuasirilai 2023, eq. 5.1 to 5.5).
+struct FactorMeasurement {
+  FactorAxes axes = FactorAxes::projectedDeviation;
+  double fixedAngle = 0;                          ///< of the curve across, rad
+  std::vector<double> angles, distances;          ///< strictly increasing
+  std::array<std::vector<double>, 3> along;       ///< z_i1: in the mirror direction, for each angle
+  std::array<std::vector<double>, 3> across;      ///< z_mj / z_m1: at the fixed angle, for each distance; for
+                                                  ///< symmetricDeviation times z(fixed angle) / z(theta_d) along
+  std::array<std::vector<double>, 3> acrossRead;  ///< z_mj
+  /// Channels in which the mirror direction is black at the fixed angle (z_m1 <= 1e-12): `along` is 1 and `across` is
+  /// z_mj, which is then predicted for all angles.
+  std::array<bool, 3> unscaled{};
+  std::array<double, 3> highest{};  ///< the largest z that was read
+};
+
+/// The curves of measured values. @param plan of planFactors() or of a file; its samples may have any order.
+/// @param values one per sample.
+/// @throws Error that names the sample: a curve without readings, a reading along outside the mirror direction, one
+/// across at another angle than the first (tolerance 0.1 degrees), or two readings of a curve at the same place.
+FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues& values);
+
+/// Simulates the readings of a material and forms their curves.
+FactorMeasurement measureFactors(const Brdf& material, const FactorPlanOptions& options = {},
+                                 const MeasurementNoise& noise = {});
+
+}  // namespace gonio::acquisition

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/factor_plan.h"
+
+#include <cmath>
+#include <string>
+
+#include "core/support/error.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+constexpr int maxReadings = 2'000;
+
+void checkOptions(const FactorPlanOptions& o) {
+  if (!(o.largestPolarAngle > 0 && o.largestPolarAngle < halfPi))
+    throw Error("factor measurement: the max polar angle must be above 0 and below 90 degrees");
+  if (!(o.fixedAngle >= 0 && o.fixedAngle <= o.largestPolarAngle))
+    throw Error("factor measurement: the fixed angle must be from 0 degrees to the max polar angle, " +
+                std::to_string(int(std::lround(degrees(o.largestPolarAngle)))) + " degrees");
+  for (const int count : {o.angles, o.distances})
+    if (count < 2 || count > maxReadings)
+      throw Error("factor measurement: each curve needs 2 to " + std::to_string(maxReadings) + " readings");
+  if (!(o.smallestSeparation >= 0 && o.smallestSeparation <= pi))
+    throw Error("factor measurement: the min separation of the arms must be from 0 to 180 degrees");
+}
+
+/// Appends the reading at a place, or counts it as blocked.
+void plan(FactorCurve curve, const FactorPlace& place, const FactorPlanOptions& options, FactorPlan& result) {
+  const std::optional<DirectionPair> arms = factorDirections(options.axes, place);
+  const double lowest = std::cos(options.largestPolarAngle) * (1 - 1e-9);
+  if (!arms || arms->wi.z < lowest || arms->wo.z < lowest ||
+      glm::length(arms->wi - arms->wo) < 2 * std::sin(options.smallestSeparation / 2)) {
+    ++result.blocked;
+    return;
+  }
+  const int index = int(result.plan.samples.size()) + 1;
+  result.plan.samples.push_back({index, *arms, index});
+  result.curves.push_back(curve);
+}
+
+}  // namespace
+
+FactorPlan planFactors(const FactorPlanOptions& options) {
+  checkOptions(options);
+  FactorPlan result{.axes = options.axes, .plan = {}, .curves = {}};
+  result.plan.method = "factors, " + std::string(factorAxesNames[std::size_t(options.axes)]);
+  for (int i = 0; i < options.angles; ++i)
+    plan(FactorCurve::along, {options.largestPolarAngle * i / (options.angles - 1), 0}, options, result);
+  const std::size_t along = result.curves.size();
+  const double last = isDeviation(options.axes) ? 2 : halfPi;
+  for (int j = 0; j < options.distances; ++j) {
+    const double fraction = double(j) / (options.distances - 1);
+    plan(FactorCurve::across, {options.fixedAngle, last * fraction * fraction}, options, result);
+  }
+  if (along == 0 || along == result.curves.size())
+    throw Error("factor measurement: the arms or the horizon obstruct all readings of the curve " +
+                std::string(along == 0 ? "along the mirror direction" : "across it"));
+  return result;
+}
+
+}  // namespace gonio::acquisition

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/factor_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/monotone_cubic.h"
+#include "core/support/error.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+class PredictedBrdf final : public Brdf {
+ public:
+  PredictedBrdf(const FactorMeasurement& m, FactorBound bound) : m_(m), bound_(bound) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      alongSlopes_[channel] = monotoneSlopes(m.angles, m.along[channel]);
+      acrossSlopes_[channel] = monotoneSlopes(m.distances, m.across[channel]);
+      readSlopes_[channel] = monotoneSlopes(m.distances, m.acrossRead[channel]);
+    }
+  }
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
+  }
+  bool isReciprocal() const override { return bound_ == FactorBound::readings || areReciprocal(m_.axes); }
+
+  struct Product {
+    Rgb z, limit;  ///< of ln(1 + rho): the product without bound, the larger one of the nearest readings
+  };
+  Product product(const DirectionPair& pair) const {
+    const FactorPlace at = factorPlace(m_.axes, pair);
+    Product result;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double along = evaluateMonotoneCubic(m_.angles, m_.along[c], alongSlopes_[c], at.angle);
+      const double read = evaluateMonotoneCubic(m_.distances, m_.acrossRead[c], readSlopes_[c], at.distance);
+      result.z[int(c)] = along * evaluateMonotoneCubic(m_.distances, m_.across[c], acrossSlopes_[c], at.distance);
+      // The curve along of an unscaled channel is not its readings.
+      result.limit[int(c)] = m_.unscaled[c] ? read : std::max(along, read);
+    }
+    return result;
+  }
+
+ private:
+  Rgb evaluatePair(const DirectionPair& pair) const {
+    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
+    const Product found = product(pair);
+    Rgb z = found.z;
+    if (bound_ == FactorBound::readings) {
+      z = glm::min(z, found.limit);
+      if (!areReciprocal(m_.axes)) {
+        const Product exchanged = product({pair.wo, pair.wi});
+        z = glm::min(z, glm::min(exchanged.z, exchanged.limit));
+      }
+    }
+    for (int c = 0; c < 3; ++c) z[c] = inverseTransformed(DataTransform::logPlus, z[c], 1);
+    return z;
+  }
+
+  FactorMeasurement m_;
+  FactorBound bound_;
+  std::array<std::vector<double>, 3> alongSlopes_, acrossSlopes_, readSlopes_;
+};
+
+/// Whether rho of the logarithm z is more than twice that of the logarithm `limit`, in a channel that is not dark.
+bool isFarAbove(const Rgb& z, const Rgb& limit) {
+  constexpr double dark = 1e-4;  // 1/sr
+  for (int c = 0; c < 3; ++c)
+    if (const double rho = std::expm1(z[c]); rho > dark && rho > 2 * std::expm1(limit[c])) return true;
+  return false;
+}
+
+/// The fractions, over directions every 5 degrees.
+void addFractions(const FactorMeasurement& m, FactorSupport& support) {
+  const PredictedBrdf predicted(m, FactorBound::none);
+  double total = 0;
+  constexpr int thetas = 18, phis = 36;
+  const auto angle = [](int step) { return radians(5 * step + 2.5); };
+  for (int thetaI = 0; thetaI < thetas; ++thetaI)
+    for (int thetaO = 0; thetaO < thetas; ++thetaO)
+      for (int phi = 0; phi < phis; ++phi) {
+        const double i = angle(thetaI), o = angle(thetaO);
+        const DirectionPair pair{fromSpherical(i, angle(phi)), fromSpherical(o, 0)};
+        const double weight = std::sin(2 * i) * std::sin(2 * o);
+        const FactorPlace at = factorPlace(m.axes, pair);
+        const auto [z, limit] = predicted.product(pair);
+        const Rgb exchanged = areReciprocal(m.axes) ? z : predicted.product({pair.wo, pair.wi}).z;
+        total += weight;
+        if (isFarAbove(z, exchanged) || isFarAbove(exchanged, z)) support.contradicted += weight;
+        if (at.angle < m.angles.front() || at.angle > m.angles.back() || at.distance > m.distances.back())
+          support.extrapolated += weight;
+        if (isFarAbove(z, limit)) support.bounded += weight;
+      }
+  for (double* fraction : {&support.contradicted, &support.extrapolated, &support.bounded}) *fraction /= total;
+}
+
+std::string percent(double fraction) { return std::to_string(int(std::lround(100 * fraction))) + " %"; }
+
+/// Whether the second reading across is already below half of the first, in the channel with the largest reading.
+bool isHighlightMissed(const FactorMeasurement& m) {
+  const auto brightest = std::size_t(std::ranges::max_element(m.highest) - m.highest.begin());
+  const std::vector<double>& across = m.across[brightest];
+  return across.size() < 2 || across[1] < 0.5 * across[0];
+}
+
+void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
+  constexpr double many = 0.1, blowUp = 0.01;
+  if (support.contradicted > many)
+    support.warnings.push_back(
+        "Unreliable for " + percent(support.contradicted) +
+        " of the directions: exchanging light and viewer changes the prediction by more than a "
+        "factor of 2, which contradicts the readings. Use symmetric-deviation or half-difference.");
+  if (support.extrapolated > many)
+    support.warnings.push_back(
+        "Unreliable for " + percent(support.extrapolated) +
+        " of the directions: they lie outside the two curves, where the last reading is used. Use "
+        "another fixed angle.");
+  if (support.bounded > blowUp)
+    support.warnings.push_back(
+        "Unreliable for " + percent(support.bounded) +
+        " of the directions: the product of the curves is more than twice as large as the readings "
+        "at the same angle and at the same distance.");
+  if (isHighlightMissed(m))
+    support.warnings.push_back(
+        "The highlight is narrower than the distance of the readings across it. Use more readings across.");
+  constexpr std::array names{"red", "green", "blue"};
+  for (std::size_t c = 0; c < 3; ++c)
+    if (m.unscaled[c] && m.highest[c] > 0)
+      support.warnings.push_back(std::string("Unreliable in ") + names[c] +
+                                 ": the mirror direction is black at the fixed angle, so the curve across is used for "
+                                 "all angles. Use another fixed angle.");
+}
+
+/// Curves from 0: the first value is constant down to there.
+void startAtZero(std::vector<double>& nodes, std::array<std::vector<double>, 3>& curves) {
+  if (nodes.front() <= 0) return;
+  nodes.insert(nodes.begin(), 0.0);
+  for (std::vector<double>& curve : curves) curve.insert(curve.begin(), curve.front());
+}
+
+}  // namespace
+
+FactorBound factorBoundNamed(std::string_view name) {
+  const auto found = std::ranges::find(factorBoundNames, name);
+  if (found == factorBoundNames.end())
+    throw Error("bound: found '" + std::string(name) + "', expected readings or none");
+  return FactorBound(found - factorBoundNames.begin());
+}
+
+std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurement, FactorBound bound) {
+  return std::make_shared<const PredictedBrdf>(measurement, bound);
+}
+
+FactorSupport supportOf(const FactorMeasurement& measurement) {
+  FactorSupport support;
+  addFractions(measurement, support);
+  addWarnings(measurement, support);
+  return support;
+}
+
+factorization::PdvFactors factorsOfCurves(const FactorMeasurement& measurement) {
+  if (measurement.axes != FactorAxes::projectedDeviation)
+    throw Error("PDV factors have the axes projected-deviation, found " +
+                std::string(factorAxesNames[std::size_t(measurement.axes)]));
+  FactorMeasurement m = measurement;
+  startAtZero(m.angles, m.along);
+  startAtZero(m.distances, m.across);
+  factorization::PdvFactors factors{.form = factorization::PdvForm::twoFactors,
+                                    .transform = DataTransform::logPlus,
+                                    .thetaNodes = m.angles,
+                                    .deviationNodes = m.distances,
+                                    .phiNodes = {0},
+                                    .channels = {},
+                                    .highest = std::ranges::max(m.highest)};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double scale = std::max(1e-12, std::ranges::max(m.across[c]));
+    for (double& f1 : m.along[c]) f1 *= scale;
+    for (double& f2 : m.across[c]) f2 /= scale;
+    factors.channels[c].push_back({.f1 = m.along[c], .f2 = m.across[c], .f3 = {1}});
+  }
+  return factors;
+}
+
+}  // namespace gonio::acquisition

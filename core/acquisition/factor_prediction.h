@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/acquisition/factor_measurement.h"
+#include "core/factorization/pdv_factors.h"
+
+/// The material that the two curves of a factor measurement predict, and how far the readings support it.
+namespace gonio::acquisition {
+
+/// Limits of a prediction.
+enum class FactorBound {
+  /// Never above both of the nearest readings, z_i1 at the same angle and z_mj at the same distance, and never above
+  /// the
+  /// prediction of the exchanged pair. A measured material is reciprocal, so the readings across, at the fixed angle of
+  /// the viewer, are also readings at all other
+  /// angles of the viewer, with the light at the fixed angle. A product of curves over theta_R or theta_o contradicts
+  /// them where the curve along increases toward the horizon: it multiplies the matte part by the increase.
+  readings,
+  none  ///< eq. 5.6 as printed
+};
+/// Names in JSON and on the command line, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 2> factorBoundNames{"readings", "none"};
+/// @throws Error that lists the names.
+FactorBound factorBoundNamed(std::string_view name);
+
+/// rho = exp(z) - 1 with z_ij = z_mj z_i1 / z_m1 (Tongbuasirilai 2023, eq. 5.6), limited by `bound`. Exact where z is
+/// such a product within the bound. The curves are monotone cubic between the readings and constant beyond them.
+/// Reciprocal with `readings`, and for axes with areReciprocal().
+std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurement,
+                                               FactorBound bound = FactorBound::readings);
+
+/// How far the readings support a prediction. Fractions are of all pairs of directions, weighted by cos theta_i cos
+/// theta_o and the solid angles.
+struct FactorSupport {
+  double contradicted = 0;  ///< exchanging light and viewer changes the unbounded prediction by more than a factor of 2
+  double extrapolated = 0;  ///< outside the readings: the last reading of a curve is used
+  double bounded = 0;       ///< above both of the nearest readings by more than a factor of 2 without bound
+  /// Sentences for the user: where and why the prediction is unreliable; empty if nothing speaks against it. An empty
+  /// list does not prove that the material is a product of two curves.
+  std::vector<std::string> warnings;
+};
+/// About 1 ms.
+FactorSupport supportOf(const FactorMeasurement& measurement);
+
+/// The prediction over theta_R and |Dp| without bound as factors of one term; a limit of all channels is the largest
+/// reading. @throws Error for other axes, which are not those of PDV factors.
+factorization::PdvFactors factorsOfCurves(const FactorMeasurement& measurement);
+
+}  // namespace gonio::acquisition

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/factor_readings_file.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
+#include "core/support/naming_file.h"
+#include "core/support/number_text.h"
+
+namespace gonio::materials {
+
+namespace {
+
+using acquisition::factorCurveNames;
+using acquisition::FactorPlan;
+using acquisition::MeasuredValues;
+using acquisition::PlannedSample;
+
+constexpr int angleDecimals = 6;
+
+std::string fieldsOf(const Rgb& value) {
+  return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
+}
+
+std::string rowOf(const PlannedSample& sample, acquisition::FactorCurve curve) {
+  const auto& [wi, wo] = sample.directions;
+  std::string text = std::to_string(sample.index) + "," + std::string(factorCurveNames[std::size_t(curve)]);
+  for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo)})
+    text += "," + io::decimalText(degrees(angle), angleDecimals);
+  return text + "," + std::to_string(sample.order);
+}
+
+acquisition::FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
+  const auto found = std::ranges::find(factorCurveNames, name);
+  if (found == factorCurveNames.end())
+    throw Error(io::lineText(row) + ": found '" + name + "' for curve, expected along or across");
+  return acquisition::FactorCurve(found - factorCurveNames.begin());
+}
+
+}  // namespace
+
+std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& values) {
+  std::string text = "# method: " + plan.plan.method + "\nindex,curve,theta_i,phi_i,theta_o,phi_o,order";
+  if (!values.rgb.empty()) text += ",r,g,b";
+  if (!values.noise.empty()) text += ",noise_r,noise_g,noise_b";
+  text += "\n";
+  for (std::size_t i = 0; i < plan.plan.samples.size(); ++i) {
+    text += rowOf(plan.plan.samples[i], plan.curves[i]);
+    if (!values.rgb.empty()) text += fieldsOf(values.rgb[i]);
+    if (!values.noise.empty()) text += fieldsOf(values.noise[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
+  io::writeFileAtomically(path, factorReadingsCsv(plan, values));
+}
+
+FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxes axes) {
+  FactorReadings readings{.plan = {.axes = axes, .plan = parsePlan(text), .curves = {}}, .values = {}};
+  readings.values = parseValues(text, readings.plan.plan);
+  const io::CsvText csv = io::readCsvText(text);
+  const std::size_t indexColumn = csv.neededColumn("index"), curveColumn = csv.neededColumn("curve");
+  std::map<int, acquisition::FactorCurve> curves;
+  for (const io::CsvText::Row& row : csv.rows)
+    curves[csv.integer(row, indexColumn)] = curveOf(row, row.fields[curveColumn]);
+  for (const PlannedSample& sample : readings.plan.plan.samples)
+    readings.plan.curves.push_back(curves.at(sample.index));
+  return readings;
+}
+
+FactorReadings readFactorReadings(const std::filesystem::path& path, acquisition::FactorAxes axes) {
+  return namingFile(path, [&] { return parseFactorReadings(io::readText(path), axes); });
+}
+
+}  // namespace gonio::materials

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/acquisition/factor_plan.h"
+#include "core/acquisition/measured_values.h"
+
+/// The readings of a factor measurement as CSV (csv_text.h), directions and values in one file: the comment "method:
+/// factors, AXES", then the columns
+///   index, curve, theta_i, phi_i, theta_o, phi_o, order, r, g, b
+/// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction) or "across" (at the fixed
+/// angle); angles are in degrees (plan_file.h), values as in values_file.h, also as spectra.
+namespace gonio::materials {
+
+struct FactorReadings {
+  acquisition::FactorPlan plan;
+  acquisition::MeasuredValues values;  ///< one per sample of the plan
+};
+
+/// Angles have six decimals, values are written without loss. @param values without values: the file lists the
+/// directions to measure, and has no columns r, g, b.
+std::string factorReadingsCsv(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values = {});
+/// Writes a file, atomically. @throws Error that names the file.
+void writeFactorReadings(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values,
+                         const std::filesystem::path& path);
+
+/// Reads the directions and the values. Rows and columns may have any order. @param axes of the curves; those of the
+/// file's comment may differ, because projected-deviation, symmetric-deviation and half-out have the same readings at
+/// some angles: factorMeasurement() checks that the readings lie on two curves. @throws Error that names the file and
+/// the line: a missing column, an angle or value out of range, or a curve other than "along" and "across".
+FactorReadings readFactorReadings(const std::filesystem::path& path, acquisition::FactorAxes axes);
+/// The same for text; errors name no file.
+FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxes axes);
+
+}  // namespace gonio::materials

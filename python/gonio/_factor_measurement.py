@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+"""Materials predicted from two measured curves."""
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, field
+from typing import Any, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._acquisition import Plan, Readings
+from ._materials import Material, PathLike
+
+
+class FactorPlan(Plan):
+    """The pairs of directions of a factor measurement, by gonio.plan_factors(): two curves in the plane of incidence.
+    gonio.measure() simulates their readings. Besides the properties of a plan, it has `axes` (their name), `curves` (for each
+    sample "along", the mirror direction, or "across", at the fixed angle) and `blocked` (number of readings that were left out
+    because the horizon or an arm is in the way).
+    """
+
+    __slots__ = ("axes", "curves", "blocked")
+
+    def __init__(self, handle: Any, axes: str, curves: Sequence[str], blocked: int) -> None:
+        """Made by gonio.plan_factors() and gonio.open_factor_readings(), not directly."""
+        self._set(handle)
+        self.axes = axes
+        self.curves = list(curves)
+        self.blocked = blocked
+
+    def save_readings(self, readings: Readings, path: PathLike) -> None:
+        """Writes the directions and the readings as CSV (docs/formats.md). Raises Error if the numbers of directions and
+        values differ, or the file cannot be written."""
+        _core.write_factor_readings(self._handle, self.axes, self.curves, readings.values, readings.noise, os.fspath(path))
+
+
+def plan_factors(axes: str, fixed_angle: float = math.radians(60), angles: int = 90, distances: int = 90,
+                 max_polar_angle: float = math.radians(89), min_separation: float = math.radians(2)) -> FactorPlan:
+    """The readings of a factor measurement (Tongbuasirilai et al. 2017): one curve along the mirror direction, and one across
+    it at a fixed angle.
+
+    Args:
+        axes: Angle and distance from the mirror direction: "projected-deviation" (theta_R, |Dp|), "symmetric-deviation"
+            (theta_d, |Dp|, from the same readings), "half-difference" (theta_d, theta_h) or "half-out" (theta_o, theta_h).
+        fixed_angle: Angle of the curve across, rad.
+        angles: Number of readings along, even in the angle.
+        distances: Number of readings across, even in the square root of the distance.
+        max_polar_angle: Max polar angle of both directions, rad.
+        min_separation: Min angle between light and viewer, rad.
+
+    Raises:
+        Error: An argument is out of its range, or a curve has no reading that the arms do not obstruct.
+    """
+    handle, curves, blocked = _core.plan_factors(axes, fixed_angle, angles, distances, max_polar_angle, min_separation)
+    return FactorPlan(handle, axes, curves, blocked)
+
+
+def open_factor_readings(path: PathLike, axes: str) -> tuple[FactorPlan, Readings]:
+    """Reads the directions and values of a factor measurement from a CSV file (docs/formats.md).
+
+    Args:
+        path: The file.
+        axes: The axes, see gonio.plan_factors(). The readings of "projected-deviation" also serve "symmetric-deviation".
+
+    Raises:
+        Error: The file cannot be read; the message states the line.
+    """
+    (handle, curves, blocked), values, noise = _core.read_factor_readings(os.fspath(path), axes)
+    return FactorPlan(handle, axes, curves, blocked), Readings(values, noise)
+
+
+@dataclass(frozen=True)
+class FactorPrediction:
+    """A material predicted from two curves, see gonio.predict_from_factors(). Fractions are of all pairs of directions, weighted
+    by the cosines and solid angles."""
+
+    material: Material
+    """The predicted material."""
+    angles: NDArray[np.float64] = field(repr=False)
+    """Angles of the readings along, rad."""
+    along: NDArray[np.float64] = field(repr=False)
+    """The curve along the mirror direction: z = ln(1 + rho), shape (angles, 3)."""
+    distances: NDArray[np.float64] = field(repr=False)
+    """Distances of the readings across from the mirror direction."""
+    across: NDArray[np.float64] = field(repr=False)
+    """The curve across, relative to z in the mirror direction at the fixed angle, shape (distances, 3)."""
+    contradicted: float
+    """Fraction at which exchanging light and viewer changes the prediction without bound by more than a factor of 2."""
+    extrapolated: float
+    """Fraction outside the readings, where the last reading of a curve is used."""
+    bounded: float
+    """Fraction at which the product is more than twice as large as the readings at the same angle and at the same distance."""
+    unscaled: tuple[bool, bool, bool]
+    """Whether the mirror direction of a channel is black at the fixed angle; the curve across is then used for all angles."""
+    warnings: list[str]
+    """Sentences that state where and why the prediction is unreliable."""
+
+
+def predict_from_factors(plan: FactorPlan, readings: Readings, bound: str = "readings",
+                         name: str = "prediction") -> FactorPrediction:
+    """Predicts a whole material from two curves: z_ij = z_mj z_i1 / z_m1 with z = ln(1 + rho) (Tongbuasirilai 2023, eq. 5.6).
+    Exact if z is such a product.
+
+    Args:
+        plan: The directions, by gonio.plan_factors() or gonio.open_factor_readings().
+        readings: The values, by gonio.measure() or gonio.Readings(values).
+        bound: "readings" limits the prediction: never above both of the nearest readings (at the same angle and at the same
+            distance), nor above the prediction with light and viewer exchanged. "none" is the printed equation.
+        name: Name of the material.
+
+    Raises:
+        Error: The numbers of directions and values differ, the readings do not lie on two curves, or `bound` is unknown.
+    """
+    row = _core.predict_from_factors(plan._handle, plan.axes, plan.curves, np.asarray(readings.values, dtype=np.float64),
+                                     readings.noise, bound, name)
+    row["material"] = Material(row["material"])
+    return FactorPrediction(**row)

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/factor_plan.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/support/error.h"
+#include "tests/core/acquisition/factor_oracles.h"
+#include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
+
+namespace factor_plan_test {
+using namespace gonio;
+using namespace gonio::acquisition;
+
+class FactorPlanTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void bothCurvesLieInThePlaneOfIncidence_data() {
+    QTest::addColumn<int>("axes");
+    for (int axes = 0; axes < int(factorAxesNames.size()); ++axes)
+      QTest::newRow(factorAxesNames[std::size_t(axes)].data()) << axes;
+  }
+  void bothCurvesLieInThePlaneOfIncidence() {
+    QFETCH(int, axes);
+    const auto which = FactorAxes(axes);
+    const FactorPlan plan = planFactors({.axes = which, .fixedAngle = radians(40)});
+    QCOMPARE(plan.plan.samples.size() + std::size_t(plan.blocked), std::size_t(180));
+    QCOMPARE(plan.curves.size(), plan.plan.samples.size());
+    for (std::size_t i = 0; i < plan.curves.size(); ++i) {
+      const auto& [wi, wo] = plan.plan.samples[i].directions;
+      QVERIFY(std::abs(glm::cross(wi, wo).z) < 1e-9 || std::abs(wi.y * wo.x - wi.x * wo.y) < 1e-9);
+      QVERIFY(polarAngle(wi) < radians(89.001) && polarAngle(wo) < radians(89.001));
+      QVERIFY(glm::length(wi - wo) >= 2 * std::sin(radians(1)) - 1e-12);
+      // theta_d of a reading of the symmetric axes is not the fixed angle: theta_R is.
+      const FactorAxes read = which == FactorAxes::symmetricDeviation ? FactorAxes::projectedDeviation : which;
+      const glm::dvec2 at = test::factorPlaceOf(read, wi, wo);
+      if (plan.curves[i] == FactorCurve::along)
+        QVERIFY(at.y < 1e-9);
+      else
+        QVERIFY(std::abs(at.x - radians(40)) < 1e-9);
+    }
+  }
+
+  /// One arm occludes the other: no reading along the normal, nor at retro-reflection.
+  void blockedReadingsAreLeftOut() {
+    const FactorPlan plan = planFactors({.fixedAngle = 0.5, .smallestSeparation = 0.035});
+    for (const PlannedSample& sample : plan.plan.samples)
+      QVERIFY(std::acos(glm::dot(sample.directions.wi, sample.directions.wo)) > 0.0349);
+    QVERIFY(plan.blocked > planFactors({.fixedAngle = 0.5, .smallestSeparation = 0}).blocked);
+    QVERIFY(test::contains(test::errorOf([] { planFactors({.smallestSeparation = pi}); }), "obstruct all readings"));
+  }
+
+  void wrongOptionsAreErrors() {
+    for (const FactorPlanOptions& wrong :
+         {FactorPlanOptions{.fixedAngle = 1.6}, FactorPlanOptions{.fixedAngle = -0.1}, FactorPlanOptions{.angles = 1},
+          FactorPlanOptions{.distances = 20'000}, FactorPlanOptions{.fixedAngle = 1, .largestPolarAngle = 0.9},
+          FactorPlanOptions{.largestPolarAngle = std::nan("")}, FactorPlanOptions{.smallestSeparation = -1}})
+      QVERIFY_EXCEPTION_THROWN(planFactors(wrong), Error);
+    QVERIFY(test::contains(test::errorOf([] { factorAxesNamed("pdv"); }), "found 'pdv', expected projected-deviation"));
+  }
+};
+
+GONIO_TEST(FactorPlanTest)
+}  // namespace factor_plan_test
+
+#include "factor_plan_test.moc"

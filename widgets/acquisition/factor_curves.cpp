@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/acquisition/factor_curves.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+constexpr double readingSize = 3.5;
+
+/// Distinguishable on light and dark backgrounds.
+QColor channelColour(std::size_t channel, bool dark) {
+  constexpr std::array<QRgb, 3> onDark{0xffff6b6b, 0xff5fd068, 0xff6ba5ff}, onLight{0xffc0392b, 0xff1e8449, 0xff2257c4};
+  return QColor((dark ? onDark : onLight)[channel]);
+}
+
+QCustomPlot* newChart(QWidget* parent, const char* name) {
+  auto* chart = new QCustomPlot(parent);
+  chart->setObjectName(QString::fromLatin1(name));
+  chart->axisRect()->setupFullAxesBox(true);
+  for (QCPAxis* axis : {chart->xAxis2, chart->yAxis2}) axis->setTicks(false);
+  return chart;
+}
+
+}  // namespace
+
+FactorCurves::FactorCurves(QWidget* parent)
+    : QWidget(parent), m_along(newChart(this, "along")), m_across(newChart(this, "across")), m_hint(new QLabel) {
+  m_along->setAccessibleName(tr("Readings along the mirror direction"));
+  m_across->setAccessibleName(tr("Readings across the mirror direction"));
+  m_hint->setAlignment(Qt::AlignCenter);
+  m_hint->setWordWrap(true);
+  m_hint->setForegroundRole(QPalette::PlaceholderText);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_along, m_across, m_hint}) layout->addWidget(part, 1);
+  refresh();
+}
+
+QSize FactorCurves::sizeHint() const { return QSize(24, 24) * fontMetrics().height(); }
+QSize FactorCurves::minimumSizeHint() const { return QSize(13, 14) * fontMetrics().height(); }
+
+void FactorCurves::setContent(Content content) {
+  m_content = std::move(content);
+  refresh();
+}
+
+void FactorCurves::setHint(const QString& hint) { m_hint->setText(hint); }
+
+void FactorCurves::refresh() {
+  const PlotStyle style = PlotStyle::of(palette());
+  const bool isEmpty = m_content.angles.empty();
+  for (QCustomPlot* chart : {m_along, m_across}) chart->setVisible(!isEmpty);
+  m_hint->setVisible(isEmpty);
+  draw(*m_along, m_content.angles, m_content.along, style);
+  draw(*m_across, m_content.distances, m_content.across, style);
+  m_along->xAxis->setLabel(m_content.angleTitle);
+  m_along->yAxis->setLabel(tr("ln(1 + ρ) along"));
+  m_across->xAxis->setLabel(m_content.distanceTitle);
+  m_across->yAxis->setLabel(tr("across, relative"));
+  for (QCustomPlot* chart : {m_along, m_across}) chart->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void FactorCurves::draw(QCustomPlot& chart, const std::vector<double>& places, const Channels& curves,
+                        const PlotStyle& style) const {
+  chart.clearGraphs();
+  styleChart(chart, style, font());
+  double highest = 0;
+  for (std::size_t channel = 0; channel < curves.size(); ++channel) {
+    const QColor colour = channelColour(channel, style.dark);
+    QCPGraph* graph = chart.addGraph();
+    graph->setPen(QPen(colour, 1.4));
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, readingSize));
+    for (std::size_t i = 0; i < std::min(places.size(), curves[channel].size()); ++i) {
+      graph->addData(places[i], curves[channel][i]);
+      highest = std::max(highest, curves[channel][i]);
+    }
+  }
+  chart.xAxis->setRange(0, places.empty() ? 1 : places.back());
+  chart.yAxis->setRange(0, highest > 0 ? 1.06 * highest : 1);
+}
+
+void FactorCurves::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) refresh();
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_factor_curves.cpp"
