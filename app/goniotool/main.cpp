@@ -61,11 +61,11 @@ int parseAndWork(int argc, char** argv) {
              "0 success, 1 "
              "failure, 2 wrong usage.");
   for (const auto add :
-       {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
-        tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
-        tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
-        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addMerge,
-        tool::addFigure})
+       {tool::addInfo,        tool::addEvaluate,   tool::addCheck,      tool::addConvert,     tool::addFit,
+        tool::addEdit,        tool::addFactor,     tool::addDictionary, tool::addEncode,      tool::addDecode,
+        tool::addInterpolate, tool::addPlan,       tool::addMeasure,    tool::addReconstruct, tool::addExport,
+        tool::addRender,      tool::addScenes,     tool::addCompare,    tool::addStudy,       tool::addMerge,
+        tool::addFigure,      tool::addTrainNeural})
     add(app, tool);
   try {
     app.parse(argc, argv);

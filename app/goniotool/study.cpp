@@ -184,8 +184,8 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--representations", options->representations,
-          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published "
-          "(all except components, baselines and published)")
+          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
+          "neural (all except components, baselines, published and neural)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');

@@ -12,7 +12,19 @@
 namespace gonio::plots {
 
 /// Shapes of points, which distinguish them without colour.
-enum class Marker { square, circle, triangle, diamond, cross, star, triangleDown, saltire, pentagon };
+enum class Marker {
+  square,
+  circle,
+  triangle,
+  diamond,
+  cross,
+  star,
+  triangleDown,
+  saltire,
+  pentagon,
+  threeStar,
+  fourStar
+};
 
 /// The corners of a marker around the origin, y down; empty for a circle, which has the radius `size`.
 /// @param size about half the height and width.

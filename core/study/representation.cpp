@@ -27,7 +27,8 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{{{"table"
                                                                         {"components", "principal components"},
                                                                         {"nonparametric", "non-parametric factors"},
                                                                         {"baselines", "baselines"},
-                                                                        {"published", "as published"}}};
+                                                                        {"published", "as published"},
+                                                                        {"neural", "neural BRDF"}}};
 
 using factorization::Baseline;
 using List = std::vector<Representation>;
@@ -98,6 +99,9 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       addCounted(list, {family, "factors-2d-published", "PDV factors, two curves, as published"}, choice.terms, "term");
       addCounted(list, {family, "factors-3d-published", "PDV factors, three curves, as published"}, choice.terms,
                  "term");
+      return;
+    case RepresentationFamily::neural:
+      return list.push_back({family, "neural", "Neural BRDF", 0, ""});
   }
 }
 
@@ -163,6 +167,7 @@ bool needsBudget(std::string_view id) { return maxBudget(id) > 0; }
 Representation representationById(std::string_view id, std::optional<double> budget) {
   RepresentationChoice choice;
   choice.families.push_back(RepresentationFamily::published);
+  choice.families.push_back(RepresentationFamily::neural);
   if (const CountedBudget counted = budgetOf(id); counted.max > 0) {
     if (!budget || !(*budget >= 1 && *budget <= counted.max) || *budget != std::floor(*budget))
       throw Error("found the representation '" + std::string(id) + "' with " +

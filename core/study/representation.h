@@ -13,11 +13,11 @@
 namespace gonio::study {
 
 /// Kinds of representations, in the order of lists.
-enum class RepresentationFamily { table, fit, factors, code, components, nonparametric, baselines, published };
-inline constexpr int representationFamilyCount = 8;
+enum class RepresentationFamily { table, fit, factors, code, components, nonparametric, baselines, published, neural };
+inline constexpr int representationFamilyCount = 9;
 
 /// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "nonparametric",
-/// "baselines" or "published".
+/// "baselines", "published" or "neural".
 std::string_view familyId(RepresentationFamily family);
 /// The name for display in legends.
 std::string_view familyName(RepresentationFamily family);
@@ -31,7 +31,8 @@ std::vector<RepresentationFamily> familiesWithoutTraining();
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                   ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published"
+                   ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published",
+                   ///< "neural"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget
@@ -49,7 +50,8 @@ inline constexpr int maxBaselineBytes = 100'000'000;
 
 /// A selection of representations to measure.
 struct RepresentationChoice {
-  /// Default: all except baselines, PDV factors as published, and components, which require a trained basis.
+  /// Default: all except baselines, PDV factors as published, neural BRDFs, and components, which require a trained
+  /// basis.
   std::vector<RepresentationFamily> families{RepresentationFamily::table, RepresentationFamily::fit,
                                              RepresentationFamily::factors, RepresentationFamily::code,
                                              RepresentationFamily::nonparametric};

@@ -12,6 +12,7 @@
 #include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/code_file.h"
+#include "core/materials/neural_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/models/registry.h"
 
@@ -77,6 +78,8 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
       return components(representation, control);
     case RepresentationFamily::nonparametric:
       return nonparametric(control);
+    case RepresentationFamily::neural:
+      return neuralBrdf(control);
     case RepresentationFamily::baselines:
       break;
   }
@@ -179,6 +182,14 @@ BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& cont
           .nodes = nullptr,
           .bytes = NonparametricFactors::bytes(),
           .encodeSeconds = secondsSince(start)};
+}
+
+BuiltRepresentation RepresentationBuilder::neuralBrdf(const TaskControl& control) const {
+  const neural::NeuralFit fit = neural::fitNeural(*subject_.table, options_.neural, control);
+  return {.brdf = std::make_shared<const NeuralBrdf>(fit.weights),
+          .nodes = nullptr,
+          .bytes = materials::neuralFileBytes,
+          .encodeSeconds = fit.seconds};
 }
 
 /// Builds each budget separately, so that its time is measured; only the sampling could be shared.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "core/baselines/neural_fit.h"
 #include "core/dictionary/encode.h"
 #include "core/dictionary/principal_components.h"
 #include "core/factorization/pdv_factors.h"
@@ -29,6 +30,7 @@ struct BuildOptions {
   fitting::FitOptions fit;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
+  neural::NeuralFitOptions neural = {};
 };
 
 struct BuiltRepresentation {
@@ -52,8 +54,8 @@ class RepresentationBuilder {
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
   /// Deterministic except for times. Fits, factors and baselines take about a second, codes two, non-parametric factors
-  /// some seconds. @throws Error for a representation that was not planned, more components than the basis has, or a
-  /// table with another grid than the basis; Cancelled.
+  /// some seconds, neural BRDFs 12 s. @throws Error for a representation that was not planned, more components than the
+  /// basis has, or a table with another grid than the basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
@@ -64,6 +66,7 @@ class RepresentationBuilder {
   BuiltRepresentation code(const Representation& representation, const TaskControl& control);
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
+  BuiltRepresentation neuralBrdf(const TaskControl& control) const;
   BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;
 
   StudySubject subject_;

@@ -25,9 +25,9 @@ struct FamilyLook {
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyLook looks[representationFamilyCount] = {
-    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},  {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},   {Marker::star, "#e69f00"},
-    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}};
+    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},   {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"},
+    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::fourStar, "#117733"}};
 
 struct Shape {
   Marker marker;

@@ -35,6 +35,7 @@ from ._materials import (Check, GridDirections, LibraryEntry, Material, check, f
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
                                dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
                                published_deviation_nodes)
+from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, bundled_basis, learn_basis, measure, open_basis, open_plan,
                            plan, reconstruct)
@@ -50,7 +51,7 @@ __all__ = [
     # Factors, codes, interpolation
     "factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
     "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
-    "Interpolation",
+    "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
     "Reconstruction", "Basis",

@@ -121,7 +121,7 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines" or "published"."""
+    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published" or "neural"."""
     representation: str
     """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
@@ -155,7 +155,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         material: The material to represent.
         representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
             non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors with the
-            weights and nodes of the papers).
+            weights and nodes of the papers), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
         terms: Numbers of terms for "factors" and "published". They also set the budgets of "baselines": the sizes of .pdv

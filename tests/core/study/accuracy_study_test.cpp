@@ -86,7 +86,8 @@ class AccuracyStudyTest : public QObject {
     fails("ggxx", {}, "'ggxx', expected one of table-nearest, table-trilinear, factors-2d");
     fails("components", 4, "'components'");
     fails("tucker", 4,
-          "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, kautz-mccool");
+          "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, neural, "
+          "kautz-mccool");
     fails("lawrence", {}, "no budget, expected a whole number from 1 to 100000000 (bytes)");
     fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
     fails("factors-2d", 2.5, "the budget 2.5");
