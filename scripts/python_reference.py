@@ -23,7 +23,7 @@ SECTIONS = {
     "Factors, codes, interpolation": ["factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
                                       "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation",
                                       "train_neural", "neural_brdf", "open_neural", "NeuralBrdf"],
-    "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan",
+    "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "separate", "learn_separated_basis", "SeparatedBasis", "Plan",
                     "Readings", "Reconstruction", "Basis"],
     "Pictures, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
                                    "Effect", "Record", "Export", "Target"],

@@ -90,7 +90,11 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
     case RepresentationFamily::code:
       return addCounted(list, {family, "code", "Dictionary code"}, choice.coefficients, "coefficient");
     case RepresentationFamily::components:
-      return addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
+      addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
+      if (choice.separatedComponents)
+        addCounted(list, {family, std::string(separatedComponentsId), "Diffuse and specular components"},
+                   choice.components, "component");
+      return;
     case RepresentationFamily::nonparametric:
       return list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
     case RepresentationFamily::baselines:

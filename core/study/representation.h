@@ -31,8 +31,8 @@ std::vector<RepresentationFamily> familiesWithoutTraining();
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                   ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published",
-                   ///< "neural"
+                   ///< "components", "components-separated", "nonparametric", a baseline's id, "factors-2d-published",
+                   ///< "factors-3d-published", "neural"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget
@@ -42,6 +42,9 @@ struct Representation {
   /// Label and budget, e.g. "PDV factors, three curves, 10 terms".
   std::string fullLabel() const;
 };
+
+/// Components of the diffuse and of the specular part (dictionary::SeparatedComponents).
+inline constexpr std::string_view separatedComponentsId = "components-separated";
 
 /// Maximum per channel: the `.code` format has a 16-bit count.
 inline constexpr int maxCodeCoefficients = 65535;
@@ -61,6 +64,7 @@ struct RepresentationChoice {
   std::vector<int> terms{1, 2, 3, 5, 8, 10, 14, 20};
   std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< per channel
   std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< per channel
+  bool separatedComponents = false;  ///< whether the components also include those of separatedComponentsId
 };
 
 /// The baselines of the family: all except the non-parametric factors, which are a family of their own.

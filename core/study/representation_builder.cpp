@@ -75,7 +75,8 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
     case RepresentationFamily::code:
       return code(representation, control);
     case RepresentationFamily::components:
-      return components(representation, control);
+      return representation.id == separatedComponentsId ? separated(representation, control)
+                                                        : components(representation, control);
     case RepresentationFamily::nonparametric:
       return nonparametric(control);
     case RepresentationFamily::neural:
@@ -169,6 +170,24 @@ BuiltRepresentation RepresentationBuilder::components(const Representation& repr
   return {.brdf = decoded,
           .nodes = decoded,
           .bytes = dictionary::ComponentCode::halfBytes(count),
+          .encodeSeconds = seconds,
+          .tabulated = [decoded](const TaskControl&) { return decoded; }};
+}
+
+BuiltRepresentation RepresentationBuilder::separated(const Representation& representation,
+                                                     const TaskControl& control) const {
+  if (!options_.separated) throw Error("diffuse and specular components: none were learned");
+  const dictionary::SeparatedComponents& all = *options_.separated;
+  const int count = int(representation.budget);
+  if (count > all.count())
+    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(all.count()));
+  const auto start = Clock::now();
+  const dictionary::SeparatedCode encoded = dictionary::encode(all, *subject_.table, count, control);
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(all, encoded.inHalfPrecision(), {.stop = control.stop, .progress = {}});
+  return {.brdf = decoded,
+          .nodes = decoded,
+          .bytes = encoded.halfBytes(),
           .encodeSeconds = seconds,
           .tabulated = [decoded](const TaskControl&) { return decoded; }};
 }

@@ -10,7 +10,7 @@
 
 #include "core/baselines/neural_fit.h"
 #include "core/dictionary/encode.h"
-#include "core/dictionary/principal_components.h"
+#include "core/dictionary/separated_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"
 #include "core/materials/dictionary_file.h"
@@ -30,6 +30,7 @@ struct BuildOptions {
   fitting::FitOptions fit;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
+  std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of separatedComponentsId; null: none
   neural::NeuralFitOptions neural = {};
 };
 
@@ -65,6 +66,7 @@ class RepresentationBuilder {
   BuiltRepresentation factors(const Representation& representation, const TaskControl& control);
   BuiltRepresentation code(const Representation& representation, const TaskControl& control);
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
+  BuiltRepresentation separated(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
   BuiltRepresentation neuralBrdf(const TaskControl& control) const;
   BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;

@@ -35,8 +35,9 @@ struct Shape {
 };
 /// Shapes of the baselines in their order; no family has them.
 constexpr Shape baselineShapes[] = {
-    {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
-    {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::saltire, true}};
+    {Marker::circle, true},  {Marker::saltire, false},     {Marker::triangleDown, false},
+    {Marker::diamond, true}, {Marker::triangleDown, true}, {Marker::cross, true},
+    {Marker::star, true},    {Marker::saltire, true},      {Marker::fourStar, true}};
 
 Shape baselineShape(std::string_view id) {
   const auto all = studiedBaselines();
@@ -217,6 +218,7 @@ SeriesLook lookOf(const Representation& r) {
     const Shape shape = baselineShape(r.id);
     return {shape.marker, look.colour, shape.hollow, r.label};
   }
+  if (r.id == separatedComponentsId) return {Marker::threeStar, look.colour, false, r.label};
   const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d");
   const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
                      r.family == RepresentationFamily::published;

@@ -37,8 +37,9 @@ from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, F
                                published_deviation_nodes)
 from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
-from ._acquisition import (Basis, Plan, Readings, Reconstruction, bundled_basis, learn_basis, measure, open_basis, open_plan,
-                           plan, reconstruct)
+from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_basis, learn_separated_basis, measure,
+                           open_basis, open_plan,
+                           plan, reconstruct, separate)
 from ._pictures import (Comparison, Effect, Export, Record, Target, compare, effects, export, render, scenes, study, targets)
 
 __all__ = [
@@ -53,7 +54,8 @@ __all__ = [
     "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
     "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
-    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
+    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "separate",
+    "learn_separated_basis", "SeparatedBasis", "Plan", "Readings",
     "Reconstruction", "Basis",
     # Pictures, studies, exports
     "render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison", "Effect", "Record", "Export",

@@ -179,8 +179,11 @@ class AccuracyStudyTest : public QObject {
     const std::shared_ptr<const TabulatedBrdf> taught[] = {table, rough};
     build.components = std::make_shared<const dictionary::PrincipalComponents>(
         dictionary::learnPrincipalComponents(2, [&](std::size_t m) { return taught[m]; }));
+    build.separated = std::make_shared<const dictionary::SeparatedComponents>(
+        dictionary::learnSeparatedComponents(2, [&](std::size_t m) { return taught[m]; }));
     RepresentationChoice choice;
     choice.families = {RepresentationFamily::code, RepresentationFamily::components};
+    choice.separatedComponents = true;
     choice.coefficients = {200, 2000};
     choice.components = {1, 3};
     const auto all = representationsOf(choice);
@@ -201,7 +204,8 @@ class AccuracyStudyTest : public QObject {
     // All components of the two, of which one is grey, hold both, but for half precision.
     QVERIFY2(errors[3] < 1e-3, qPrintable(QString::number(errors[3])));
     QVERIFY2(errors[1] < 0.05, qPrintable(QString::number(errors[1])));
-    Representation tooMany = all.back();
+    QVERIFY(errors[5] < errors[4]);
+    Representation tooMany = all[3];
     tooMany.budget = 4;
     QVERIFY_EXCEPTION_THROWN(builder.build(tooMany), Error);
     Representation unplanned = few().back();
