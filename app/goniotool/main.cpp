@@ -62,11 +62,11 @@ int parseAndWork(int argc, char** argv) {
       " document, or a bundled material such as library:merl-copy/chrome or library:rgl/paper_blue.\n"
       "Parentheses at the end of an option contain its default. Exit code: 0 success, 1 failure, 2 wrong usage.");
   for (const auto add :
-       {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
-        tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
-        tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
-        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addMerge,
-        tool::addFigure})
+       {tool::addInfo,        tool::addEvaluate,   tool::addCheck,      tool::addConvert,     tool::addFit,
+        tool::addEdit,        tool::addFactor,     tool::addDictionary, tool::addEncode,      tool::addDecode,
+        tool::addInterpolate, tool::addPlan,       tool::addMeasure,    tool::addReconstruct, tool::addExport,
+        tool::addRender,      tool::addScenes,     tool::addCompare,    tool::addStudy,       tool::addMerge,
+        tool::addFigure,      tool::addTrainNeural})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -51,6 +51,8 @@ void checkArguments(const StudyArguments& options) {
   for (const std::string& id : options.representations) familyById(id);
   if (!options.baselines.empty() && !std::ranges::count(options.representations, "baselines"))
     throw UsageError("study: --baselines needs --representations with baselines");
+  if (options.choice.separatedComponents && options.componentsFrom.empty())
+    throw UsageError("study: --separate needs a training set; give it with --components-from FOLDER");
   if (options.withoutTimes && options.budget.frameMilliseconds)
     throw UsageError("study: --max-frame-ms needs times; leave out --no-times");
 }
@@ -113,6 +115,10 @@ class MaterialStudy {
         std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
             materials.names.size(), materials.load, pca, tool_.control("learning principal components")));
     std::erase_if(choice.components, [&](int count) { return count > study_.build.components->count(); });
+    if (choice.separatedComponents)
+      study_.build.separated =
+          std::make_shared<const dictionary::SeparatedComponents>(dictionary::learnSeparatedComponents(
+              materials.names.size(), materials.load, pca, tool_.control("learning diffuse and specular components")));
     training_.components = materials.names;
   }
 
@@ -185,7 +191,7 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->add_option(
           "--representations", options->representations,
           "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
-          "alternatives (all except components, baselines, published and alternatives)")
+          "alternatives, neural (all except components, baselines, published, alternatives and neural)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
@@ -210,6 +216,8 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->add_option("--components-from", options->componentsFrom,
                    "Training set of principal components, files or folders (none)")
       ->delimiter(',');
+  command->add_flag("--separate", options->choice.separatedComponents,
+                    "Also measure components of the diffuse and the specular part, separated as by Sun et al. 2018");
   command->add_option("--components", options->choice.components, "Numbers of principal components (4,8,..,128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);

@@ -8,6 +8,7 @@
 
 #include "core/baselines/bilgili.h"
 #include "core/baselines/bivariate.h"
+#include "core/baselines/gaussian_process.h"
 #include "core/baselines/half_difference_tensor.h"
 #include "core/baselines/kautz_mccool.h"
 #include "core/baselines/lawrence.h"
@@ -110,6 +111,17 @@ Models buildNonparametric(const TabulatedBrdf& table, Budgets budgets, const Tas
   return Models(budgets.size(), {makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
 }
 
+Models buildGaussianProcess(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfDifferenceSamples samples = sampleHalfDifference(table, gaussianAxes(), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    GaussianProcess process = fitGaussianProcess(samples, gaussianNodes(budget), control);
+    const std::size_t bytes = process.bytes();
+    models.push_back({makeGaussianProcessBrdf(std::move(process)), bytes});
+  }
+  return models;
+}
+
 constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 /// Size of the exact decomposition of the 3 x 90 by 30 x 7 matrix into 210 terms.
 constexpr std::size_t exactMatrixBytes = 403'200;
@@ -139,6 +151,8 @@ constexpr Baseline allBaselines[] = {
      "De Lathauwer, De Moor and Vandewalle 2000, \"A Multilinear Singular Value Decomposition\"", 263'036, buildHosvd},
     {"nmf", "Non-negative matrices", "non-negative matrices in half-difference coordinates",
      "Lee and Seung 2001, \"Algorithms for Non-negative Matrix Factorization\"", exactMatrixBytes, buildNonnegative},
+    {"gaussian-process", "Gaussian process", "Gaussian process in half-difference coordinates",
+     "Rasmussen and Williams 2006, \"Gaussian Processes for Machine Learning\"", 12'312, buildGaussianProcess},
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coordinates/half_difference.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -29,15 +28,15 @@ std::array<float, size> rectified(std::array<float, size> values) {
   return values;
 }
 
-std::array<float, NeuralBrdf::inputs> vectors(const HalfDifference& at) {
+}  // namespace
+
+std::array<float, NeuralBrdf::inputs> NeuralBrdf::inputsAt(const HalfDifference& at) {
   const double phi = foldPhiD(at.phiD);
   const double across = std::sin(at.thetaD);
   return {float(std::sin(at.thetaH)),    0,
           float(std::cos(at.thetaH)),    float(across * std::cos(phi)),
           float(across * std::sin(phi)), float(std::cos(at.thetaD))};
 }
-
-}  // namespace
 
 NeuralBrdf::NeuralBrdf(std::span<const float> weights) {
   if (weights.size() != weightCount)
@@ -59,7 +58,7 @@ void NeuralBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> v
     values[i] = Rgb(0);
     if (isBelowHorizon(wi) || isBelowHorizon(wo) || !at.valid) continue;
     const float* weights = weights_.data();
-    const auto first = rectified(layer<inputs, hidden>(weights, vectors(at)));
+    const auto first = rectified(layer<inputs, hidden>(weights, inputsAt(at)));
     const auto second = rectified(layer<hidden, hidden>(weights, first));
     const auto result = layer<hidden, outputs>(weights, second);
     for (int c = 0; c < 3; ++c)

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/brdf/brdf.h"
+#include "core/coordinates/half_difference.h"
 
 namespace gonio {
 
@@ -24,6 +25,11 @@ class NeuralBrdf final : public Brdf {
 
   /// @throws Error if the number of weights is not weightCount or one is not finite.
   explicit NeuralBrdf(std::span<const float> weights);
+
+  /// The inputs at half-difference coordinates: half vector and difference vector, the latter's azimuth folded.
+  static std::array<float, inputs> inputsAt(const HalfDifference& at);
+
+  std::span<const float, weightCount> weights() const { return weights_; }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;

@@ -16,6 +16,7 @@
 #include "core/io/utia_file.h"
 #include "core/io/zemax_file.h"
 #include "core/materials/code_file.h"
+#include "core/materials/neural_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/scattered_material.h"
 #include "core/support/lower_case.h"
@@ -95,9 +96,15 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material
   setCode(readCode(source), material);
 }
 
+void readNeuralMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
+  material.brdf = std::make_shared<const NeuralBrdf>(readNeural(source));
+  material.source.grid = {int(NeuralBrdf::weightCount)};
+  material.source.description = "network with two hidden layers of " + std::to_string(NeuralBrdf::hidden) + " units";
+}
+
 constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
                            astmSuffixes[] = {".astm"}, goniophotometerSuffixes[] = {".txt"}, curetSuffixes[] = {".dat"},
-                           pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"};
+                           pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"}, neuralSuffixes[] = {".nbrdf"};
 
 constexpr std::array formats{
     MaterialFormat{.id = FormatId::merl,
@@ -199,6 +206,16 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true},
                    .sniff = expectCode,
                    .read = readCodeMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::neural,
+                   .name = "neural BRDF",
+                   .label = "neural BRDF",
+                   .suffixes = neuralSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = expectNeural,
+                   .read = readNeuralMaterial,
                    .write = nullptr},
 };
 

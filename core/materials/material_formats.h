@@ -15,7 +15,7 @@
 /// use. To add a format, add a row.
 namespace gonio::materials {
 
-enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code };
+enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
 
 /// What a format can represent beyond reciprocal, isotropic RGB.
 struct FormatCapabilities {

@@ -38,6 +38,7 @@ std::span<const Model* const> allModels() {
       &abcSmooth(),
       &abc(),
       &sgd(),
+      &he(),
       &holzschuchPacanowski(),
       &beardMaxwell(),
       &weidlichWilkie(),

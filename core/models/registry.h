@@ -34,6 +34,7 @@ const Model& layered();
 const Model& abcSmooth();
 const Model& abc();
 const Model& sgd();
+const Model& he();
 const Model& holzschuchPacanowski();
 const Model& beardMaxwell();
 const Model& weidlichWilkie();

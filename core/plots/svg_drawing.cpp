@@ -99,6 +99,10 @@ std::vector<glm::dvec2> markerOutline(Marker marker, double size) {
       return corners(10, 1.45 * size, 0.6 * size);
     case Marker::pentagon:
       return corners(5, 1.15 * size, 1.15 * size);
+    case Marker::threeStar:
+      return corners(6, 1.5 * size, 0.5 * size);
+    case Marker::fourStar:
+      return corners(8, 1.5 * size, 0.55 * size);
     case Marker::circle:
       break;
   }

@@ -23,7 +23,9 @@ enum class Marker {
   saltire,
   pentagon,
   triangleLeft,
-  triangleRight
+  triangleRight,
+  threeStar,
+  fourStar
 };
 
 /// The corners of a marker around the origin, y down; empty for a circle, which has the radius `size`.

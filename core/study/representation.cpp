@@ -28,7 +28,8 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{{{"table"
                                                                         {"nonparametric", "non-parametric factors"},
                                                                         {"baselines", "baselines"},
                                                                         {"published", "as published"},
-                                                                        {"alternatives", "alternative algorithms"}}};
+                                                                        {"alternatives", "alternative algorithms"},
+                                                                        {"neural", "neural BRDF"}}};
 
 using factorization::Baseline;
 using List = std::vector<Representation>;
@@ -90,7 +91,11 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
     case RepresentationFamily::code:
       return addCounted(list, {family, "code", "Dictionary code"}, choice.coefficients, "coefficient");
     case RepresentationFamily::components:
-      return addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
+      addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
+      if (choice.separatedComponents)
+        addCounted(list, {family, std::string(separatedComponentsId), "Diffuse and specular components"},
+                   choice.components, "component");
+      return;
     case RepresentationFamily::nonparametric:
       return list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
     case RepresentationFamily::baselines:
@@ -106,6 +111,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint"}, choice.terms, "term");
       return addCounted(list, {family, "code-basis-pursuit", "Dictionary code by basis pursuit"}, choice.coefficients,
                         "coefficient");
+    case RepresentationFamily::neural:
+      return list.push_back({family, "neural", "Neural BRDF", 0, ""});
   }
 }
 
@@ -172,6 +179,7 @@ Representation representationById(std::string_view id, std::optional<double> bud
   RepresentationChoice choice;
   choice.families.push_back(RepresentationFamily::published);
   choice.families.push_back(RepresentationFamily::alternatives);
+  choice.families.push_back(RepresentationFamily::neural);
   if (const CountedBudget counted = budgetOf(id); counted.max > 0) {
     if (!budget || !(*budget >= 1 && *budget <= counted.max) || *budget != std::floor(*budget))
       throw Error("found the representation '" + std::string(id) + "' with " +

@@ -21,13 +21,14 @@ enum class RepresentationFamily {
   components,
   nonparametric,
   baselines,
-  published,    ///< PDV factors and codes as the papers describe them
-  alternatives  ///< codes by basis pursuit, PDV factors whose terms are fitted together
+  published,     ///< PDV factors and codes as the papers describe them
+  alternatives,  ///< codes by basis pursuit, PDV factors whose terms are fitted together
+  neural
 };
-inline constexpr int representationFamilyCount = 9;
+inline constexpr int representationFamilyCount = 10;
 
 /// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "nonparametric",
-/// "baselines", "published" or "alternatives".
+/// "baselines", "published", "alternatives" or "neural".
 std::string_view familyId(RepresentationFamily family);
 /// The name for display in legends.
 std::string_view familyName(RepresentationFamily family);
@@ -42,7 +43,7 @@ struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
                    ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published",
-                   ///< "code-published", "factors-2d-joint", "factors-3d-joint", "code-basis-pursuit"
+                   ///< "code-published", "factors-2d-joint", "factors-3d-joint", "code-basis-pursuit", "neural"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget
@@ -53,6 +54,9 @@ struct Representation {
   std::string fullLabel() const;
 };
 
+/// Components of the diffuse and of the specular part (dictionary::SeparatedComponents).
+inline constexpr std::string_view separatedComponentsId = "components-separated";
+
 /// Maximum per channel: the `.code` format has a 16-bit count.
 inline constexpr int maxCodeCoefficients = 65535;
 /// Maximum budget of a baseline.
@@ -60,7 +64,7 @@ inline constexpr int maxBaselineBytes = 100'000'000;
 
 /// A selection of representations to measure.
 struct RepresentationChoice {
-  /// Default: all except baselines, published and alternatives, and components, which require a trained basis.
+  /// Default: all except baselines, published, alternatives and neural, and components, which require a trained basis.
   std::vector<RepresentationFamily> families{RepresentationFamily::table, RepresentationFamily::fit,
                                              RepresentationFamily::factors, RepresentationFamily::code,
                                              RepresentationFamily::nonparametric};
@@ -70,6 +74,7 @@ struct RepresentationChoice {
   std::vector<int> terms{1, 2, 3, 5, 8, 10, 14, 20};
   std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< per channel
   std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< per channel
+  bool separatedComponents = false;  ///< whether the components also include those of separatedComponentsId
 };
 
 /// The baselines of the family: all except the non-parametric factors, which are a family of their own.

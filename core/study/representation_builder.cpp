@@ -12,6 +12,7 @@
 #include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/code_file.h"
+#include "core/materials/neural_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/models/registry.h"
 
@@ -89,9 +90,12 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
     case RepresentationFamily::code:
       return code(representation, control);
     case RepresentationFamily::components:
-      return components(representation, control);
+      return representation.id == separatedComponentsId ? separated(representation, control)
+                                                        : components(representation, control);
     case RepresentationFamily::nonparametric:
       return nonparametric(control);
+    case RepresentationFamily::neural:
+      return neuralBrdf(control);
     case RepresentationFamily::baselines:
       break;
   }
@@ -186,6 +190,24 @@ BuiltRepresentation RepresentationBuilder::components(const Representation& repr
           .tabulated = [decoded](const TaskControl&) { return decoded; }};
 }
 
+BuiltRepresentation RepresentationBuilder::separated(const Representation& representation,
+                                                     const TaskControl& control) const {
+  if (!options_.separated) throw Error("diffuse and specular components: none were learned");
+  const dictionary::SeparatedComponents& all = *options_.separated;
+  const int count = int(representation.budget);
+  if (count > all.count())
+    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(all.count()));
+  const auto start = Clock::now();
+  const dictionary::SeparatedCode encoded = dictionary::encode(all, *subject_.table, count, control);
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(all, encoded.inHalfPrecision(), {.stop = control.stop, .progress = {}});
+  return {.brdf = decoded,
+          .nodes = decoded,
+          .bytes = encoded.halfBytes(),
+          .encodeSeconds = seconds,
+          .tabulated = [decoded](const TaskControl&) { return decoded; }};
+}
+
 BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& control) const {
   using namespace factorization;
   const auto start = Clock::now();
@@ -195,6 +217,14 @@ BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& cont
           .nodes = nullptr,
           .bytes = NonparametricFactors::bytes(),
           .encodeSeconds = secondsSince(start)};
+}
+
+BuiltRepresentation RepresentationBuilder::neuralBrdf(const TaskControl& control) const {
+  const neural::NeuralFit fit = neural::fitNeural(*subject_.table, options_.neural, control);
+  return {.brdf = std::make_shared<const NeuralBrdf>(fit.weights),
+          .nodes = nullptr,
+          .bytes = materials::neuralFileBytes,
+          .encodeSeconds = fit.seconds};
 }
 
 /// Builds each budget separately, so that its time is measured; only the sampling could be shared.

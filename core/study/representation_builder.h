@@ -8,8 +8,9 @@
 #include <optional>
 #include <span>
 
+#include "core/baselines/neural_fit.h"
 #include "core/dictionary/encode.h"
-#include "core/dictionary/principal_components.h"
+#include "core/dictionary/separated_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"
 #include "core/materials/dictionary_file.h"
@@ -29,6 +30,8 @@ struct BuildOptions {
   fitting::FitOptions fit;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
+  std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of separatedComponentsId; null: none
+  neural::NeuralFitOptions neural = {};
 };
 
 struct BuiltRepresentation {
@@ -52,8 +55,8 @@ class RepresentationBuilder {
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
   /// Deterministic except for times. Fits, factors and baselines take about a second, codes two, non-parametric factors
-  /// some seconds. @throws Error for a representation that was not planned, more components than the basis has, or a
-  /// table with another grid than the basis; Cancelled.
+  /// some seconds, neural BRDFs 12 s. @throws Error for a representation that was not planned, more components than the
+  /// basis has, or a table with another grid than the basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
@@ -63,7 +66,9 @@ class RepresentationBuilder {
   BuiltRepresentation factors(const Representation& representation, const TaskControl& control);
   BuiltRepresentation code(const Representation& representation, const TaskControl& control);
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
+  BuiltRepresentation separated(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
+  BuiltRepresentation neuralBrdf(const TaskControl& control) const;
   BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;
 
   StudySubject subject_;

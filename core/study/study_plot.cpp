@@ -27,7 +27,8 @@ struct FamilyLook {
 constexpr FamilyLook looks[representationFamilyCount] = {
     {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},   {Marker::triangle, "#d55e00"},
     {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"},
-    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"}};
+    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"},
+    {Marker::fourStar, "#332288"}};
 
 struct Shape {
   Marker marker;
@@ -35,8 +36,9 @@ struct Shape {
 };
 /// Shapes of the baselines in their order; no family has them.
 constexpr Shape baselineShapes[] = {
-    {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
-    {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::saltire, true}};
+    {Marker::circle, true},  {Marker::saltire, false},     {Marker::triangleDown, false},
+    {Marker::diamond, true}, {Marker::triangleDown, true}, {Marker::cross, true},
+    {Marker::star, true},    {Marker::saltire, true},      {Marker::fourStar, true}};
 
 Shape baselineShape(std::string_view id) {
   const auto all = studiedBaselines();

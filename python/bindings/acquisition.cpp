@@ -43,6 +43,32 @@ PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<st
   });
 }
 
+/// The diffuse and the specular part of a material.
+py::tuple separateMaterial(const PyMaterial& material, const py::object& progress) {
+  const auto parts = resultOf(progress, [&](const TaskControl& control) {
+    return dictionary::separateDiffuse(*material.table({control.stop, {}}), control);
+  });
+  const std::string& name = material.shown().name;
+  return py::make_tuple(newMaterial(name + " diffuse", "separation", parts.diffuse),
+                        newMaterial(name + " specular", "separation", parts.specular));
+}
+
+/// (diffuse, specular).
+py::tuple learnSeparatedBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
+                              int components, const py::object& progress) {
+  std::vector<std::string> names;
+  auto learned = resultOf(progress, [&](const TaskControl& control) {
+    const auto training = editing::trainingMaterials(
+        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
+    names = training.names;
+    return dictionary::learnSeparatedComponents(training.names.size(), training.load, {.maxComponents = components},
+                                                control);
+  });
+  using dictionary::PrincipalComponents;
+  return py::make_tuple(PyBasis{std::make_shared<const PrincipalComponents>(std::move(learned.diffuse)), names},
+                        PyBasis{std::make_shared<const PrincipalComponents>(std::move(learned.specular)), names});
+}
+
 /// Codes of the first components: (3, components).
 py::array_t<float> encodeComponents(const PyBasis& basis, const PyMaterial& material, int components,
                                     const py::object& progress) {
@@ -202,6 +228,8 @@ void bindBasis(py::module_& module) {
   module.def("bundled_basis", bundledBasis);
   module.def("read_basis", readBasis, py::call_guard<py::gil_scoped_release>());
   module.def("learn_basis", learnBasis);
+  module.def("separate", separateMaterial);
+  module.def("learn_separated_basis", learnSeparatedBasis);
 }
 
 }  // namespace

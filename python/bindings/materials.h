@@ -52,6 +52,7 @@ void bindMaterials(py::module_& module);
 void bindModels(py::module_& module);
 void bindEdits(py::module_& module);
 void bindRepresentations(py::module_& module);
+void bindNeural(py::module_& module);
 void bindAcquisition(py::module_& module);
 void bindFactorMeasurement(py::module_& module);
 void bindPictures(py::module_& module);

@@ -29,6 +29,7 @@ PYBIND11_MODULE(_core, module) {
   bindModels(module);
   bindEdits(module);
   bindRepresentations(module);
+  bindNeural(module);
   bindAcquisition(module);
   bindFactorMeasurement(module);
   bindPictures(module);

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/dictionary/principal_components.h"
+#include "core/dictionary/separated_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/dictionary_file.h"
 #include "python/bindings/materials.h"
@@ -21,6 +21,9 @@ struct PyBasis {
   std::shared_ptr<const dictionary::PrincipalComponents> components;
   std::vector<std::string> learnedFrom;
 };
+
+/// Both bases of dictionary::SeparatedComponents.
+using PySeparatedBasis = std::shared_ptr<const dictionary::SeparatedComponents>;
 
 using PyDictionaryPtr = std::shared_ptr<const materials::NamedEnsemble>;
 

@@ -35,9 +35,10 @@ from ._materials import (Check, GridDirections, LibraryEntry, Material, check, f
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
                                dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
                                published_deviation_nodes)
+from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
-from ._acquisition import (Basis, Plan, Readings, Reconstruction, bundled_basis, learn_basis, measure, open_basis, open_plan,
-                           plan, reconstruct)
+from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_basis, learn_separated_basis,
+                           measure, open_basis, open_plan, plan, reconstruct, separate)
 from ._factor_measurement import (FactorPlan, FactorPrediction, open_factor_readings, plan_factors, predict_from_factors)
 from ._pictures import (Comparison, Effect, Export, Record, Target, compare, effects, export, render, scenes, study, targets)
 
@@ -51,10 +52,11 @@ __all__ = [
     # Factors, codes, interpolation
     "factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
     "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
-    "Interpolation",
+    "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
     "plan_factors", "open_factor_readings", "predict_from_factors", "FactorPlan", "FactorPrediction",
-    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan", "Readings",
+    "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "separate",
+    "learn_separated_basis", "SeparatedBasis", "Plan", "Readings",
     "Reconstruction", "Basis",
     # Images, studies, exports
     "render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison", "Effect", "Record", "Export",

@@ -259,7 +259,7 @@ def open(path: PathLike, progress: Progress = None) -> Material:
     """Opens a material. The format is recognised by the content of the file, not by its suffix (docs/formats.md).
 
     Args:
-        path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file; PDV factors (.pdv); a sparse code (.code); a
+        path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file; PDV factors (.pdv); a sparse code (.code); a neural BRDF (.nbrdf); a
             .gonio document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 

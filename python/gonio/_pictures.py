@@ -121,7 +121,7 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published" or "alternatives"."""
+    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published", "alternatives" or "neural"."""
     representation: str
     """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
@@ -156,7 +156,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
             non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors and
             codes as the papers describe them), "alternatives" (PDV factors whose terms are fitted together, codes by basis
-            pursuit).
+            pursuit), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
         terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv

@@ -34,6 +34,20 @@ def test_a_training_material_is_in_the_span_of_its_basis(basis, files):
     np.testing.assert_allclose(decoded.values[both], material.values[both], rtol=0.02, atol=2e-3)
 
 
+def test_separation_adds_up_and_its_components_hold_the_training_set(files):
+    material = gonio.open(files / "chrome.binary")
+    diffuse, specular = gonio.separate(material)
+    np.testing.assert_allclose(diffuse.values + specular.values, material.values, rtol=1e-6)
+    assert diffuse.values.min() >= 0 and specular.values.min() >= 0
+    separated = gonio.learn_separated_basis([files])
+    assert separated.diffuse.training_set == sorted(TRAINING)
+    code = separated.encode(material, 8)
+    assert [part.shape for part in code] == [(3, 2), (3, min(6, len(separated.specular)))]
+    decoded = separated.decode(code)
+    both = decoded.valid & material.valid
+    assert np.abs(np.log1p(decoded.values[both]) - np.log1p(material.values[both])).mean() < 0.05
+
+
 def test_plan_measure_reconstruct(basis, files, tmp_path):
     plan = gonio.plan(5, basis)
     assert len(plan) == 5 and plan.method == "somp" and plan.warning == ""

@@ -137,6 +137,7 @@ class ReaderMutationTest : public QObject {
     readScatteredBytes<io::readGoniophotometer>(goniophotometerSeed());
     readScatteredBytes<io::readCuret>(curetSeed());
     readPdvBytes(pdvSeed());
+    readNeuralBytes(neuralSeed());
     readNpfBytes(npfSeed());
     readObjBytes(objSeed());
     readPlyBytes(plySeed());
@@ -164,6 +165,7 @@ class ReaderMutationTest : public QObject {
   void goniophotometer() { check("points.txt", goniophotometerSeed(), readScatteredBytes<io::readGoniophotometer>); }
   void curet() { check("points.dat", curetSeed(), readScatteredBytes<io::readCuret>); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
+  void neural() { check("network.nbrdf", neuralSeed(), readNeuralBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void obj() { check("mesh.obj", objSeed(), readObjBytes); }
   void ply() { check("mesh.ply", plySeed(), readPlyBytes); }

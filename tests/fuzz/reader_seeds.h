@@ -7,6 +7,7 @@
 
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
+#include "core/materials/neural_file.h"
 #include "tests/core/io/instrument_files.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/smooth_materials.h"
@@ -71,6 +72,12 @@ inline Bytes codeSeed() {
   for (dictionary::ChannelCode& channel : code.channels)
     channel = {.dictionary = 1, .coefficients = {{7, 3.0f}, {59, -1.5f}, {0, 0.25f}}, .highest = 4};
   return materials::encodeCode(code, 1234);
+}
+
+inline Bytes neuralSeed() {
+  std::vector<float> weights(NeuralBrdf::weightCount);
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = 0.05f * float(i % 13) - 0.25f;
+  return materials::encodeNeural(std::span<const float, NeuralBrdf::weightCount>(weights));
 }
 
 /// Two dictionaries of unit matrices over a grid of 2 x 3 x 2.

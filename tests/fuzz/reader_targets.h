@@ -23,6 +23,7 @@
 #include "core/materials/code_file.h"
 #include "core/materials/factor_readings_file.h"
 #include "core/materials/material.h"
+#include "core/materials/neural_file.h"
 #include "core/materials/npf_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/plan_file.h"
@@ -70,6 +71,10 @@ void readScatteredBytes(std::span<const std::byte> bytes) {
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {
   checkValues(*factorization::makePdvBrdf(materials::readPdv(io::MemorySource(bytes))));
+}
+
+inline void readNeuralBytes(std::span<const std::byte> bytes) {
+  checkValues(materials::readNeural(io::MemorySource(bytes)));
 }
 
 /// The names of the rows end at the first byte 0.

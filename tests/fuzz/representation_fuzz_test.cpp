@@ -47,6 +47,7 @@ class RepresentationFuzzTest : public QObject {
     QTest::newRow("Zemax") << zemaxSeed();
     QTest::newRow("LightTools") << lightToolsSeed();
     QTest::newRow("PDV factors") << pdvSeed();
+    QTest::newRow("neural BRDF") << neuralSeed();
   }
   void finiteAtHardDirections() {
     QFETCH(Bytes, bytes);

@@ -90,7 +90,8 @@ void FigureRepresentations::fillMenu() {
   for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutTraining()})) {
     const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
                                                       : widgets::fromView(study::familyName(one.family));
-    if (one.family == study::RepresentationFamily::nonparametric) {  // one alone
+    if (one.family == study::RepresentationFamily::nonparametric ||
+        one.family == study::RepresentationFamily::neural) {  // one alone
       menu.addAction(budgetAction(one), this, [this, one] { add(one); });
       continue;
     }

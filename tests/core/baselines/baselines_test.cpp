@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/baselines/bivariate.h"
+#include "core/baselines/gaussian_process.h"
 #include "core/baselines/half_difference_tensor.h"
 #include "core/baselines/half_out_samples.h"
 #include "core/baselines/kautz_mccool.h"
@@ -31,9 +32,9 @@ class BaselinesTest : public QObject {
   /// when this mark was set. The diffuse mean has 3.8 dB; McCool's products of powers hardly represent a highlight.
   void rebuildAGlossyMaterial_data() {
     QTest::addColumn<double>("mark");
-    const std::map<std::string_view, double> marks{{"kautz-mccool", 32.9}, {"mccool", 5.8},   {"lawrence", 21.3},
-                                                   {"bivariate", 34.1},    {"bilgili", 31.6}, {"nonparametric", 51.6},
-                                                   {"cp", 37.5},           {"hosvd", 33.4},   {"nmf", 32.3}};
+    const std::map<std::string_view, double> marks{
+        {"kautz-mccool", 32.9},  {"mccool", 5.8}, {"lawrence", 21.3}, {"bivariate", 34.1}, {"bilgili", 31.6},
+        {"nonparametric", 51.6}, {"cp", 37.5},    {"hosvd", 33.4},    {"nmf", 32.3},       {"gaussian-process", 44.8}};
     for (const Baseline& baseline : baselines()) QTest::newRow(baseline.id.data()) << marks.at(baseline.id);
   }
   void rebuildAGlossyMaterial() {
@@ -92,6 +93,7 @@ class BaselinesTest : public QObject {
     QCOMPARE(findBaseline("nmf").maxBytes, matrixBytes);
     QCOMPARE(findBaseline("bivariate").maxBytes, std::size_t(std::pow(bivariateSide(endless), 2)) * 3 * sizeof(float));
     const auto black = sampleHalfDifferenceTensor(emptySamples(axes));
+    QCOMPARE(findBaseline("gaussian-process").maxBytes, std::size_t(24 * (maxGaussianNodes + 1)));
     QCOMPARE(findBaseline("cp").maxBytes, decomposeCp(black, cpTerms(axes, endless)).bytes);
     QCOMPARE(findBaseline("hosvd").maxBytes, decomposeHosvd(black, hosvdRanks(axes, endless)).bytes);
     for (const char* id : {"mccool", "nonparametric"}) QCOMPARE(findBaseline(id).maxBytes, std::size_t(0));

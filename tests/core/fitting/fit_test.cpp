@@ -74,6 +74,7 @@ class FitTest : public QObject {
     row("ggx rough", "ggx", {body, tint, Rgb(0.8), Rgb(0.3), Rgb(0)});
     row("abc-smooth", "abc-smooth", {body, Rgb(52, 31, 12), Rgb(3000), Rgb(0.9), Rgb(1.8)});
     row("abc", "abc", {body, Rgb(52, 31, 12), Rgb(10482), Rgb(0.82), Rgb(2.24), Rgb(0)});
+    row("he", "he", {body, tint, Rgb(0.1), Rgb(2), Rgb(1.8)});
     row("holzschuch-pacanowski", "holzschuch-pacanowski",
         {body, tint, Rgb(0.1), Rgb(0.6), Rgb(0.5), Rgb(30), Rgb(1.5), Rgb(1.8)});
     row("beard-maxwell", "beard-maxwell", {body, tint, tint, Rgb(0.2), Rgb(0.3), Rgb(0.7), Rgb(0.4)});

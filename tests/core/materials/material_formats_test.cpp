@@ -37,6 +37,8 @@ Bytes fileOf(FormatId id) {
       return fuzz::curetSeed();
     case FormatId::pdv:
       return fuzz::pdvSeed();
+    case FormatId::neural:
+      return fuzz::neuralSeed();
     case FormatId::code:
       break;
   }
@@ -63,7 +65,7 @@ class MaterialFormatsTest : public QObject {
         // RGL and the two formats of optical design programs share one.
         QVERIFY(suffix.starts_with('.') && (suffixes.insert(suffix).second || suffix == ".bsdf"));
     }
-    QCOMPARE(names.size(), std::size_t(10));
+    QCOMPARE(names.size(), std::size_t(11));
   }
 
   /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
@@ -97,7 +99,7 @@ class MaterialFormatsTest : public QObject {
     const auto broken = writeFile("materials/words.pdv", bytesOf("words"));
     QVERIFY(materials::formatOfFile(broken) == &materials::formatOf(FormatId::pdv));
     QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
-             std::string(".binary, .bsdf, .bin, .astm, .txt, .dat, .pdv or .code"));
+             std::string(".binary, .bsdf, .bin, .astm, .txt, .dat, .pdv, .code or .nbrdf"));
     QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf and .bin"));
     QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
   }

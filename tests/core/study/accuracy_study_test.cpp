@@ -89,7 +89,7 @@ class AccuracyStudyTest : public QObject {
     fails("components", 4, "'components'");
     fails("tucker", 4,
           "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, code-published, "
-          "factors-2d-joint, factors-3d-joint, code-basis-pursuit, kautz-mccool");
+          "factors-2d-joint, factors-3d-joint, code-basis-pursuit, neural, kautz-mccool");
     fails("lawrence", {}, "no budget, expected a whole number from 1 to 100000000 (bytes)");
     fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
     fails("factors-2d", 2.5, "the budget 2.5");
@@ -181,8 +181,11 @@ class AccuracyStudyTest : public QObject {
     const std::shared_ptr<const TabulatedBrdf> taught[] = {table, rough};
     build.components = std::make_shared<const dictionary::PrincipalComponents>(
         dictionary::learnPrincipalComponents(2, [&](std::size_t m) { return taught[m]; }));
+    build.separated = std::make_shared<const dictionary::SeparatedComponents>(
+        dictionary::learnSeparatedComponents(2, [&](std::size_t m) { return taught[m]; }));
     RepresentationChoice choice;
     choice.families = {RepresentationFamily::code, RepresentationFamily::components};
+    choice.separatedComponents = true;
     choice.coefficients = {200, 2000};
     choice.components = {1, 3};
     const auto all = representationsOf(choice);
@@ -203,7 +206,8 @@ class AccuracyStudyTest : public QObject {
     // All components of the two, of which one is grey, hold both, but for half precision.
     QVERIFY2(errors[3] < 1e-3, qPrintable(QString::number(errors[3])));
     QVERIFY2(errors[1] < 0.05, qPrintable(QString::number(errors[1])));
-    Representation tooMany = all.back();
+    QVERIFY(errors[5] < errors[4]);
+    Representation tooMany = all[3];
     tooMany.budget = 4;
     QVERIFY_EXCEPTION_THROWN(builder.build(tooMany), Error);
     Representation unplanned = few().back();

@@ -164,6 +164,7 @@ class StudyReportTest : public QObject {
     RepresentationChoice choice;
     choice.families = familiesWithoutTraining();
     choice.families.push_back(RepresentationFamily::components);
+    choice.separatedComponents = true;
     for (const Representation& representation : representationsOf(choice)) {
       const SeriesLook look = lookOf(representation);
       shapes.insert({look.marker, look.hollow});

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <optional>
+
+#include "app/goniotool/factor_quality.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/tool.h"
+#include "core/baselines/neural_fit.h"
+#include "core/io/byte_source.h"
+#include "core/materials/neural_file.h"
+#include "core/rendering/rendered_comparison.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct NeuralArguments {
+  std::string material, out, weights;
+  neural::NeuralFitOptions training;
+  std::size_t row = 0;
+  int samples = smallComparisonPicture().samples;
+};
+
+/// Row `row` of a file of rows of 675 float32, as the weights of Sztrajman et al. are exchanged.
+neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
+  return namingFile(path, [&] {
+    const io::FileSource file(path);
+    neural::NeuralFit fit;
+    constexpr std::size_t rowBytes = sizeof fit.weights;
+    if (file.size() == 0 || file.size() % rowBytes != 0 || row >= file.size() / rowBytes)
+      throw Error("found " + std::to_string(file.size()) + " bytes, expected rows of " + std::to_string(rowBytes) +
+                  " bytes with a row " + std::to_string(row));
+    const auto bytes = std::as_writable_bytes(std::span(fit.weights));
+    file.readAt(row * rowBytes, bytes);
+    return fit;
+  });
+}
+
+int trainNeural(const NeuralArguments& options, const Tool& tool) {
+  if (!options.out.empty() && !materials::hasSuffixOf(materials::FormatId::neural, options.out))
+    materials::writableFormat(options.out);
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const neural::NeuralFit fit = options.weights.empty()
+                                    ? neural::fitNeural(*table, options.training, tool.control("training"))
+                                    : publishedWeights(options.weights, options.row);
+  const NeuralBrdf brdf(fit.weights);
+  const FactorQuality quality = factorQuality(material, *table, brdf, options.samples, tool);
+  if (materials::hasSuffixOf(materials::FormatId::neural, options.out))
+    materials::writeNeural(fit.weights, options.out);
+  else if (!options.out.empty())
+    materials::writeMaterial(*bakeTable(brdf, table->grid(), tool.control("decoding")), options.out);
+  Json json{{"weights", fit.weights.size()},
+            {"bytes", materials::neuralFileBytes},
+            {"losses", fit.losses},
+            {"seconds", fit.seconds}};
+  addQuality(json, quality);
+  if (!options.out.empty()) json["out"] = options.out;
+  print(tool, json,
+        std::to_string(fit.weights.size()) + " weights, " + std::to_string(materials::neuralFileBytes) + " bytes, " +
+            (fit.losses.empty() ? "" : "loss " + number(fit.losses.back()) + ", ") + qualityText(quality, fit.seconds));
+  return 0;
+}
+
+}  // namespace
+
+void addTrainNeural(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<NeuralArguments>();
+  CLI::App* command = app.add_subcommand(
+      "train-neural", "Trains a neural BRDF of 675 weights (Sztrajman et al. 2021) to reproduce a material");
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  auto* steps = command->add_option("--steps", options->training.steps, "Steps of the training, 0.3 ms each (40000)");
+  steps->check(CLI::Range(1, 100'000'000));
+  auto* rate =
+      command->add_option("--learning-rate", options->training.learningRate, "Learning rate at the start (0.01)");
+  rate->check(CLI::Range(1e-6, 1.0));
+  auto* seed = command->add_option("--seed", options->training.seed, "Seed of the start and of the batches (1)");
+  auto* weights = command->add_option("--weights", options->weights,
+                                      "Use published weights, rows of 675 float32, instead of training");
+  for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
+  command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
+  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
+      ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--out", options->out,
+                      "File to write: the network (" + suffixOf(materials::FormatId::neural) + "), or " +
+                          outputHelp("the material that it represents"));
+  command->callback([options, &tool] { tool.run = [options, &tool] { return trainNeural(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

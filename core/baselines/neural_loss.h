@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/brdf/neural_brdf.h"
+
+namespace gonio::neural {
+
+inline constexpr int inputCount = int(NeuralBrdf::inputs), hiddenCount = int(NeuralBrdf::hidden),
+                     outputCount = int(NeuralBrdf::outputs), weightCount = int(NeuralBrdf::weightCount);
+
+/// The weights in the order of NeuralBrdf.
+using Weights = Eigen::Matrix<double, weightCount, 1>;
+
+/// Values to reproduce, one sample a column.
+struct Batch {
+  Eigen::Matrix<double, inputCount, Eigen::Dynamic> inputs;    ///< half vector (azimuth 0) and difference vector
+  Eigen::Matrix<double, outputCount, Eigen::Dynamic> targets;  ///< ln(1 + rho cos theta_i), rho in 1/sr
+  Eigen::RowVectorXd cosines;                                  ///< cos theta_i, > 0
+
+  void resize(Eigen::Index samples) {
+    inputs.resize(Eigen::NoChange, samples);
+    targets.resize(Eigen::NoChange, samples);
+    cosines.resize(samples);
+  }
+};
+
+/// The loss of Sztrajman et al. 2021 (eq. 2): the mean over samples and channels of |e|, e = ln(1 + rho^ cos theta_i) -
+/// ln(1 + rho cos theta_i), where the network's output x gives rho^ = exp(x) - 1. Near 0, |e| is rounded to
+/// sqrt(e^2 + d^2) - d with d = 0.001, so that its derivative is continuous. Keeps the buffers between calls.
+class Loss {
+ public:
+  static constexpr double rounding = 1e-3;
+
+  /// Returns the loss and sets its derivative with respect to each weight. About 2 kflop per sample.
+  double evaluate(const Weights& weights, const Batch& batch, Weights& gradient);
+
+ private:
+  using Hidden = Eigen::Matrix<double, hiddenCount, Eigen::Dynamic>;
+  using Outputs = Eigen::Matrix<double, outputCount, Eigen::Dynamic>;
+  Hidden first_, second_, firstSlope_, secondSlope_;
+  Outputs output_;
+};
+
+}  // namespace gonio::neural
