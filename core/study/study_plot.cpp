@@ -220,6 +220,7 @@ SeriesLook lookOf(const Representation& r) {
     const Shape shape = baselineShape(r.id);
     return {shape.marker, look.colour, shape.hollow, r.label};
   }
+  if (r.id == separatedComponentsId) return {Marker::threeStar, look.colour, false, r.label};
   // Codes of the families that contain factors too have a shape of their own.
   const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
   const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative);
