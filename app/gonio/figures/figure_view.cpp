@@ -157,7 +157,7 @@ QString FigureView::restText() const {
 void FigureView::refresh() {
   const bool measuring = m_maker->isMeasuring(), writing = m_tasks.isWritingFiles(), busy = measuring || writing;
   const auto task = writing ? m_tasks.topmost() : std::nullopt;
-  m_measure->setText(busy ? tr("Cancel") : tr("Meas&ure"));
+  m_measure->setText(busy ? tr("Cancel") : tr("&Measure"));
   m_measure->setToolTip(writing     ? tr("Cancels saving; no file is written")
                         : measuring ? tr("Stops the measurement; finished cells remain (Escape)")
                                     : tr("Encodes and renders the missing cells in the background"));

@@ -230,7 +230,7 @@ class MainWindowTest : public QObject {
     QCOMPARE(found("model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
     QVERIFY(found("undo").first().startsWith("Edit > "));
     // Words begin words: "red" is no part of "near-measured" here.
-    QCOMPARE(found("red metallic").first(), QString("Library > red-metallic-paint (near-measured)"));
+    QVERIFY(found("red metallic").first().startsWith("Library > red-metallic-paint"));
     QVERIFY(found("contact sheet").first().startsWith("Analyse > Contact Sheet"));
     QCOMPARE(found("xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
