@@ -47,7 +47,10 @@ StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(buildChoice());
   layout->addWidget(m_view, 1);
-  layout->addWidget(m_budget);
+  auto* bottom = new QHBoxLayout;
+  bottom->addWidget(m_budget, 1);
+  bottom->addWidget(m_back);
+  layout->addLayout(bottom);
   layout->addWidget(m_footer);
   connectParts();
   refreshPlot();
@@ -65,9 +68,6 @@ QWidget* StudyPanel::buildChoice() {
   m_sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
   m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
-  QSizePolicy keepsRoom = m_back->sizePolicy();
-  keepsRoom.setRetainSizeWhenHidden(true);
-  m_back->setSizePolicy(keepsRoom);
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
   m_kinds->setToolTip(tr("Kinds of representations to measure; deselecting a kind removes its results"));
@@ -86,7 +86,7 @@ QWidget* StudyPanel::buildChoice() {
   labelled(tr("Met&ric"), m_quality);
   labelled(tr("&vs."), m_cost);
   top->addStretch();
-  for (QPushButton* button : {m_back, m_sheet, m_copy, m_export}) top->addWidget(button);
+  for (QPushButton* button : {m_sheet, m_copy, m_export}) top->addWidget(button);
   return choice;
 }
 
