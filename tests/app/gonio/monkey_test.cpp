@@ -6,6 +6,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUrl>
+#include <cstdio>
+#include <optional>
 
 #include "tests/support/resident_memory.h"
 #include "tests/support/test_program.h"
@@ -80,7 +82,8 @@ class MonkeyTest : public QObject {
       if (isMark || isEnd) settle(*window);
       last = test::residentMegabytes();
       if (isMark) marked = last;
-      qInfo("%d s, %d acts: %zu MB resident", second, monkey.count(), last);
+      std::printf("%d s, %d acts: %zu MB resident\n", second, monkey.count(), last);
+      std::fflush(stdout);
     }
     const bool alive = guard;
     delete guard;
