@@ -3,6 +3,7 @@
 #include "tests/app/gonio/monkey.h"
 
 #include <QDesktopServices>
+#include <QElapsedTimer>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUrl>
@@ -75,14 +76,18 @@ class MonkeyTest : public QObject {
     test_support::Monkey monkey(*window, seed, askedWorkspace());
     const QPointer<MainWindow> guard = window;
     std::size_t marked = 0, last = 0;
-    for (int second = 1; second <= seconds && guard && messages.isEmpty(); ++second) {
+    qint64 minute = 0;
+    QElapsedTimer clock;
+    for (clock.start(); clock.elapsed() < 1000 * seconds && guard && messages.isEmpty();) {
       monkey.play(1000);
-      const bool isMark = second == secondsOfMark, isEnd = second == seconds;
-      if (!guard || (!isMark && !isEnd && second % 60 != 0)) continue;
+      const qint64 passed = clock.elapsed() / 1000;
+      const bool isMark = marked == 0 && passed >= secondsOfMark, isEnd = passed >= seconds;
+      if (!guard || (!isMark && !isEnd && passed / 60 == minute)) continue;
+      minute = passed / 60;
       if (isMark || isEnd) settle(*window);
       last = test::residentMegabytes();
       if (isMark) marked = last;
-      std::printf("%d s, %d acts: %zu MB resident\n", second, monkey.count(), last);
+      std::printf("%lld s, %d acts: %zu MB resident\n", passed, monkey.count(), last);
       std::fflush(stdout);
     }
     const bool alive = guard;
