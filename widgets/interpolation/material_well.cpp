@@ -100,7 +100,9 @@ void MaterialWell::setCurrentAvailable(bool available) { m_current->setEnabled(a
 void MaterialWell::showTexts() {
   const bool empty = m_content.name.isEmpty();
   const int room = std::max(20, width() - m_picture->width() - 3 * fontMetrics().height() / 2);
-  const QString name = tr("%1  %2").arg(m_letter).arg(!empty ? m_content.name : m_content.note.isEmpty() ? tr("empty") : QString());
+  const QString name = tr("%1  %2").arg(m_letter).arg(!empty                     ? m_content.name
+                                                      : m_content.note.isEmpty() ? tr("empty")
+                                                                                 : QString());
   m_name->setText(fontMetrics().elidedText(name, Qt::ElideMiddle, room));
   const QString note = m_content.note.isEmpty() && empty ? tr("Drop a material here") : m_content.note;
   m_note->setText(fontMetrics().elidedText(note, Qt::ElideRight, room));
