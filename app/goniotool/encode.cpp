@@ -52,7 +52,7 @@ std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const EncodeArgumen
 
 int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.asPublished && options.method != codingMethodNames[0])
-    throw UsageError("encode: --as-published projects once, so it needs no --method");
+    throw UsageError("encode: --as-published cannot be used with --method");
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts values in half precision; leave out --single");
   const auto dictionary = dictionaryOf(options);

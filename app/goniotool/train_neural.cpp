@@ -75,12 +75,12 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   auto* rate =
       command->add_option("--learning-rate", options->training.learningRate, "Learning rate at the start (0.01)");
   rate->check(CLI::Range(1e-6, 1.0));
-  auto* seed = command->add_option("--seed", options->training.seed, "Seed of the start and of the batches (1)");
+  auto* seed = command->add_option("--seed", options->training.seed, "Seed of the initial weights and of the batches (1)");
   auto* weights = command->add_option("--weights", options->weights,
                                       "Use published weights, rows of 675 float32, instead of training");
   for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
   command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
-  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: the network (" + suffixOf(materials::FormatId::neural) + "), or " +
