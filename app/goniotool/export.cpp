@@ -26,7 +26,7 @@ struct ExportArguments {
   std::string environment;  ///< in the place of the scene's own
 };
 
-std::string textOf(const exports::MadeExport& made, std::span<const exports::ExportFile> files) {
+std::string textOf(const exports::ExportResult& made, std::span<const exports::ExportFile> files) {
   std::string text;
   for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
@@ -85,7 +85,7 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   if (!tool.force)
     for (const std::filesystem::path& path : paths) checkOutput(path, source.files);
   exports::checkTargets(paths, {}, tool.force);
-  exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
+  exports::ExportResult made = exports::makeExport(target, source.material, options, tool.control("exporting"));
   if (scene) exports::addScene(made, target, *scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
   exports::writeExport(files);

@@ -37,7 +37,6 @@ struct ExportResult {
 
   std::uint64_t bytes() const;
 };
-using MadeExport = ExportResult;  ///< the earlier name, in app/goniotool/export.cpp
 
 /// A renderer or format to which a material can be exported. exportTargets() is the table that the dialog, goniotool
 /// and the documentation use.

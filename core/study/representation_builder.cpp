@@ -55,6 +55,30 @@ dictionary::EncodeOptions encodeOptionsOf(const Representation& representation) 
   return options;
 }
 
+std::size_t halfBytesOf(const dictionary::ComponentCode& code) {
+  return dictionary::ComponentCode::halfBytes(code.components());
+}
+std::size_t halfBytesOf(const dictionary::SeparatedCode& code) { return code.halfBytes(); }
+
+/// The material by the first components of a basis, as a file in half precision restores it.
+/// @tparam Basis dictionary::PrincipalComponents or SeparatedComponents.
+template <typename Basis>
+BuiltRepresentation fromComponents(const Basis& basis, const Representation& representation, const TabulatedBrdf& table,
+                                   const TaskControl& control) {
+  const int count = int(representation.budget);
+  if (count > basis.count())
+    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(basis.count()));
+  const auto start = Clock::now();
+  const auto encoded = dictionary::encode(basis, table, count, control);
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(basis, encoded.inHalfPrecision(), {.stop = control.stop, .progress = {}});
+  return {.brdf = decoded,
+          .nodes = decoded,
+          .bytes = halfBytesOf(encoded),
+          .encodeSeconds = seconds,
+          .tabulated = [decoded](const TaskControl&) { return decoded; }};
+}
+
 }  // namespace
 
 RepresentationBuilder::RepresentationBuilder(StudySubject subject, BuildOptions options,
@@ -175,37 +199,13 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
 BuiltRepresentation RepresentationBuilder::components(const Representation& representation,
                                                       const TaskControl& control) const {
   if (!options_.components) throw Error("principal components: none were learned");
-  const dictionary::PrincipalComponents& all = *options_.components;
-  const int count = int(representation.budget);
-  if (count > all.count())
-    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(all.count()));
-  const auto start = Clock::now();
-  const dictionary::ComponentCode encoded = dictionary::encode(all, *subject_.table, count, control);
-  const double seconds = secondsSince(start);
-  const auto decoded = dictionary::decode(all, encoded.inHalfPrecision(), {.stop = control.stop});
-  return {.brdf = decoded,
-          .nodes = decoded,
-          .bytes = dictionary::ComponentCode::halfBytes(count),
-          .encodeSeconds = seconds,
-          .tabulated = [decoded](const TaskControl&) { return decoded; }};
+  return fromComponents(*options_.components, representation, *subject_.table, control);
 }
 
 BuiltRepresentation RepresentationBuilder::separated(const Representation& representation,
                                                      const TaskControl& control) const {
   if (!options_.separated) throw Error("diffuse and specular components: none were learned");
-  const dictionary::SeparatedComponents& all = *options_.separated;
-  const int count = int(representation.budget);
-  if (count > all.count())
-    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(all.count()));
-  const auto start = Clock::now();
-  const dictionary::SeparatedCode encoded = dictionary::encode(all, *subject_.table, count, control);
-  const double seconds = secondsSince(start);
-  const auto decoded = dictionary::decode(all, encoded.inHalfPrecision(), {.stop = control.stop, .progress = {}});
-  return {.brdf = decoded,
-          .nodes = decoded,
-          .bytes = encoded.halfBytes(),
-          .encodeSeconds = seconds,
-          .tabulated = [decoded](const TaskControl&) { return decoded; }};
+  return fromComponents(*options_.separated, representation, *subject_.table, control);
 }
 
 BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& control) const {

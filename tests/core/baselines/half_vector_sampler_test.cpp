@@ -8,9 +8,8 @@
 
 #include "core/baselines/lawrence.h"
 #include "core/math/quadrature.h"
+#include "tests/core/baselines/baseline_sampling_checks.h"
 #include "tests/support/function_brdf.h"
-#include "tests/support/random_directions.h"
-#include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
 
 namespace half_vector_sampler_test {
@@ -47,7 +46,6 @@ class HalfVectorSamplerTest : public QObject {
     QVERIFY(std::isfinite(nothing.sample(nodes, 0.5)));
   }
 
-  /// Samples have the density that is stated; with those that are lost it integrates to 1.
   void samplesHaveTheirDensity_data() {
     QTest::addColumn<double>("roughness");
     QTest::addColumn<double>("theta");
@@ -59,42 +57,10 @@ class HalfVectorSamplerTest : public QObject {
     QFETCH(double, roughness);
     QFETCH(double, theta);
     const auto brdf = lawrenceOf(roughness);
-    const auto check = test::checkSampling(*brdf, fromSpherical(radians(theta), 0.7), 1 << 17, 1e-4);
-    QVERIFY(check.valid);
-    QVERIFY2(std::abs(check.integral + check.lost - 1) < 6e-3,
-             qPrintable(QString("%1 %2").arg(check.integral).arg(check.lost)));
-    QVERIFY2(check.pValue > 1e-4, qPrintable(QString::number(check.pValue)));
+    test::verifyDensity(*brdf, theta);
   }
 
-  /// Wherever the BRDF is positive directions are sampled, and estimates of the albedo agree with a quadrature of
-  /// cosine-weighted samples, with less noise.
-  void estimatesAreUnbiased() {
-    const auto brdf = lawrenceOf(0.15);
-    const Direction wo = fromSpherical(radians(40), 1.1);
-    std::mt19937_64 generator(3);
-    std::uniform_real_distribution<double> uniform;
-    const auto moments = [&](const auto& draw) {
-      double sum = 0, squares = 0;
-      constexpr int count = 200'000;
-      for (int i = 0; i < count; ++i) {
-        const glm::dvec3 u(uniform(generator), uniform(generator), uniform(generator));
-        const DirectionSample s = draw(u);
-        const double value = s.pdf > 0 ? brdf->evaluate(s.wi, wo).y * s.wi.z / s.pdf : 0;
-        sum += value / count;
-        squares += value * value / count;
-      }
-      return std::pair(sum, std::sqrt(squares - sum * sum));
-    };
-    const auto own = moments([&](const glm::dvec3& u) { return brdf->sample(wo, u); });
-    const auto cosine = moments([&](const glm::dvec3& u) { return test::lambert(Rgb(1)).sample(wo, u); });
-    QVERIFY2(std::abs(own.first / cosine.first - 1) < 0.02,
-             qPrintable(QString("%1 %2").arg(own.first).arg(cosine.first)));
-    QVERIFY2(own.second < 0.5 * cosine.second, qPrintable(QString("%1 %2").arg(own.second).arg(cosine.second)));
-    for (int i = 0; i < 2000; ++i) {
-      const Direction wi = test::randomUpper(generator);
-      if (maxChannel(brdf->evaluate(wi, wo)) > 0) QVERIFY(brdf->pdf(wi, wo) > 0);
-    }
-  }
+  void estimatesAreUnbiased() { test::verifyEstimates(*lawrenceOf(0.15), 0.5); }
 
   void hardCase40BlackMaterialsAreSampledByTheCosine() {
     const HalfOutAxes axes = makeHalfOutAxes(6, 4, 5);
