@@ -75,7 +75,8 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   auto* rate =
       command->add_option("--learning-rate", options->training.learningRate, "Learning rate at the start (0.01)");
   rate->check(CLI::Range(1e-6, 1.0));
-  auto* seed = command->add_option("--seed", options->training.seed, "Seed of the initial weights and of the batches (1)");
+  auto* seed =
+      command->add_option("--seed", options->training.seed, "Seed of the initial weights and of the batches (1)");
   auto* weights = command->add_option("--weights", options->weights,
                                       "Use published weights, rows of 675 float32, instead of training");
   for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
