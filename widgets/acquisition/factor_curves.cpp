@@ -15,12 +15,6 @@ namespace {
 
 constexpr double readingSize = 3.5;
 
-/// Distinguishable on light and dark backgrounds.
-QColor channelColour(std::size_t channel, bool dark) {
-  constexpr std::array<QRgb, 3> onDark{0xffff6b6b, 0xff5fd068, 0xff6ba5ff}, onLight{0xffc0392b, 0xff1e8449, 0xff2257c4};
-  return QColor((dark ? onDark : onLight)[channel]);
-}
-
 QCustomPlot* newChart(QWidget* parent, const char* name) {
   auto* chart = new QCustomPlot(parent);
   chart->setObjectName(QString::fromLatin1(name));
@@ -74,10 +68,10 @@ void FactorCurves::draw(QCustomPlot& chart, const std::vector<double>& places, c
   styleChart(chart, style, font());
   double highest = 0;
   for (std::size_t channel = 0; channel < curves.size(); ++channel) {
-    const QColor colour = channelColour(channel, style.dark);
+    const QPen pen = style.channelPen(int(channel));
     QCPGraph* graph = chart.addGraph();
-    graph->setPen(QPen(colour, 1.4));
-    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, readingSize));
+    graph->setPen(pen);
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, pen.color(), pen.color(), readingSize));
     for (std::size_t i = 0; i < std::min(places.size(), curves[channel].size()); ++i) {
       graph->addData(places[i], curves[channel][i]);
       highest = std::max(highest, curves[channel][i]);

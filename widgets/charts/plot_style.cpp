@@ -51,6 +51,15 @@ QColor PlotStyle::colour(SeriesRole role) const {
   return dark ? otherFitStyle(role).onDark : otherFitStyle(role).onLight;
 }
 
+QPen PlotStyle::channelPen(int channel) const {
+  const QColor onDark[] = {QColor(0xff, 0x7a, 0x6e), QColor(0x5f, 0xd0, 0x78), QColor(0x7d, 0xb0, 0xff)};
+  const QColor onLight[] = {QColor(0xb8, 0x1f, 0x1f), QColor(0x13, 0x70, 0x2c), QColor(0x1f, 0x4f, 0xc0)};
+  QPen pen((dark ? onDark : onLight)[channel], 1.8, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+  if (channel == 1) pen.setDashPattern({7, 2.5});
+  if (channel == 2) pen.setDashPattern({2, 2});
+  return pen;
+}
+
 QPen PlotStyle::pen(SeriesRole role) const {
   QPen pen(colour(role), 1.8, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   if (role == SeriesRole::fit) pen.setDashPattern({5, 2.5});

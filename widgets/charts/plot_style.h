@@ -24,6 +24,8 @@ struct PlotStyle {
   /// Measured is solid, fit dashed, edited dash-dotted, others have further patterns, so that curves are
   /// distinguishable without colour. Colours repeat after six other fits.
   QPen pen(SeriesRole role) const;
+  /// Line of a colour channel: 0 red, 1 green (dashed), 2 blue (dotted).
+  QPen channelPen(int channel) const;
   QPen gridPen() const { return QPen(grid, 1); }
   /// Pen of the line that marks the angle of incidence.
   QPen accentPen() const { return QPen(accent, 1.5); }

@@ -202,7 +202,7 @@ void CurveEditor::drawCurves(QPainter& painter, const PlotStyle& style) const {
   for (int channel = 0; channel < 3; ++channel) {
     const bool shown = m_channel == allChannels || m_channel == channel;
     m_view.drawCurve(painter, m_nodes, m_ghost[std::size_t(channel)], ghostPen(channel, style, shown ? 0.45 : 0.2));
-    if (shown) m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], channelPen(channel, style));
+    if (shown) m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], style.channelPen(channel));
   }
   // The points of linked channels lie on their mean.
   if (m_channel == allChannels) m_view.drawCurve(painter, m_nodes, shownCurve(m_curves), meanPen(style));

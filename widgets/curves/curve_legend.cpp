@@ -40,7 +40,7 @@ void CurveLegend::paintEvent(QPaintEvent*) {
   double x = 0;
   for (int i = 0; i < texts.size(); ++i) {
     const double end = x + sampleEms * em;
-    painter.setPen(i < meanEntry ? channelPen(i, style) : i == meanEntry ? meanPen(style) : ghostPen(0, style, 0.45));
+    painter.setPen(i < meanEntry ? style.channelPen(i) : i == meanEntry ? meanPen(style) : ghostPen(0, style, 0.45));
     painter.drawLine(QPointF(x, middle), QPointF(end, middle));
     painter.setPen(palette().color(QPalette::WindowText));
     const double width = fontMetrics().horizontalAdvance(texts[i]);

@@ -125,17 +125,8 @@ void CurveView::drawCurve(QPainter& painter, const std::vector<double>& nodes, c
   painter.drawPath(path);
 }
 
-QPen channelPen(int channel, const PlotStyle& style) {
-  const QColor dark[] = {QColor(0xff, 0x7a, 0x6e), QColor(0x5f, 0xd0, 0x78), QColor(0x7d, 0xb0, 0xff)};
-  const QColor light[] = {QColor(0xb8, 0x1f, 0x1f), QColor(0x13, 0x70, 0x2c), QColor(0x1f, 0x4f, 0xc0)};
-  QPen pen((style.dark ? dark : light)[channel], 1.8, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-  if (channel == 1) pen.setDashPattern({7, 2.5});
-  if (channel == 2) pen.setDashPattern({2, 2});
-  return pen;
-}
-
 QPen ghostPen(int channel, const PlotStyle& style, double opacity) {
-  QPen pen = channelPen(channel, style);
+  QPen pen = style.channelPen(channel);
   QColor faint = pen.color();
   faint.setAlphaF(float(opacity));
   pen.setColor(faint);

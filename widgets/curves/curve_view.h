@@ -63,8 +63,6 @@ class CurveView {
                  const QPen& pen) const;
 };
 
-/// Pen of a channel (0 red, 1 green, 2 blue), also distinguishable by its dashes.
-QPen channelPen(int channel, const PlotStyle& style);
 /// Faint pen of a channel before any edit.
 QPen ghostPen(int channel, const PlotStyle& style, double opacity);
 /// Pen of the mean of the channels.
