@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/dock_layout.h"
 
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
+#include <QTabBar>
 #include <QTimer>
 #include <algorithm>
 
@@ -25,6 +27,15 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
   m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   // No grouped dragging: Qt 6.4 keeps groups of floating docks that it deletes too early.
   m_window.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+  m_window.installEventFilter(this);
+}
+
+bool DockLayout::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ChildPolished) {
+    // Qt 6.4 divides by the size of a dragged tab, which may have none.
+    if (auto* tabs = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child())) tabs->setMovable(false);
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area,

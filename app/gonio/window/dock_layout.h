@@ -37,6 +37,9 @@ class DockLayout : public QObject {
   void restore(const QSettings& settings);
   void save(QSettings& settings) const;
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void resizeSides();
 

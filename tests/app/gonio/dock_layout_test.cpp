@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QMouseEvent>
+#include <QRegularExpression>
+#include <QTabBar>
 #include <QTest>
 #include <memory>
 #include <random>
@@ -110,6 +112,25 @@ class DockLayoutTest : public QObject {
     for (const char* name : {"plots", "comparison", "models", "factors", "scene", "acquisition"}) w.docks.show(name);
     QApplication::processEvents();
     QCOMPARE(w.window.tabifiedDockWidgets(w.docks.dock("plots")).size(), 5);
+  }
+
+  /// Qt 6.4 paints a dragged tab into a pixmap of its size and divides by it.
+  void tabWithoutSizeIsDragged() {
+    QTest::failOnWarning(QRegularExpression("QPainter"));
+    Window w;
+    for (const char* name : {"plots", "comparison", "models"}) w.docks.show(name);
+    QApplication::processEvents();
+    const auto bars = w.window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
+    QVERIFY(!bars.isEmpty());
+    for (QTabBar* bar : bars) {
+      const QPoint middle = bar->tabRect(0).center();
+      QTest::mousePress(bar, Qt::LeftButton, {}, middle);
+      bar->setTabVisible(0, false);
+      const QPoint away = middle + QPoint(60, 0);
+      QMouseEvent move(QEvent::MouseMove, away, bar->mapToGlobal(away), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(bar, &move);
+      QTest::mouseRelease(bar, Qt::LeftButton, {}, away);
+    }
   }
 
  private:
