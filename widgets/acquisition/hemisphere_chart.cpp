@@ -4,7 +4,9 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "widgets/charts/plot_style.h"
 
@@ -89,18 +91,26 @@ void HemisphereChart::drawGrid(QPainter& painter) const {
 }
 
 void HemisphereChart::drawLabels(QPainter& painter) const {
-  const PlotStyle style = PlotStyle::of(palette());
+  painter.setPen(PlotStyle::of(palette()).text);
+  for (const auto& [text, box] : labels()) painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+std::vector<std::pair<QString, QRectF>> HemisphereChart::labels() const {
   const QRectF rim = disc();
-  const double em = fontMetrics().height();
-  painter.setPen(style.text);
-  const double r = rim.width() / 2;
-  drawCentred(painter, rim.center() + QPointF(r + 1.3 * em, 0), tr("φ 0°"));
-  drawCentred(painter, rim.center() + QPointF(0, -r - 0.7 * em), QStringLiteral("90°"));
-  drawCentred(painter, rim.center() + QPointF(-r - 1.4 * em, 0), QStringLiteral("180°"));
-  drawCentred(painter, rim.center() + QPointF(0, r + 0.7 * em), QStringLiteral("270°"));
-  // Without samples the hint stands there.
-  if (samples().empty()) return;
-  for (const auto& [text, box] : ringLabels()) painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+  const double em = fontMetrics().height(), r = rim.width() / 2;
+  std::vector<std::pair<QString, QRectF>> labels;
+  const auto add = [&](const QString& text, const QPointF& offset) {
+    QRectF box(QPointF(), QSizeF(fontMetrics().horizontalAdvance(text), em));
+    box.moveCenter(rim.center() + offset);
+    labels.emplace_back(text, box);
+  };
+  add(tr("φ 0°"), {r + 1.3 * em, 0});
+  add(QStringLiteral("90°"), {0, -r - 0.7 * em});
+  add(QStringLiteral("180°"), {-r - 1.4 * em, 0});
+  add(QStringLiteral("270°"), {0, r + 0.7 * em});
+  // Without samples the hint stands where the rings have their labels.
+  if (!samples().empty()) std::ranges::move(ringLabels(), std::back_inserter(labels));
+  return labels;
 }
 
 std::vector<std::pair<QString, QRectF>> HemisphereChart::ringLabels() const {
@@ -177,7 +187,7 @@ void HemisphereChart::paintEvent(QPaintEvent*) {
     if (i != current()) drawSample(painter, i, false);
   if (current() >= 0) drawSample(painter, current(), true);
   std::vector<QRectF> taken;
-  for (const auto& label : ringLabels()) taken.push_back(label.second);
+  for (const auto& label : labels()) taken.push_back(label.second);
   drawNumbers(painter, std::move(taken));
   drawLegend(painter);
   drawHint(painter, disc());

@@ -32,7 +32,8 @@ class HemisphereChart : public SampleChart {
   QRectF disc() const;
   void drawGrid(QPainter& painter) const;
   void drawLabels(QPainter& painter) const;
-  /// Labels of the rings, and their positions.
+  /// Labels of azimuths and rings, and their positions.
+  std::vector<std::pair<QString, QRectF>> labels() const;
   std::vector<std::pair<QString, QRectF>> ringLabels() const;
   void drawSample(QPainter& painter, int sample, bool marked) const;
   QString beyondText() const;

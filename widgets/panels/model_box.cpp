@@ -5,14 +5,15 @@
 #include <QStandardItemModel>
 #include <algorithm>
 
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::widgets {
 
 QString modelToolTip(const models::ModelSpec& spec) {
-  return QStringLiteral("<p><b>%1</b></p><p>%2</p><p><tt>%3</tt></p><p>%4</p>")
+  return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
       .arg(fromView(spec.name).toHtmlEscaped(), fromView(spec.description).toHtmlEscaped(),
-           fromView(spec.formula).toHtmlEscaped(), fromView(spec.reference).toHtmlEscaped());
+           formulaHtml(spec.formula), fromView(spec.reference).toHtmlEscaped());
 }
 
 namespace {

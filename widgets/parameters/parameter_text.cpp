@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "widgets/inputs/number_field.h"
+#include "widgets/parameters/formula_text.h"
 
 namespace gonio::widgets {
 
@@ -58,9 +59,9 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
   const auto line = [](const QString& name, const QString& text) {
     return QStringLiteral("<tr><td style='padding-right:1em'>%1</td><td>%2</td></tr>").arg(name, text.toHtmlEscaped());
   };
-  QString text = QStringLiteral("<p><b>%1</b> &nbsp;<i>%2</i></p><p>%3</p><p><tt>%4</tt></p><table>")
-                     .arg(fromView(spec.label).toHtmlEscaped(), fromView(spec.symbol).toHtmlEscaped(),
-                          fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
+  QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p><p>%4</p><table>")
+                     .arg(fromView(spec.label).toHtmlEscaped(), formulaHtml(spec.symbol),
+                          fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula));
   if (spec.choices.empty()) {
     const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
     const auto range = [&](double from, double to) {

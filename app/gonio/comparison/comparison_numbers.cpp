@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/metrics/brdf_metrics.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -59,8 +60,7 @@ std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     const metrics::MetricRecord& record = records[i];
     lines.push_back({widgets::fromView(record.name), widgets::fromView(record.unit),
-                     ComparisonNumbersText::tr("%1\n%2").arg(widgets::fromView(record.formula),
-                                                             widgets::fromView(record.reference)),
+                     widgets::metricToolTip(record.formula, record.reference),
                      numbers ? numbers->errors[i] : none});
   }
   return lines;

@@ -59,7 +59,7 @@ void BatchDialog::build() {
   auto* form = new QFormLayout;
   form->addRow(tr("&Target"), m_targets);
   form->addRow(QString(), m_description);
-  form->addRow(tr("&Rendered SNR >="), m_snr);
+  form->addRow(tr("&Rendered SNR ≥"), m_snr);
   form->addRow(folder, row);
   form->addRow(QString(), m_replace);
   form->addRow(tr("Files"), m_files);

@@ -119,7 +119,7 @@ QWidget* ExportDialog::details() {
       tr("Adds a scene with the preview's shapes, lights, environment and camera, for Mitsuba, pbrt and Blender; a "
          "blurred background is not exported."));
   auto* form = new QFormLayout;
-  form->addRow(tr("&Rendered SNR >="), m_snr);
+  form->addRow(tr("&Rendered SNR ≥"), m_snr);
   form->addRow(QString(), m_withScene);
   layout->addWidget(m_description);
   layout->addLayout(form);

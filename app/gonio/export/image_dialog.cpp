@@ -84,7 +84,7 @@ QWidget* ImageDialog::choiceRow() {
   auto* render = new QRadioButton(tr("&Render the scene"));
   render->setToolTip(tr("Path-traces the scene on the CPU with the preview's camera, light and effects"));
   const qreal ratio = m_parts.preview.devicePixelRatioF();
-  auto* preview = new QRadioButton(tr("The &preview as shown (%1 x %2 pixels)")
+  auto* preview = new QRadioButton(tr("The &preview as shown (%1 × %2 pixels)")
                                        .arg(int(m_parts.preview.width() * ratio))
                                        .arg(int(m_parts.preview.height() * ratio)));
   preview->setToolTip(tr("Saves the preview with its current samples; a comparison shows both materials"));

@@ -58,7 +58,7 @@ QWidget* PictureSettings::sizeRow() {
   m_sizes = new QComboBox;
   m_sizes->addItem(tr("As in preview"));
   for (const QSize& size : offeredSizes)
-    m_sizes->addItem(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()));
+    m_sizes->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()));
   m_sizes->addItem(tr("Other"));
   m_width = countField(maxPixelsOfSide);
   m_height = countField(maxPixelsOfSide);

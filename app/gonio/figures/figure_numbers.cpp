@@ -14,6 +14,7 @@
 #include "core/figures/figure_number.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/metrics/image_errors.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -22,12 +23,11 @@ namespace {
 
 constexpr int shownNumbers = 5;
 
-/// The formula of a metric, and its source on a second line.
 QString toolTipOf(const figures::FigureNumber& number) {
   for (const metrics::ImageMetricRecord& record : metrics::imageMetricRecords())
-    if (record.id == number.id) return widgets::fromView(record.formula) + '\n' + widgets::fromView(record.reference);
+    if (record.id == number.id) return widgets::metricToolTip(record.formula, record.reference);
   for (const metrics::MetricRecord& record : metrics::metricRecords())
-    if (record.id == number.id) return widgets::fromView(record.formula) + '\n' + widgets::fromView(record.reference);
+    if (record.id == number.id) return widgets::metricToolTip(record.formula, record.reference);
   if (number.isTimed) return FigureNumbersList::tr("Measured on this machine; differs from run to run");
   return number.id == "bytes" ? FigureNumbersList::tr("Size of the stored representation, bytes")
                               : FigureNumbersList::tr("SNR of the images in the figure, without their rendering noise");

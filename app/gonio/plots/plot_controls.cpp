@@ -227,7 +227,7 @@ void PlotControls::addExport() {
 void PlotControls::addExportSizes(QMenu* menu) {
   auto* group = new QActionGroup(menu);
   for (const QSize& size : {QSize(), QSize(800, 500), QSize(1200, 800), QSize(1600, 1000)}) {
-    const QString text = size.isEmpty() ? tr("&As shown") : tr("%1 x %2").arg(size.width()).arg(size.height());
+    const QString text = size.isEmpty() ? tr("&As shown") : tr("%1 × %2").arg(size.width()).arg(size.height());
     QAction* action = group->addAction(menu->addAction(text));
     action->setCheckable(true);
     action->setChecked(size == m_exportSize);

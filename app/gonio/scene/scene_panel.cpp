@@ -96,7 +96,7 @@ QWidget* ScenePanel::buildBottom() {
   auto* bottom = new QWidget;
   auto* layout = new QHBoxLayout(bottom);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_measure->setToolTip(tr("Renders the scene with and without each effect, %1 x %1 pixels on the CPU").arg(costSide));
+  m_measure->setToolTip(tr("Renders the scene with and without each effect, %1 × %1 pixels on the CPU").arg(costSide));
   m_compare->setToolTip(
       tr("Measures the signal-to-noise ratio of the preview against the reference renderer with %1 samples per pixel")
           .arg(referenceSamples));
@@ -169,7 +169,7 @@ void ScenePanel::measureCosts() {
       [this](const EffectCosts& costs) {
         m_costs = costs;
         m_effects->setCosts(m_costs);
-        m_result->setText(tr("The whole image: %1 ms, %2 x %2 pixels, %3 samples, on the CPU")
+        m_result->setText(tr("The whole image: %1 ms, %2 × %2 pixels, %3 samples, on the CPU")
                               .arg(1000 * costs.seconds, 0, 'f', 0)
                               .arg(costSide)
                               .arg(costSamples));

@@ -11,6 +11,7 @@
 #include "app/gonio/library/sphere_picture.h"
 #include "core/plots/csv_table.h"
 #include "widgets/panels/model_box.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -206,7 +207,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
     const QString tips[] = {
         tr("The model, rendered with its fitted parameters"),
         tr("Ticked fits are shown in the plots in addition to the one in use"),
-        tr("%1: %2. Smaller is better.").arg(widgets::fromView(record.name), widgets::fromView(record.formula)),
+        tr("<p>%1: %2. Smaller is better.</p>").arg(widgets::fromView(record.name), widgets::formulaHtml(record.formula)),
         tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("Number of values that the fit determines"),
         tr("Time of the fit, seconds"),

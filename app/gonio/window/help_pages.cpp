@@ -11,6 +11,7 @@
 
 #include "app/gonio/window/command_search.h"
 #include "core/models/model.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -93,12 +94,12 @@ QString formulaePage() {
   page += factorFormulae();
   for (const models::Model* model : models::allModels()) {
     const models::ModelSpec& spec = model->spec();
-    page += QStringLiteral("<h3>%1</h3><p>%2</p><p><tt>%3</tt></p><p><i>%4</i></p><table>")
-                .arg(escaped(spec.name), escaped(spec.description), escaped(spec.formula), escaped(spec.reference));
+    page += QStringLiteral("<h3>%1</h3><p>%2</p><p>%3</p><p><i>%4</i></p><table>")
+                .arg(escaped(spec.name), escaped(spec.description), widgets::formulaHtml(spec.formula), escaped(spec.reference));
     for (const models::ParameterSpec& parameter : spec.parameters)
-      page += row(QStringLiteral("<b>%1</b> <i>%2</i>").arg(escaped(parameter.label), escaped(parameter.symbol)),
-                  QStringLiteral("%1<br><tt>%2</tt><br><i>%3</i>")
-                      .arg(escaped(parameter.description), escaped(parameter.formula), escaped(parameter.reference)));
+      page += row(QStringLiteral("<b>%1</b> %2").arg(escaped(parameter.label), widgets::formulaHtml(parameter.symbol)),
+                  QStringLiteral("%1<br>%2<br><i>%3</i>")
+                      .arg(escaped(parameter.description), widgets::formulaHtml(parameter.formula), escaped(parameter.reference)));
     page += QStringLiteral("</table>");
   }
   return page;
