@@ -90,6 +90,17 @@ class ControlPanelTest : public QObject {
     QVERIFY((*shown)->toolTip().count(QChar(0x2192)) > 2);
   }
 
+  void aLimitIsNamed() {
+    ControlPanel panel;
+    editing::DifferentialEdit edit = editOf(models::ggx());
+    for (const auto& [factor, expected] : {std::pair(8.0, "Roughness 0.3 \u2192 1 (maximum)"),
+                                           std::pair(1e-4, "Roughness 0.3 \u2192 0.0001 (minimum)")}) {
+      edit.controls.values[std::size_t(ArtistControl::roughness)] = Rgb(factor);
+      panel.setEdit(&edit);
+      QCOMPARE(panel.changesText(ArtistControl::roughness), QString::fromUtf8(expected));
+    }
+  }
+
   /// A step of the slider is offered, and what the owner made of it is shown with the parameters that it changed.
   void aMovedControlStatesWhatItDid() {
     ControlPanel panel;

@@ -25,6 +25,13 @@ const models::ParameterSpec& specOf(ArtistControl control) {
   return editing::artistControls().parameters[std::size_t(control)];
 }
 
+/// A control that moves on while its parameter stays at a limit needs an explanation.
+QString limitText(const models::ParameterSpec& parameter, const Rgb& value) {
+  const auto isReached = [&](double limit) { return value.x == limit || value.y == limit || value.z == limit; };
+  if (isReached(parameter.hardMax)) return ControlPanel::tr(" (maximum)");
+  return isReached(parameter.hardMin) && parameter.hardMin > 0 ? ControlPanel::tr(" (minimum)") : QString();
+}
+
 QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& edit) {
   const models::ModelSpec& spec = edit.model->spec();
   QStringList changes;
@@ -32,7 +39,7 @@ QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& ed
     const models::ParameterSpec& parameter = spec.parameters[one.parameter];
     changes << ControlPanel::tr("%1 %2 \u2192 %3")
                    .arg(fromView(parameter.label), displayValue(parameter, one.before),
-                        displayValue(parameter, one.after));
+                        displayValue(parameter, one.after) + limitText(parameter, one.after));
   }
   return changes;
 }

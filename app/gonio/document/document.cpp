@@ -81,6 +81,8 @@ QString Document::name() const {
   return material() ? QString::fromStdString(material()->material.name) : tr("Untitled");
 }
 
+editing::EditList Document::describedEdits() const { return path().isEmpty() ? edits() : editing::EditList(); }
+
 void Document::select(int edit) {
   if (edit == state().selected) return;
   m_content.state.selected = edit;

@@ -71,6 +71,8 @@ class Document : public QObject {
   QString path() const { return m_content.path; }
   /// Name for titles: of the file, else of the material, else "Untitled".
   QString name() const;
+  /// The edits that the name of an export describes: none once the document has a name of its own.
+  editing::EditList describedEdits() const;
 
   /// Starts a new document with a material, without edits or with the edits of a .gonio file.
   void setMaterial(LoadedMaterialPtr material);

@@ -29,7 +29,8 @@ ExportSubject::ExportSubject(const Document& document)
       base(document.base()),
       edits(document.edits()),
       name(document.name()),
-      files(editing::sourceFiles(document.toEditDocument())) {}
+      files(editing::sourceFiles(document.toEditDocument())),
+      m_describedEdits(document.describedEdits()) {}
 
 std::shared_ptr<const Brdf> ExportSubject::edited() const {
   return editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
@@ -40,7 +41,7 @@ exports::ExportSource ExportSubject::source() const {
 }
 
 QString ExportSubject::proposedName() const {
-  return QString::fromStdString(exports::proposedName(name.toStdString(), edits));
+  return QString::fromStdString(exports::proposedName(name.toStdString(), m_describedEdits));
 }
 
 QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene) {

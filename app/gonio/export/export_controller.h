@@ -26,6 +26,9 @@ struct ExportSubject {
   exports::ExportSource source() const;
   /// "chrome_edited"
   QString proposedName() const;
+
+ private:
+  editing::EditList m_describedEdits;
 };
 
 /// An export in memory, with its pictures.

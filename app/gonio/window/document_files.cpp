@@ -32,9 +32,9 @@ QString withSuffix(const QString& path, const QString& suffix) {
   return path.isEmpty() || path.endsWith(suffix, Qt::CaseInsensitive) ? path : path + suffix;
 }
 
-/// "gold-paint, rougher": what an exported file is called before anyone names it.
+/// "gold-paint, rougher" for a document without a file of its own.
 QString proposedName(const Document& document) {
-  return QString::fromStdString(editing::editedName(document.name().toStdString(), document.edits()));
+  return QString::fromStdString(editing::editedName(document.name().toStdString(), document.describedEdits()));
 }
 
 /// Where the last export went; at first beside the measured file.

@@ -209,9 +209,12 @@ class DocumentTest : public QObject {
     QSignalSpy title(m_document, &Document::titleChanged);
     setParameter(*m_document, index("f0"), Rgb(0.5));
     QVERIFY(m_document->isModified());
+    QVERIFY(!m_document->describedEdits().empty());
     m_document->markSaved("/tmp/mine.gonio");
     QVERIFY(!m_document->isModified());
     QCOMPARE(m_document->name(), QStringLiteral("mine"));
+    // A name that the user chose needs no description.
+    QVERIFY(m_document->describedEdits().empty());
     m_document->history().undo();
     QVERIFY(m_document->isModified());
     QVERIFY(title.count() >= 3);
