@@ -15,7 +15,7 @@ QSize ElidedLabel::minimumSizeHint() const {
 void ElidedLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   style()->drawItemText(&painter, contentsRect(), int(alignment()), palette(), isEnabled(),
-                        fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()), foregroundRole());
+                        fontMetrics().elidedText(text(), m_mode, contentsRect().width()), foregroundRole());
 }
 
 }  // namespace gonio::widgets

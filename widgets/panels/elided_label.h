@@ -12,10 +12,15 @@ class ElidedLabel : public QLabel {
  public:
   using QLabel::QLabel;
 
+  /// Where text that is too long is cut; at its end by default.
+  void setElideMode(Qt::TextElideMode mode) { m_mode = mode; }
   QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Qt::TextElideMode m_mode = Qt::ElideRight;
 };
 
 }  // namespace gonio::widgets

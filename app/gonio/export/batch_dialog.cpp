@@ -57,6 +57,7 @@ void BatchDialog::build() {
   auto* folder = new QLabel(tr("&Folder"));
   folder->setBuddy(m_folder);
   auto* form = new QFormLayout;
+  form->setVerticalSpacing(fontMetrics().height() / 2);
   form->addRow(tr("&Target"), m_targets);
   form->addRow(QString(), m_description);
   form->addRow(tr("&Rendered SNR ≥"), m_snr);

@@ -13,6 +13,7 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <memory>
 #include <thread>
@@ -21,6 +22,7 @@
 #include "app/gonio/document/history.h"
 #include "app/gonio/library/thumbnail.h"
 #include "core/math/parallel.h"
+#include "widgets/panels/elided_label.h"
 
 namespace gonio::app {
 
@@ -97,7 +99,8 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* form = new QFormLayout(this);
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(fontMetrics().height() / 2);
   form->addRow(tr("&Theme"), m_theme);
   form->addRow(tr("R&oughness"), m_roughness);
   form->addRow(tr("&Undo memory"), m_history);
@@ -106,15 +109,19 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   form->addRow(tr("Unsaved work"), folderRow(Autosave::defaultDataFolder()));
   form->addRow(tr("Settings"), folderRow(QFileInfo(QSettings().fileName()).absolutePath()));
   form->addRow(tr("OpenGL"), opengl);
-  form->addRow(buttons);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(form);
+  layout->addStretch();
+  layout->addSpacing(fontMetrics().height());
+  layout->addWidget(buttons);
   setMinimumWidth(fontMetrics().averageCharWidth() * 70);
   showThumbnailSize();
 }
 
 QWidget* PreferencesDialog::folderRow(const QString& folder) {
   auto* box = new QWidget;
-  auto* path = new QLabel(folder);
-  path->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* path = new widgets::ElidedLabel(folder);
+  path->setElideMode(Qt::ElideMiddle);
   path->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   path->setToolTip(folder);
   auto* show = new QPushButton(tr("Show"));
