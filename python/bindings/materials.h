@@ -53,6 +53,7 @@ void bindModels(py::module_& module);
 void bindEdits(py::module_& module);
 void bindRepresentations(py::module_& module);
 void bindNeural(py::module_& module);
+void bindTraining(py::module_& module);
 void bindAcquisition(py::module_& module);
 void bindFactorMeasurement(py::module_& module);
 void bindPictures(py::module_& module);

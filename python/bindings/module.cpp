@@ -30,6 +30,7 @@ PYBIND11_MODULE(_core, module) {
   bindEdits(module);
   bindRepresentations(module);
   bindNeural(module);
+  bindTraining(module);
   bindAcquisition(module);
   bindFactorMeasurement(module);
   bindPictures(module);

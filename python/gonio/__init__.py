@@ -35,6 +35,7 @@ from ._materials import (Check, GridDirections, LibraryEntry, Material, check, f
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
                                dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
                                published_deviation_nodes)
+from ._training import train_dictionary
 from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_basis, learn_separated_basis,
@@ -51,7 +52,7 @@ __all__ = [
     "models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model", "Parameter", "Fit", "Metric",
     # Factors, codes, interpolation
     "factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
-    "open_code", "dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
+    "open_code", "dictionary", "train_dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
     "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
     "plan_factors", "open_factor_readings", "predict_from_factors", "FactorPlan", "FactorPrediction",

@@ -162,3 +162,23 @@ def test_bad_blends_are_errors(chrome, paint):
         gonio.interpolate([chrome, paint], [0.5, 0.5], "cubic")
     with pytest.raises(gonio.Error):
         gonio.interpolate([chrome, paint], [0.5, 0.6])
+
+
+def test_dictionaries_are_trained(chrome, paint, tmp_path, goniotool):
+    for material in (chrome, paint):
+        material.save(tmp_path / f"{material.name}.binary")
+    options = {"dictionaries": 1, "sparsities": [16, 32], "iterations": 2}
+    fractions = []
+    trained = gonio.train_dictionary([tmp_path], tmp_path / "own.dictionary", progress=fractions.append, **options)
+    assert len(trained) == 2 and sorted(trained.training_set) == sorted([chrome.name, paint.name])
+    assert fractions and fractions[-1] <= 1
+    for mode in trained.atoms(1):
+        np.testing.assert_allclose(mode.T @ mode, np.eye(mode.shape[1]), atol=1e-5)
+    assert len(gonio.encode(paint, coefficients=16, dictionary=trained).channels[0].values) <= 16
+    # The command line learns the same.
+    goniotool("dictionary", "train", tmp_path, "--out", tmp_path / "other.dictionary", "--dictionaries", 1, "--sparsities", "16,32",
+              "--iterations", 2)
+    assert gonio.dictionary(tmp_path / "other.dictionary").id == trained.id
+    with pytest.raises(gonio.Error):
+        gonio.train_dictionary([tmp_path], tmp_path / "none.dictionary", excluded=["absent"])
+    assert not (tmp_path / "none.dictionary").exists()

@@ -37,7 +37,7 @@ QMenu* libraryMenu(const QStringList& ids, const LibraryCommon& common, const Li
   const QString count = QString::number(ids.size());
   if (single) addForOne(*menu, ids.front(), actions);
   if (ids.size() == 2 && actions.comparePair)
-    menu->addAction(QMenu::tr("&Compare These Two"), menu, [=] { actions.comparePair(ids); });
+    menu->addAction(QMenu::tr("&Compare These 2"), menu, [=] { actions.comparePair(ids); });
   if (actions.interpolate)
     menu->addAction(single ? QMenu::tr("&Interpolate with This") : QMenu::tr("&Interpolate These %1").arg(count),
                     Qt::SHIFT | Qt::Key_Return, menu, [=] { actions.interpolate(ids); });

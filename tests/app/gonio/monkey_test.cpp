@@ -47,8 +47,13 @@ class MonkeyTest : public QObject {
   static void settle(MainWindow& window) {
     window.docks().reset();
     window.parts().document.history().setClean();  // else a dialog asks what becomes of the edits
+    for (QWidget* other : QApplication::topLevelWidgets())
+      if (other != &window) other->close();
     window.files().open("library:rgl/satin_purple");
-    QTest::qWait(15000);
+    constexpr int patienceMs = 120'000, restMs = 5000;
+    QTest::qWait(restMs);
+    (void)QTest::qWaitFor([&] { return window.parts().isSettled(); }, patienceMs);
+    QTest::qWait(restMs);
   }
 
  private Q_SLOTS:
