@@ -20,13 +20,13 @@ struct FactorMeasurement {
   std::array<std::vector<double>, 3> across;      ///< z_mj / z_m1: at the fixed angle, for each distance; for
                                                   ///< symmetricDeviation times z(fixed angle) / z(theta_d) along
   std::array<std::vector<double>, 3> acrossRead;  ///< z_mj
-  /// Channels in which the mirror direction is black at the fixed angle (z_m1 <= 1e-12): `along` is 1 and `across` is
-  /// z_mj, which is then predicted for all angles.
+  /// Per channel: whether the reading in the mirror direction at the fixed angle is black (z_m1 <= 1e-12). Then `along`
+  /// is 1, `across` is z_mj, and the prediction is z_mj at every angle.
   std::array<bool, 3> unscaled{};
   std::array<double, 3> highest{};  ///< the largest z that was read
 };
 
-/// The curves of measured values. @param plan of planFactors() or of a file; its samples may have any order.
+/// The curves of measured values. @param plan from planFactors() or from a file; the samples may be in any order.
 /// @param values one per sample.
 /// @throws Error that names the sample: a curve without readings, a reading along outside the mirror direction, one
 /// across at another angle than the first (tolerance 0.1 degrees), or two readings of a curve at the same place.

@@ -12,9 +12,10 @@ namespace gonio::editing {
 /// A blend in the common form of its materials.
 struct OwnFormBlend {
   std::shared_ptr<const Brdf> brdf;  ///< an RglBrdf or UtiaBrdf with IncidentSlot::viewer
-  std::size_t nodes = 0;             ///< index of the material with the same nodes; UTIA files all have the same
-  /// Ratio, in dB, of the light that the blend reflects under uniform illumination to that of the absolute difference
-  /// of `brdf` and blend, averaged over viewers.
+  /// Index of the material whose nodes the result has; 0 for UTIA files, which all have the same nodes.
+  std::size_t nodes = 0;
+  /// -20 log10 d, dB, where d is the mean over viewers of the light that |brdf - blend| would reflect under uniform
+  /// illumination, as a fraction of the light that the blend reflects.
   double accuracy = std::numeric_limits<double>::infinity();
 };
 

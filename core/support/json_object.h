@@ -21,7 +21,7 @@ class JsonObject {
   /// @throws Error if `value` is not an object.
   JsonObject(const nlohmann::json& value, std::string where);
 
-  /// The path of a member, e.g. "edits[0].strength".
+  /// The path of a member in its document, e.g. "edits[0].strength".
   std::string place(std::string_view key) const;
   bool contains(std::string_view key) const { return value_.contains(key); }
 
