@@ -20,7 +20,8 @@ namespace gonio::tool {
 struct StudyFacts {
   std::string pictures;         ///< study::picturesText()
   study::MachineFacts machine;  ///< without measured times only those of the program (study::buildFacts())
-  std::string settings;         ///< JSON: two studies with equal settings measure the same
+  /// JSON of everything that determines the results: runs with equal settings belong to the same study.
+  std::string settings;
 
   bool timed() const { return !machine.processor.empty(); }
 };

@@ -22,7 +22,7 @@ class StudyOutput {
   void add(const StudiedMaterial& material);
   /// Writes the files of the medians if there are several materials.
   void writeSummary();
-  /// @param further additional members at the end.
+  /// @param further additional members at the end of the JSON report.
   void print(const Tool& tool, bool complete, double seconds, const Json& further = Json::object());
 
  private:

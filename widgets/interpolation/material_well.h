@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// The content of a well.
+/// The content of a material slot.
 struct WellContent {
   QString name;     ///< empty: the well is empty
   QString toolTip;  ///< what the material is

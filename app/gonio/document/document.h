@@ -49,8 +49,8 @@ class Document : public QObject {
   explicit Document(QObject* parent = nullptr);
 
   const LoadedMaterialPtr& material() const { return m_content.material; }
-  /// The BRDF that is shown and edited: the material's base with the directions in the order of the state. Null without
-  /// a material.
+  /// The BRDF that is shown and edited: the material's base, read with the incident direction of the state
+  /// (EditState::incident). Null without a material.
   std::shared_ptr<const Brdf> base() const;
   const EditState& state() const { return m_content.state; }
   /// In the order in which they are applied.
@@ -86,7 +86,7 @@ class Document : public QObject {
   /// and endInteraction() merge into one.
   /// @param selected the selected edit; by default unchanged.
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
-  /// Sets the order of the directions, in one undo step.
+  /// Sets which direction is used as the incident one (EditState::incident), in one undo step.
   void setIncident(IncidentSlot slot);
   void beginInteraction();
   void endInteraction() { m_interacting = false; }

@@ -13,7 +13,7 @@ namespace gonio::app {
 /// Size of the pictures of the bundled materials, pixels, and their samples per pixel.
 inline constexpr int shippedSide = 128, shippedSamples = 64;
 
-/// The built-in thumbnail of a bundled material, by the SHA-256 of its content; nullopt for other materials. All
+/// The rendered thumbnail of a bundled material, by the SHA-256 of its content; nullopt for other materials. All
 /// thumbnails are tiles of one JPEG file, resources/thumbnails/bundled.jpg; coverage.png is the coverage of the sphere,
 /// which is the same in all of them. The first call decodes them (20 ms). Thread-safe.
 std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256);

@@ -14,12 +14,13 @@ class MaterialWell;
 
 namespace gonio::app {
 
-/// The wells of the Scene dock: further materials in scenes with several materials. Not part of the document.
+/// The material slots of the Scene dock, for the further materials of scenes with several materials. Not part of the
+/// document.
 class SceneNeighbours : public QWidget {
   Q_OBJECT
 
  public:
-  /// Number of places in addition to that of the edited material.
+  /// Number of material slots in addition to that of the edited material.
   static constexpr int count = 3;
 
   SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);

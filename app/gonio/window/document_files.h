@@ -59,7 +59,7 @@ class DocumentFiles : public QObject {
   void saveInLibrary();
   void exportBrdf();
   void exportImage();
-  /// Asks for a file name and writes the file in the background.
+  /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.
   void saveBeside(const FileSave& save);
   /// Offers to recover unsaved work of an earlier run.
   void offerRecovery();
