@@ -42,7 +42,7 @@ struct StudiedMaterial {
   std::vector<study::StudyRecord> records;
 };
 
-/// Writes the three files with io::writeFilesAtomically(). @throws Error with the file name.
+/// Writes the three files with io::writeFilesAtomically(). @throws Error that names the file.
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
 /// The same for medians. @param records the medians as JSON.
 void writeSummary(const std::filesystem::path& folder, const std::string& title,

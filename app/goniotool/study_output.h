@@ -10,7 +10,7 @@
 
 namespace gonio::tool {
 
-/// @throws Error naming the folder.
+/// @throws Error that names the folder.
 void makeFolder(const std::string& path);
 
 /// Collects the results of a study, material by material, for the final report.

@@ -25,7 +25,7 @@ MaterialForm formBySuffix(const std::filesystem::path& path, const Brdf& base,
 
 struct FormFile {
   std::vector<std::byte> bytes;
-  std::vector<std::string> losses;  ///< for the user: what the form does not represent; empty for the source's own form
+  std::vector<std::string> losses;  ///< for the user: what the form does not represent; empty for the native form
 };
 
 /// The text for an anisotropic material in a table.

@@ -80,9 +80,9 @@ struct TransformedMixture {
 /// Materials prepared for blending: fits, factorisations and codes are computed once, so that new weights only cost the
 /// blend itself. Immutable.
 ///
-/// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its own
-/// form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential` mix
-/// materials in their own form; the other spaces use their tables.
+/// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its
+/// native form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential`
+/// mix materials in their native form; the other spaces use their tables.
 class Interpolation {
  public:
   using Table = std::shared_ptr<const TabulatedBrdf>;

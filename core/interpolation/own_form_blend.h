@@ -23,11 +23,11 @@ struct OwnFormBlend {
 /// different nodes.
 inline constexpr double minBlendAccuracy = 30;
 
-/// Whether a space mixes materials in their own form: `linear` and `differential`.
+/// Whether a space mixes materials in their native form: `linear` and `differential`.
 bool mixesOwnForms(InterpolationSpace space);
 
 /// For UTIA files a UTIA file, exact for linear blends. For RGL files (all isotropic, or all anisotropic) an RGL file
-/// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix own
+/// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix native
 /// forms, if a material has another form, or below minBlendAccuracy. Materials of weight 0 are ignored. @throws Error
 /// for invalid weights; Cancelled.
 std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,

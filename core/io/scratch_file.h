@@ -19,9 +19,9 @@ class ScratchFile {
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
-  /// @throws Error naming the folder if the disk is full or fails.
+  /// @throws Error that names the folder if the disk is full or fails.
   void write(std::uint64_t offset, std::span<const float> values);
-  /// Values that were written. May be called from several threads. @throws Error naming the folder.
+  /// Values that were written. May be called from several threads. @throws Error that names the folder.
   void read(std::uint64_t offset, std::span<float> values) const;
 
  private:

@@ -38,7 +38,7 @@ class JsonObject {
   JsonObject object(std::string_view key) const;
   const nlohmann::json& array(std::string_view key) const;
 
-  /// @throws Error with the member's path, what was found and `expected`.
+  /// @throws Error that states the member's path, what was found and `expected`.
   [[noreturn]] void fail(std::string_view key, std::string_view expected) const;
 
  private:

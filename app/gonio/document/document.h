@@ -65,8 +65,8 @@ class Document : public QObject {
 
   const History& history() const { return m_history; }
   History& history() { return m_history; }
-  /// Whether there are unsaved changes: of values, edits or the order of directions. The mere choice of a model is not
-  /// a change.
+  /// Whether there are unsaved changes: of values, edits or the incident direction. The mere choice of a model is not a
+  /// change.
   bool isModified() const;
   QString path() const { return m_content.path; }
   /// Name for titles: of the file, else of the material, else "Untitled".

@@ -41,7 +41,7 @@ class BlendEnds : public QObject {
   /// Whether every place has a material.
   bool isComplete() const;
   bool isReading() const;
-  /// All materials. Contract: isComplete().
+  /// All materials. Precondition: isComplete().
   std::vector<editing::InterpolationEnd> ends() const;
 
   /// A file, a .gonio document, or a library's material by its id.

@@ -19,7 +19,7 @@ inline constexpr int shippedSide = 128, shippedSamples = 64;
 std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256);
 
 /// Renders the thumbnails of all bundled materials, in about half a second each, and writes bundled.jpg, bundled.csv
-/// and coverage.png to a folder. Called by scripts/thumbnails.sh. @throws Error with the file name; Cancelled.
+/// and coverage.png to a folder. Called by scripts/thumbnails.sh. @throws Error that names the file; Cancelled.
 void writeShippedThumbnails(const QString& folder, const TaskControl& control = {});
 
 }  // namespace gonio::app

@@ -25,9 +25,9 @@ class SceneNeighbours : public QWidget {
 
   SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Shows the wells for the places of a scene.
+  /// Shows the material slots of a scene.
   void showScene(const Scene& scene);
-  /// One per place; empty: the edited material.
+  /// One per material slot; empty: the edited material.
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
