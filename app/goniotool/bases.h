@@ -21,7 +21,7 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
 /// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.
 std::filesystem::path basisBeside(const std::string& plan);
 
-/// Identifies the basis in a plan: the first 16 characters of the file's SHA-256. @throws Error with the file name.
+/// Identifies the basis in a plan: the first 16 characters of the file's SHA-256. @throws Error that names the file.
 std::string basisDigest(const std::filesystem::path& basis);
 
 }  // namespace gonio::tool

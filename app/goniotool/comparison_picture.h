@@ -18,7 +18,7 @@ struct DisplayPicture {
 };
 
 /// Two renderings of the same size side by side, and the map of their error |luminance of the difference| in false
-/// colours, with a legend: from 0 to the error that 99.8 % of the covered pixels stay below.
+/// colours, with a legend: from 0 to the 99.8th percentile of the errors of the covered pixels.
 DisplayPicture comparisonPicture(const Image& reference, const Image& test, const std::string& referenceName,
                                  const std::string& testName, double exposure, ToneMap toneMap);
 

@@ -22,7 +22,7 @@ struct DirectionTable {
 
 /// Reads a CSV file (core/io/csv_text.h) with the columns theta_i, phi_i, theta_o, phi_o. The first line contains the
 /// names (in any order, further columns are ignored); without names the columns have this order.
-/// @throws Error naming the file, the line, what was found and what was expected.
+/// @throws Error that names the file, the line, what was found and what was expected.
 DirectionTable readDirections(const std::filesystem::path& path);
 
 /// theta_i, phi_i, theta_o, phi_o, r, g, b: degrees and 1/sr, with all digits.

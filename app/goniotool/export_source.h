@@ -19,7 +19,7 @@ struct OpenedSource {
 };
 
 /// Opens a material argument for an export, with a sentence on its origin and, for an RGL file, the bytes of the file.
-/// @throws Error naming the file, as openMaterial().
+/// @throws Error that names the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
 using exports::isOwnForm;
@@ -28,8 +28,8 @@ using exports::writeOwnForm;
 /// The help of an option that names a material to write in any form.
 inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; for UTIA files also .bin)"; }
 
-/// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error with
-/// the name of a file without spectra.
+/// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error that
+/// names a file without spectra.
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =

@@ -13,10 +13,10 @@ namespace gonio::tool {
 /// Checks that a parsed subcommand does not overwrite a file that it reads: one of its arguments, or a file used by a
 /// document among them. The outputs are `OUT` and the options `--out`, `--image`, `--save`, `--csv` and `--latex`,
 /// without added suffixes.
-/// @throws Error naming the file.
+/// @throws Error that names the file.
 void checkOutputs(const CLI::App& command);
 
-/// For commands that construct the names of their outputs. @throws Error with the file name if it is one of `files`.
+/// For commands that construct the names of their outputs. @throws Error that names the file if it is one of `files`.
 void checkOutput(const std::filesystem::path& out, std::span<const std::filesystem::path> files);
 
 }  // namespace gonio::tool

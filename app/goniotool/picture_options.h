@@ -36,7 +36,7 @@ struct PictureOptions {
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options);
 
 /// Writes a picture by the suffix of `out`: .exr (linear, with the attributes) or .png (displayed).
-/// @throws Error naming the file; UsageError for another suffix (checkPicture() reports it before the work).
+/// @throws Error that names the file; UsageError for another suffix (checkPicture() reports it before the work).
 void writePicture(const Image& image, const PictureOptions& options, const std::string& out,
                   std::map<std::string, std::string> attributes = {});
 void checkPicture(const std::string& out, bool mayBeExr = true);

@@ -20,7 +20,8 @@ namespace gonio::tool {
 struct StudyFacts {
   std::string pictures;         ///< study::picturesText()
   study::MachineFacts machine;  ///< without measured times only those of the program (study::buildFacts())
-  std::string settings;         ///< JSON: two studies with equal settings measure the same
+  /// JSON of everything that determines the results: runs with equal settings belong to the same study.
+  std::string settings;
 
   bool timed() const { return !machine.processor.empty(); }
 };
@@ -41,7 +42,7 @@ struct StudiedMaterial {
   std::vector<study::StudyRecord> records;
 };
 
-/// Writes the three files with io::writeFilesAtomically(). @throws Error with the file name.
+/// Writes the three files with io::writeFilesAtomically(). @throws Error that names the file.
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
 /// The same for medians. @param records the medians as JSON.
 void writeSummary(const std::filesystem::path& folder, const std::string& title,

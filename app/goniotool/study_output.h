@@ -10,7 +10,7 @@
 
 namespace gonio::tool {
 
-/// @throws Error naming the folder.
+/// @throws Error that names the folder.
 void makeFolder(const std::string& path);
 
 /// Collects the results of a study, material by material, for the final report.
@@ -22,7 +22,7 @@ class StudyOutput {
   void add(const StudiedMaterial& material);
   /// Writes the files of the medians if there are several materials.
   void writeSummary();
-  /// @param further additional members at the end.
+  /// @param further additional members at the end of the JSON report.
   void print(const Tool& tool, bool complete, double seconds, const Json& further = Json::object());
 
  private:

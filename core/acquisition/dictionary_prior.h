@@ -15,7 +15,8 @@ namespace gonio::acquisition {
 struct CoefficientPrior {
   std::vector<std::uint32_t> indices;  ///< of the atoms, ascending, numbered as in ChannelCode
   Eigen::VectorXf means, variances;    ///< of the atoms' coefficients
-  double restVariance = 0;             ///< mean square, per cell, of what the other atoms add to a scaled signal
+  double restVariance = 0;  ///< mean square, per cell, of the contribution of the other atoms to a scaled signal
+                            ///< (transformed values times GridGeometry::importance)
 };
 
 struct DictionaryPrior {

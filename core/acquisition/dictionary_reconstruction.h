@@ -21,8 +21,8 @@ enum class DictionaryChoice {
 
 struct DictionaryReconstructionOptions {
   DictionaryChoice choice = DictionaryChoice::evidence;
-  double noise = 0;  ///< variance of the noise of a scaled sample, relative to the prior's restVariance; 0: chosen by
-                     ///< `choice` too
+  double noise = 0;  ///< variance of the noise of a sample's scaled value, relative to CoefficientPrior::restVariance;
+                     ///< 0: determined by `choice`, as the dictionary is
 };
 
 struct DictionaryReconstruction {
@@ -42,8 +42,9 @@ struct DictionaryReconstruction {
 ///
 /// computed for the three channels by one decomposition of a samples x samples matrix per dictionary. The common scale
 /// v does not affect c; the evidence uses its most likely value. Where standard deviations of the values are known,
-/// they add to each sample's noise as in reconstruct(), beside a noise of restVariance. Among equally good dictionaries
-/// the first is chosen. Atoms are evaluated at the samples only: O(dictionaries samples^2 atoms), then decode().
+/// they add to each sample's noise as in reconstruct(), in addition to noise of variance restVariance. Among equally
+/// good dictionaries the first is chosen. Atoms are evaluated at the samples only: O(dictionaries samples^2 atoms),
+/// then decode().
 /// @throws Error as reconstruct(), and if the prior belongs to another ensemble.
 DictionaryReconstruction reconstructInDictionaries(const dictionary::Ensemble& ensemble, const DictionaryPrior& prior,
                                                    const SamplingPlan& plan, const MeasuredValues& values,

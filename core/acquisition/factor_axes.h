@@ -8,8 +8,10 @@
 
 #include "core/math/types.h"
 
-/// The pairs of coordinates over which a factor measurement reads its two curves: an angle along the mirror direction,
-/// and a distance from the mirror direction across it.
+/// The two coordinates of a factor measurement: an angle, and the distance of the light from the mirror direction of
+/// the viewer. One curve ("along") is measured in the mirror direction over the angle, the other ("across") at a fixed
+/// angle over the distance. theta_R is the polar angle of the mirror direction, equal to that of the viewer; |Dp| is
+/// defined in core/coordinates/projected_deviation.h.
 namespace gonio::acquisition {
 
 enum class FactorAxes {
@@ -42,9 +44,9 @@ inline bool isDeviation(FactorAxes axes) {
   return axes == FactorAxes::projectedDeviation || axes == FactorAxes::symmetricDeviation;
 }
 
-/// The pair of directions in the plane of incidence at a place, with the light between the mirror direction and the
-/// viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R. None if no light above the horizon
-/// exists. O(1).
+/// The pair of directions in the plane of incidence with these coordinates; the light is between the mirror direction
+/// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R. None if no light above the
+/// horizon exists. O(1).
 std::optional<DirectionPair> factorDirections(FactorAxes axes, const FactorPlace& place);
 
 }  // namespace gonio::acquisition

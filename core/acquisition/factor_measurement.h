@@ -10,26 +10,28 @@
 
 namespace gonio::acquisition {
 
-/// The two curves of a factor measurement in z = ln(1 + rho), per channel, at the places that were read
+/// The two curves of a factor measurement in z = ln(1 + rho), per channel, at the coordinates that were read
 /// (Tongbuasirilai 2023, eq. 5.1 to 5.5).
 struct FactorMeasurement {
   FactorAxes axes = FactorAxes::projectedDeviation;
-  double fixedAngle = 0;                          ///< of the curve across, rad
-  std::vector<double> angles, distances;          ///< strictly increasing
-  std::array<std::vector<double>, 3> along;       ///< z_i1: in the mirror direction, for each angle
-  std::array<std::vector<double>, 3> across;      ///< z_mj / z_m1: at the fixed angle, for each distance; for
-                                                  ///< symmetricDeviation times z(fixed angle) / z(theta_d) along
+  double fixedAngle = 0;                     ///< of the `across` curve, rad
+  std::vector<double> angles, distances;     ///< strictly increasing
+  std::array<std::vector<double>, 3> along;  ///< z_i1: in the mirror direction, for each angle
+  /// z_mj / z_m1: at the fixed angle, for each distance; for symmetricDeviation times z(fixed angle) / z(theta_d) of
+  /// the `along` curve.
+  std::array<std::vector<double>, 3> across;
   std::array<std::vector<double>, 3> acrossRead;  ///< z_mj
-  /// Channels in which the mirror direction is black at the fixed angle (z_m1 <= 1e-12): `along` is 1 and `across` is
-  /// z_mj, which is then predicted for all angles.
+  /// Per channel: whether the reading in the mirror direction at the fixed angle is black (z_m1 <= 1e-12). Then `along`
+  /// is 1, `across` is z_mj, and the prediction is z_mj at every angle.
   std::array<bool, 3> unscaled{};
   std::array<double, 3> highest{};  ///< the largest z that was read
 };
 
-/// The curves of measured values. @param plan of planFactors() or of a file; its samples may have any order.
+/// The curves of measured values. @param plan from planFactors() or from a file; the samples may be in any order.
 /// @param values one per sample.
-/// @throws Error that names the sample: a curve without readings, a reading along outside the mirror direction, one
-/// across at another angle than the first (tolerance 0.1 degrees), or two readings of a curve at the same place.
+/// @throws Error that names the sample: a curve without readings, an `along` reading outside the mirror direction, an
+/// `across` reading at another angle than the first (tolerance 0.1 degrees), or two readings of a curve at the same
+/// coordinates.
 FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues& values);
 
 /// Simulates the readings of a material and forms their curves.

@@ -7,33 +7,39 @@
 #include "core/acquisition/factor_axes.h"
 #include "core/acquisition/sampling_plan.h"
 
-/// The readings of a factor measurement: a goniometer with two arms in the plane of incidence reads one curve along the
-/// mirror direction and one across it at a fixed angle (Tongbuasirilai, Unger and Kurt 2017, "Efficient BRDF Sampling
-/// Using Projected Deviation Vector Parameterization"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
-/// Reflectance Modeling and Acquisition", section 5.2.1).
+/// The readings of a factor measurement. A goniometer with two arms in the plane of incidence measures two curves:
+/// "along", in the mirror direction at increasing angles; and "across", at one fixed angle and at increasing distances
+/// from the mirror direction (Tongbuasirilai, Unger and Kurt 2017, "Efficient BRDF Sampling Using Projected Deviation
+/// Vector Parameterization"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
+/// Acquisition", section 5.2.1).
 namespace gonio::acquisition {
 
-enum class FactorCurve { along, across };
+/// The two curves of a factor measurement.
+enum class FactorCurve {
+  along,  ///< in the mirror direction, over the angle
+  across  ///< at the fixed angle, over the distance from the mirror direction
+};
 /// Names in files, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 2> factorCurveNames{"along", "across"};
 
 struct FactorPlanOptions {
   FactorAxes axes = FactorAxes::projectedDeviation;
-  double fixedAngle = radians(60);  ///< of the curve across: theta_R, theta_d or theta_o, rad
-  int angles = 90;                  ///< readings along: even in the angle, from 0 to largestPolarAngle; [2, 2000]
-  int distances = 90;               ///< readings across: even in the square root of the distance; [2, 2000]
-  double largestPolarAngle = radians(89);  ///< of both arms, rad, (0, pi/2)
-  double smallestSeparation = radians(2);  ///< between the arms, rad: at less, one arm occludes the other
+  double fixedAngle = radians(60);  ///< of the `across` curve: theta_R, theta_d or theta_o, rad
+  int angles = 90;  ///< number of `along` readings, evenly spaced in the angle, from 0 to largestPolarAngle; [2, 2000]
+  int distances = 90;  ///< number of `across` readings, evenly spaced in the square root of the distance; [2, 2000]
+  double largestPolarAngle = radians(89);  ///< maximum polar angle of both arms, rad, (0, pi/2)
+  double smallestSeparation = radians(2);  ///< minimum angle between the arms, rad; below it one arm occludes the other
 };
 
 struct FactorPlan {
   FactorAxes axes = FactorAxes::projectedDeviation;
-  SamplingPlan plan;                ///< first the curve along, by the angle; then the curve across, by the distance
+  SamplingPlan plan;                ///< first the `along` curve, by the angle; then the `across` curve, by the distance
   std::vector<FactorCurve> curves;  ///< one per sample
-  int blocked = 0;                  ///< readings that were left out: the horizon or an arm is in the way
+  int blocked = 0;  ///< number of readings that were left out: a direction is below the horizon or beyond
+                    ///< largestPolarAngle, or one arm occludes the other
 };
 
-/// The pairs of directions to measure. The curve across starts with the mirror direction at the fixed angle.
+/// The pairs of directions to measure. The `across` curve starts with the mirror direction at the fixed angle.
 /// O(angles + distances).
 /// @throws Error if an option is out of range, or a curve has no reading that the arms do not obstruct.
 FactorPlan planFactors(const FactorPlanOptions& options = {});

@@ -11,14 +11,13 @@
 /// The material that the two curves of a factor measurement predict, and how far the readings support it.
 namespace gonio::acquisition {
 
-/// Limits of a prediction.
+/// Upper bound of the predicted values.
 enum class FactorBound {
-  /// Never above both of the nearest readings, z_i1 at the same angle and z_mj at the same distance, and never above
-  /// the
-  /// prediction of the exchanged pair. A measured material is reciprocal, so the readings across, at the fixed angle of
-  /// the viewer, are also readings at all other
-  /// angles of the viewer, with the light at the fixed angle. A product of curves over theta_R or theta_o contradicts
-  /// them where the curve along increases toward the horizon: it multiplies the matte part by the increase.
+  /// The prediction is at most the larger of the two nearest readings (z_i1 at the same angle, z_mj at the same
+  /// distance), and at most the prediction for the exchanged pair. Reason: a measured material is reciprocal, so the
+  /// `across` readings, taken with the viewer at the fixed angle, are also readings for every other angle of the viewer
+  /// with the light at the fixed angle. A product of curves over theta_R or theta_o contradicts them where the `along`
+  /// curve increases toward the horizon, because it also multiplies the diffuse term by this increase.
   readings,
   none  ///< eq. 5.6 as printed
 };
@@ -46,8 +45,8 @@ struct FactorSupport {
 /// About 1 ms.
 FactorSupport supportOf(const FactorMeasurement& measurement);
 
-/// The prediction over theta_R and |Dp| without bound as factors of one term; a limit of all channels is the largest
-/// reading. @throws Error for other axes, which are not those of PDV factors.
+/// The unbounded prediction over theta_R and |Dp| as PDV factors with one term; their upper bound (PdvFactors::highest)
+/// is the largest reading of all channels. @throws Error for axes other than FactorAxes::projectedDeviation.
 factorization::PdvFactors factorsOfCurves(const FactorMeasurement& measurement);
 
 }  // namespace gonio::acquisition

@@ -23,10 +23,11 @@ struct MeasurementNoise {
   std::uint64_t seed = 1;
 };
 
-/// Simulates the measurement of a material at the directions of a plan. Negative readings become 0; an arm that
-/// misalignment moves below the horizon is placed on it. Fills in MeasuredValues::noise if relative or absolute noise
-/// is above 0. The random numbers do not depend on the sizes of the errors: twice the noise gives twice each error.
-/// @throws Error if a size of an error is negative or not finite.
+/// Simulates the measurement of a material at the directions of a plan. Negative readings become 0; a direction that
+/// the misalignment moves below the horizon is moved back to it. Fills in MeasuredValues::noise if relative or absolute
+/// noise is above 0. The random numbers do not depend on the sizes of the errors: twice the noise gives twice each
+/// error.
+/// @throws Error if a standard deviation is negative or not finite.
 MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const MeasurementNoise& noise = {});
 
 }  // namespace gonio::acquisition

@@ -31,10 +31,10 @@ class NoisyRidge {
   RidgeRegression regression_;
 };
 
-/// The eta with which each sample is predicted best from all others: it minimises the sum of the squared differences
-/// over (publishedRidge + n_i), so that noisy samples do not decide. Tries RidgeRegression::triedRidges() and takes
-/// bestRidge() of them, or publishedRidge if there are none. Parallel; the result does not depend on the number of
-/// threads. @throws Cancelled.
+/// The eta for which each sample is predicted best from all others: it minimises the sum over the samples of (squared
+/// difference) / (publishedRidge + n_i), so that noisy samples have little influence. Tries
+/// RidgeRegression::triedRidges() and takes bestRidge() of them, or publishedRidge if there are none. Parallel; the
+/// result does not depend on the number of threads. @throws Cancelled.
 double leaveOneOutRidge(const SampleRows& samples, const Eigen::VectorXd& noise, const TaskControl& control = {});
 
 }  // namespace gonio::acquisition

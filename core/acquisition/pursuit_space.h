@@ -16,10 +16,10 @@ struct PursuitSpace {
   /// The space before the first choice. @param allSignals S, p x t.
   explicit PursuitSpace(const Eigen::MatrixXd& allSignals);
 
-  /// Coordinates of an atom in the complement: the part of it that the chosen atoms leave.
+  /// Coordinates of an atom in the complement: its part orthogonal to the chosen atoms.
   Eigen::VectorXd left(const Eigen::VectorXd& atom) const { return complement.transpose() * atom; }
-  /// Removes the direction `left` (not 0) by a Householder reflection, so that rounding errors do not grow from step to
-  /// step.
+  /// Removes a direction (coordinates in the complement, not 0) by a Householder reflection, so that rounding errors do
+  /// not accumulate.
   void remove(const Eigen::VectorXd& left);
 };
 

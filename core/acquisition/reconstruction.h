@@ -31,7 +31,8 @@ inline constexpr double publishedRidge = 40;
 struct ReconstructionOptions {
   ReconstructionMethod method = ReconstructionMethod::ridge;
   std::optional<double> ridge;  ///< eta >= 0, e.g. publishedRidge; if empty, chosen by leaveOneOutRidge()
-  int components = 0;           ///< of the basis; may exceed the number of samples; 0: all; larger numbers mean all
+  int components = 0;  ///< number of components of the basis to use; may exceed the number of samples; 0, or more than
+                       ///< the basis has: all
   int atoms = 0;  ///< `sparse` only: components per channel; 0: chosen by leave-one-out, at most half the number of
                   ///< samples
   std::optional<double> noise;  ///< standard deviation of a mapped value, for `deviation`; if empty, estimated

@@ -42,10 +42,10 @@ struct SampleSelection {
   std::string warning;  ///< why there are fewer cells than requested; empty otherwise
 };
 
-/// Chooses cells of the basis' grid among the measurable ones of its mapping; among the cells of one pair of
-/// directions, only the one that reconstruction reads (pairNode()). Deterministic: the cells do not depend on the
-/// number of threads; among equally good cells the lowest index is chosen. @param chosen called on this thread with
-/// each cell as it is fixed, in the order of choice.
+/// Chooses cells of the basis' grid among the measurable ones of its mapping; where several cells have the same pair of
+/// directions (theta_h or theta_d = 0), only the one that reconstruct() reads (pairNode()). Deterministic: the cells do
+/// not depend on the number of threads; among equally good cells the lowest index is chosen. @param chosen called on
+/// this thread with each cell as it is fixed, in the order of choice.
 /// @throws Error if fewer than one sample or a negative number of components is requested, a limit is out of range, no
 /// cell can be measured, or (pursuits and conditionNumber) the basis has no components; Cancelled.
 SampleSelection selectSamples(const dictionary::PrincipalComponents& basis, const SelectionOptions& options,

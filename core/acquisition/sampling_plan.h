@@ -47,8 +47,8 @@ std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& d
 /// The angle that the arms move between two pairs, rad: the sum for light and viewer.
 double armTravel(const DirectionPair& from, const DirectionPair& to);
 
-/// A short path through all pairs that starts with both arms upright: nearest neighbour, then 2-opt (Croes 1958, "A
-/// Method for Solving Traveling-Salesman Problems") until no exchange shortens it, O(n^2) per round. More than 512
+/// A short path through all pairs that starts with both arms at the normal: nearest neighbour, then 2-opt (Croes 1958,
+/// "A Method for Solving Traveling-Salesman Problems") until no exchange shortens it, O(n^2) per round. More than 512
 /// pairs are only sorted by the polar angle of the light, then of the viewer, O(n log n). @return positions in `pairs`.
 /// Deterministic.
 std::vector<std::size_t> shortPath(std::span<const DirectionPair> pairs);

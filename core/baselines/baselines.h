@@ -15,17 +15,18 @@
 namespace gonio::factorization {
 
 struct ComparedModel {
-  /// Evaluated from its factors; sample() uses those of Lawrence et al. and of Bilgili et al., otherwise cosines.
+  /// Evaluated from its factors. sample() uses the factors for the baselines of Lawrence et al. and Bilgili et al., and
+  /// is cosine-weighted for the others.
   std::shared_ptr<const Brdf> brdf;
   std::size_t bytes = 0;  ///< of its factors and colours in single precision, without the nodes of the axes
 };
 
 struct Baseline {
-  std::string_view id;     ///< name on the command line
-  std::string_view label;  ///< for legends: authors and year, or the name of the decomposition
-  std::string_view name;
-  std::string_view reference;
-  std::size_t maxBytes;  ///< size of its largest model; 0: fixed size for every budget, may exceed the budget
+  std::string_view id;         ///< name on the command line
+  std::string_view label;      ///< for legends: authors and year, or the name of the decomposition
+  std::string_view name;       ///< the method in words, e.g. "homomorphic factorisation"
+  std::string_view reference;  ///< authors, year, title
+  std::size_t maxBytes;        ///< size of its largest model; 0: fixed size for every budget, may exceed the budget
   /// One model per budget, in the order of the budgets: the largest one (number of terms, or side of the table) that
   /// fits in that many bytes, with at least one term. A baseline of fixed size returns the same model for every budget.
   /// Steps common to all models are computed once. Deterministic. @throws Cancelled.

@@ -16,9 +16,9 @@ namespace gonio::factorization {
 /// Colours off the line kd + ks Y are changed to lie on it. Not reciprocal.
 ///
 /// Differences from the paper: isotropic materials only (three modes, not four); a cell with the light below the
-/// horizon takes the value of the nearest theta_h where it is above, because a dense tensor needs a value in every
-/// cell; ln(1 + Y), as in all factorisations of Gonio; kd and ks by least squares weighted by the projected solid
-/// angles, where kd may be negative (a coloured body under a white highlight needs it).
+/// horizon has the value of the nearest theta_h for which the light is above it, because a dense tensor needs a value
+/// in every cell; ln(1 + Y), as in all factorisations of Gonio; kd and ks by least squares weighted by the projected
+/// solid angles, where kd may be negative (a coloured diffuse term under a white highlight needs it).
 struct BilgiliFactors {
   struct Term {
     std::vector<double> a, b, c;

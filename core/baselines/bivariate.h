@@ -15,14 +15,14 @@ namespace gonio::factorization {
 /// Zickler 2008, "Passive Reflectometry". Exact if rho does not depend on phi_d; variation with the azimuth
 /// (off-specular shadowing, retro-reflection outside the plane of incidence) is lost.
 ///
-/// Differences from the paper: the side is variable (there 90 nodes), so that tables can be compared at equal bytes;
-/// the nodes are those of a MERL table of that side.
+/// Differences from the paper: the number of nodes per axis is variable (90 in the paper), so that tables of equal size
+/// in bytes can be compared; the nodes are those of a MERL table of that side.
 struct BivariateTable {
   int side = 0;                   ///< number of nodes of theta_h and of theta_d
   std::vector<glm::vec3> values;  ///< 1/sr, theta_d fastest
 };
 
-/// The largest side in [2, 90] with which a single-precision RGB table fits in the budget.
+/// The largest number of nodes per axis, in [2, 90], for which a single-precision RGB table fits in the budget.
 int bivariateSide(std::size_t byteBudget);
 
 /// @param side at least 2. Nodes without a measured azimuth take the value of the nearest theta_h that has one.

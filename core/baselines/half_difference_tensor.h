@@ -27,8 +27,9 @@ struct HalfDifferenceTensor {
 /// y at all nodes, invalid cells filled; residual 0.
 HalfDifferenceTensor sampleHalfDifferenceTensor(const HalfDifferenceSamples& samples);
 
-/// cpTerms() is the number of terms of a CP decomposition that fits in the budget, from 1 to maxCpTerms.
+/// Maximum number of terms of a CP decomposition.
 inline constexpr int maxCpTerms = 64;
+/// The largest number of terms of a CP decomposition that fits in the budget, from 1 to maxCpTerms.
 int cpTerms(const HalfDifferenceAxes& axes, std::size_t byteBudget);
 /// The sum of `terms` products of four curves, y = sum_r a_r(theta_h) b_r(theta_d) c_r(phi_d) d_r(channel), by
 /// alternating least squares (at most 100 sweeps). Carroll and Chang 1970, "Analysis of Individual Differences in

@@ -28,14 +28,14 @@ class LinearDensity {
 
 /// Samples the direction of light for a viewer by its half vector, from a sum of products
 ///   p(h | wo) = sum_l s_l(theta_o) u_l(theta_h) v_l(|phi_h|) / Z(theta_o),   p_w = p(h | wo) / (4 wo . h):
-/// a product by its fraction, then theta_h and phi_h by their curves. Lawrence, Rusinkiewicz and Ramamoorthi 2004,
-/// "Efficient BRDF Importance Sampling Using a Factored Representation", section 4. Directions that the reflection
-/// leads below the horizon are lost.
+/// first selects a product in proportion to its integral over the half vectors, then samples theta_h and phi_h from its
+/// curves. Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF Importance Sampling Using a Factored
+/// Representation", section 4. Samples whose reflected direction is below the horizon fail (density 0).
 ///
 /// Derived here: curves are linear in cos theta_h and in phi_h between their nodes, so that the density is exactly that
 /// of the samples; a tenth of the samples is cosine-weighted, as for PDV factors, so that the density is positive
-/// beyond the last node of theta_h too; all of them where the products are 0; a viewer along the normal has no azimuth,
-/// so phi_h is even there. Immutable.
+/// beyond the last node of theta_h too; all of them where all products are 0; for a viewer along the normal, which has
+/// no azimuth, phi_h is uniform. Immutable.
 class HalfVectorSampler {
  public:
   struct Product {
@@ -44,7 +44,7 @@ class HalfVectorSampler {
   };
   HalfVectorSampler(const HalfOutAxes& axes, const std::vector<Product>& products);
 
-  /// Contracts of Brdf::sample() and pdf(). O(products).
+  /// As Brdf::sample() and Brdf::pdf(). O(products).
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   double pdf(const Direction& wi, const Direction& wo) const;
 

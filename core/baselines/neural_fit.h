@@ -13,16 +13,16 @@
 namespace gonio::neural {
 
 struct NeuralFitOptions {
-  int steps = 40'000;  ///< of Adam; they determine the time: about 0.3 ms each on one thread, so 12 s for the default
-  int samples = 1 << 19;       ///< directions at which the material is read before the training
+  int steps = 40'000;          ///< number of steps of Adam: about 0.3 ms each on one thread, 12 s for the default
+  int samples = 1 << 19;       ///< number of pairs of directions at which the material is evaluated before training
   int batch = 512;             ///< samples per step
   double learningRate = 1e-2;  ///< at the first step; decays to 1/1000 of it along half a cosine
-  std::uint64_t seed = 1;      ///< of the start, the directions and the batches
+  std::uint64_t seed = 1;      ///< of the initial weights, the sampled directions and the batches
 };
 
 struct NeuralFit {
   std::array<float, NeuralBrdf::weightCount> weights;
-  std::vector<double> losses;  ///< mean over each twentieth of the steps, see Loss
+  std::vector<double> losses;  ///< mean loss (core/baselines/neural_loss.h) over each twentieth of the steps
   double seconds = 0;
 };
 

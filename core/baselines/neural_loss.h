@@ -14,7 +14,7 @@ inline constexpr int inputCount = int(NeuralBrdf::inputs), hiddenCount = int(Neu
 /// The weights in the order of NeuralBrdf.
 using Weights = Eigen::Matrix<double, weightCount, 1>;
 
-/// Values to reproduce, one sample a column.
+/// Values to reproduce, one sample per column.
 struct Batch {
   Eigen::Matrix<double, inputCount, Eigen::Dynamic> inputs;    ///< half vector (azimuth 0) and difference vector
   Eigen::Matrix<double, outputCount, Eigen::Dynamic> targets;  ///< ln(1 + rho cos theta_i), rho in 1/sr
@@ -28,7 +28,7 @@ struct Batch {
 };
 
 /// The loss of Sztrajman et al. 2021 (eq. 2): the mean over samples and channels of |e|, e = ln(1 + rho^ cos theta_i) -
-/// ln(1 + rho cos theta_i), where the network's output x gives rho^ = exp(x) - 1. Near 0, |e| is rounded to
+/// ln(1 + rho cos theta_i), where the network's output x gives rho^ = exp(x) - 1. Near 0, |e| is smoothed to
 /// sqrt(e^2 + d^2) - d with d = 0.001, so that its derivative is continuous. Keeps the buffers between calls.
 class Loss {
  public:

@@ -14,18 +14,18 @@ namespace gonio::factorization {
 /// coordinates: theta_h by its marginal distribution for theta_o, then |phi_h| by its conditional distribution,
 ///   p(h | wo) = g(theta_h, |phi_h|, theta_o) / (2 Z(theta_o)),   p_w = p(h | wo) / (4 wo . h).
 /// The method of Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor Decomposition", for
-/// isotropic materials. Directions that the reflection leads below the horizon are lost.
+/// isotropic materials. Samples whose reflected direction is below the horizon fail (density 0).
 ///
-/// Derived here: g is bilinear in (cos theta_h, phi_h) between the nodes, and of the two nodes about theta_o one is
-/// chosen by its distance, so that the density is exactly that of the samples; a tenth of the samples is
-/// cosine-weighted, as for PDV factors, all of them where g is 0; half vectors about a viewer along the normal are
-/// uniform in phi_h. Immutable. 32 bytes per node.
+/// Derived here: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around theta_o is
+/// chosen at random with the weights of linear interpolation, so that the density is exactly that of the samples; a
+/// tenth of the samples is cosine-weighted, as for PDV factors, all of them where g is 0; half vectors about a viewer
+/// along the normal are uniform in phi_h. Immutable. 32 bytes per node.
 class TensorHalfVectorSampler {
  public:
   /// @param density g per solid angle of the half vector, >= 0, in the order of axes.index().
   TensorHalfVectorSampler(const HalfOutAxes& axes, const std::vector<double>& density);
 
-  /// Contracts of Brdf::sample() and pdf(). O(log nodes).
+  /// As Brdf::sample() and Brdf::pdf(). O(log nodes).
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   double pdf(const Direction& wi, const Direction& wo) const;
 

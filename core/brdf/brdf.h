@@ -30,7 +30,7 @@ class Brdf {
     return value;
   }
 
-  /// Whether the value depends on the difference of the azimuths only.
+  /// Whether the value depends on the azimuths only through their difference.
   virtual bool isIsotropic() const { return true; }
   /// Whether exchanging wi and wo leaves the value unchanged, as physics requires; false if unknown.
   virtual bool isReciprocal() const { return true; }

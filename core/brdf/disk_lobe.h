@@ -14,7 +14,7 @@ namespace gonio {
 /// plane:
 ///   double sample(double u) const; // |Dp|
 ///   double density(double r) const; // per unit area; 0 beyond `reach`, integrates to 1
-/// Points outside the disk are moved inside by inversion at its rim (x becomes x / |x|^2), so that the density
+/// Points outside the disk are moved inside by inversion in the unit circle (x becomes x / |x|^2), so that the density
 /// integrates to 1: d omega cos theta = dx dy, and inversion scales areas by |x|^-4.
 template <typename Radial>
 struct DiskLobe {

@@ -9,7 +9,8 @@
 
 namespace gonio {
 
-/// Which direction of a pair is used as a file's incident direction. It matters if the measurement is not reciprocal.
+/// Which direction of a pair is used as the file's incident direction. This matters only if the measurement is not
+/// reciprocal.
 enum class IncidentSlot {
   viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light for a given viewer
   light,   ///< wi, as the file names it
@@ -19,7 +20,7 @@ inline constexpr IncidentSlot allIncidentSlots[] = {IncidentSlot::viewer, Incide
 /// The name in files: "viewer", "light" or "mean".
 const char* incidentSlotId(IncidentSlot slot);
 
-/// The slot of an RGL or UTIA file, which can be read in any order; empty for other BRDFs.
+/// How an RGL or UTIA file is read; empty for other BRDFs, which have no stored incident direction.
 std::optional<IncidentSlot> incidentSlotOf(const Brdf& brdf);
 /// The BRDF read with this slot; the same object if it has the slot already or does not support slots.
 std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot);

@@ -20,7 +20,7 @@ struct MomentProbe {
 /// Probes where the BRDF is not 0: for four polar angles of the viewer (anisotropic BRDFs: three polar angles, five
 /// azimuths each) and half vectors on logarithmic rings about the normal. 1,400 evaluations (anisotropic: 20,000).
 std::vector<MomentProbe> momentProbes(const Brdf& brdf);
-/// The same for three polar angles at one azimuth for every BRDF, for the fits of lobes.
+/// The same for three polar angles of the viewer at one azimuth, also for anisotropic BRDFs; used to fit lobes.
 std::vector<MomentProbe> isotropicMomentProbes(const Brdf& brdf);
 
 /// The second moment of the estimator relative to the squared albedo, averaged over the viewers: 1 if the density is

@@ -13,12 +13,13 @@ struct EditedRgl {
   std::size_t clipped = 0;    ///< number of channel values that would have become negative and were set to 0
 };
 
-/// Treatment of changed channels that would be negative (colours outside the sRGB gamut): set to 0, or kept.
+/// Treatment of changed channels that would be negative (colours outside the sRGB gamut): set to 0, or left negative.
 enum class NegativeColours { cut, kept };
 
 /// The field `rgb` of an RGL file after edits: the file's values plus the difference edited - file at its own nodes.
 /// Values that the edits do not change remain bitwise equal, also negative ones. Nodes with the light below the
-/// horizon, which loaders interpolate too, change by the difference of the previous node in the row.
+/// horizon, which loaders also use for interpolation, are changed by the same difference as the previous node in the
+/// row.
 /// @param file read with IncidentSlot::viewer.
 /// @param edited the material after edits, or another material that is sampled at these nodes. @throws Cancelled.
 EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control = {},

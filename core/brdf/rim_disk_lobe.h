@@ -9,8 +9,9 @@
 
 namespace gonio {
 
-/// Squared fraction, in [0, 1], of the distance from the viewer's mirror point -wo_xy to the rim of the unit disk at
-/// which a point lies: 0 at the mirror point, 1 on the rim. @param deviation Dp = wi_xy + wo_xy of the point.
+/// For a point of the unit disk: its distance from the viewer's mirror point -wo_xy, as a fraction of the distance of
+/// the rim in the same direction, squared; 0 at the mirror point, 1 on the rim. @param deviation Dp = wi_xy + wo_xy of
+/// the point.
 inline double squaredRimFraction(const glm::dvec2& deviation, const Direction& wo) {
   // The rim lies at the distance d . wo_xy + sqrt((d . wo_xy)^2 + cos^2 theta_o) in the direction d of Dp.
   const double squared = glm::dot(deviation, deviation), along = glm::dot(deviation, glm::dvec2(wo));

@@ -70,10 +70,10 @@ class TabulatedBrdf final : public Brdf {
   std::size_t clampedCount_ = 0;
 };
 
-/// Samples any BRDF at the nodes of a grid; nodes below the horizon are invalid. Dimensions that the grid lacks are
-/// averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and, on a reciprocal grid, a BRDF that is
-/// not reciprocal over both orders of the directions, which is the best reciprocal approximation in least squares.
-/// Finite values beyond the range of float are stored as the largest float. Parallel, deterministic.
+/// Samples any BRDF at the nodes of a grid; nodes below the horizon are invalid. Dependencies that the grid cannot
+/// represent are averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and, on a reciprocal grid, a
+/// BRDF that is not reciprocal over both orders of the directions, which is the best reciprocal approximation in least
+/// squares. Finite values beyond the range of float are stored as the largest float. Parallel, deterministic.
 /// @throws Cancelled; Error if the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
                                                const TaskControl& control = {}, int azimuths = 16);

@@ -19,7 +19,7 @@ constexpr int anisotropicAzimuths = 8;
 constexpr double lastCosine = 1.6e-3;  // of a viewer: 89.9 degrees
 
 /// The viewers that one lies between: they are in steps of sqrt(1 - sqrt(cosine)), which are even angles near the
-/// normal and smaller ones towards the horizon, where lobes change fastest.
+/// normal and smaller ones toward the horizon, where lobes change fastest.
 SliceBlend viewersAbout(double cosine) {
   constexpr auto last = TabulatedLobe::viewerCount - 1;
   const double fraction = (1 - std::sqrt(std::clamp(cosine, lastCosine, 1.0))) / (1 - std::sqrt(lastCosine));

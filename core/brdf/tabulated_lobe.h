@@ -35,7 +35,8 @@ class TabulatedLobe {
   /// The lobe along the grain, to mix with sample(); its fraction is 0 for isotropic BRDFs.
   const GrainLobe& grain() const { return grain_; }
   const TurnedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
-  /// The closed-form lobe to use instead, if it gives less noise than the table at equal time.
+  /// The closed-form, rotationally symmetric lobe to use instead of the table, if it gives less noise at equal time;
+  /// empty otherwise.
   const std::optional<SamplingLobe>& round() const { return round_; }
   /// Approximate rendering time per sample, relative to a closed-form lobe.
   static constexpr double cost = 1.2;

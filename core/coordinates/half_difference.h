@@ -34,7 +34,7 @@ DirectionPair fromHalfDifference(double thetaH, double thetaD, double phiD);
 /// cos thetaH cos thetaD >= sin thetaH sin thetaD |cos phiD|.
 bool isAboveHorizon(double thetaH, double thetaD, double phiD);
 
-/// The same two functions for given sines and cosines.
+/// fromHalfDifference() and isAboveHorizon() for given sines and cosines of the angles.
 inline DirectionPair fromHalfDifference(double sinH, double cosH, double sinD, double cosD, double sinPhi,
                                         double cosPhi) {
   const double dx = sinD * cosPhi, dy = sinD * sinPhi;

@@ -16,7 +16,7 @@ namespace gonio::dictionary {
 /// Number format of the coefficients.
 enum class CodePrecision : std::uint8_t {
   single,  ///< float32
-  half     ///< float16 of the value divided by the channel's largest: relative error 2^-11
+  half     ///< float16 of the value divided by the largest absolute value of its channel: relative error 2^-11
 };
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32

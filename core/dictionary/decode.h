@@ -25,8 +25,8 @@ ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::ve
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The atoms divided by the importance of their nodes if `scaled`: they compose transformed values of a code with that
-/// SparseCode::scaled.
+/// The atoms, divided by GridGeometry::importance at their nodes if `scaled` is true. With the value of
+/// SparseCode::scaled they compose the transformed values of a code.
 std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry,
                                              bool scaled = true);
 

@@ -45,8 +45,8 @@ struct EncodeOptions {
 };
 
 /// The options of the published method (Tongbuasirilai 2023, eq. 4.37 to 4.39 and section 4.3.2.4): one projection of
-/// the transformed values without a scale, so that invalid cells have the values of the last valid ones, and a gamma
-/// error without weights.
+/// the unscaled transformed values, in which invalid cells repeat the last valid value along theta_h (signalsOf()),
+/// without refinement; and an unweighted gamma error.
 EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
 /// The code of one transform.

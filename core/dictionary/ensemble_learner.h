@@ -28,7 +28,8 @@ class EnsembleLearner {
   /// @param signals one per column, of count(sizes) values; must outlive this object. Zero columns are allowed.
   EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries, int sparsity);
 
-  /// Starts with the higher-order SVDs of random subsets of the signals.
+  /// Divides the signals at random into as many parts of equal size as there are dictionaries, and initialises each
+  /// dictionary with the higher-order SVD of one part.
   void start(std::uint64_t seed, const TaskControl& control = {});
   /// Starts with the dictionaries of an earlier run.
   void start(std::vector<ModeMatrices<double>> dictionaries);

@@ -33,7 +33,7 @@ class InvalidCellRounds {
   /// Sets the values of a code to the projections of the signal on its atoms. O(16,200 cells) per pair of atoms of
   /// modes 1 and 2 for a MERL table.
   void project(std::vector<Coefficient<float>>& code) const;
-  /// Forgets the last round, so that the next one has no momentum.
+  /// Resets the momentum: the next round starts without it.
   void restart() { decoded_.clear(); }
   /// Sets the invalid cells to the values of `code`, plus `momentum` times their change since the last round.
   void update(const std::vector<Coefficient<float>>& code, float momentum);

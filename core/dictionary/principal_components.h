@@ -44,8 +44,8 @@ struct ComponentCode {
 
   int components() const { return int(channels[0].size()); }
   std::size_t bytes() const { return 3 * std::size_t(components()) * sizeof(float); }
-  /// The code as a half-precision file stores it: the values divided by the channel's largest as float16, and that as
-  /// float32.
+  /// The code as a half-precision file stores it: the largest absolute value of each channel as float32, and the values
+  /// divided by it as float16.
   ComponentCode inHalfPrecision() const;
   /// Size of that file's content in bytes.
   static std::size_t halfBytes(int components);

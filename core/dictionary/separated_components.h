@@ -26,7 +26,8 @@ SeparatedTable separateDiffuse(const TabulatedBrdf& table, const TaskControl& co
 struct SeparatedComponents {
   PrincipalComponents diffuse, specular;
 
-  /// Number of components of a code with `components` in all: at most a quarter, and one at least, are diffuse.
+  /// Number of diffuse components of a code with `components` components in total: a quarter, rounded down, but at
+  /// least 1 and at most diffuse.count().
   int diffuseCount(int components) const { return std::min(std::max(1, components / 4), diffuse.count()); }
   int specularCount(int components) const { return components - diffuseCount(components); }
   /// Largest number of components of a code.

@@ -17,8 +17,8 @@ struct GridGeometry {
   std::vector<std::uint8_t> aboveHorizon;  ///< 1 where both directions are at or above the horizon
   /// Scale factors of signals per mode (phi_d, theta_d, theta_h). Their product is about the square root of a cell's
   /// projected solid angles of both directions (each cosine approximated by cos theta_h cos theta_d, which makes it
-  /// separable). Errors then count as they appear in pictures, not by the density of nodes. The mean square of each
-  /// mode is 1, and no square is below a hundredth of the mode's largest.
+  /// separable). Errors are thus weighted by their effect in images, not by the density of the nodes. The mean square
+  /// of each mode is 1, and no square is below a hundredth of the mode's largest.
   std::array<Eigen::ArrayXd, 3> importance;
 
   /// The geometry of a grid: computed at the first call (some 100 ms), then shared. Callable from several threads.

@@ -22,9 +22,9 @@ struct BlendSource {
 /// The options of blends in the editor: the bundled dictionary (read at the first call, 0.1 s) and three PDV terms.
 InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
-/// A material as an end of a blend, with its sparse code if no edit changes it. @param base the material in its own
-/// form, with the incident slot that is displayed. @param unedited its table. @param edited the table with `edits`; the
-/// same object as `unedited` if no edit changes it.
+/// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
+/// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same
+/// object as `unedited` if no edit changes it.
 InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
                             const std::shared_ptr<const TabulatedBrdf>& unedited,
                             const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);

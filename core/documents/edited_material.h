@@ -16,9 +16,9 @@ struct EditedMaterial {
   IncidentSlot incident = IncidentSlot::viewer;  ///< of `base`, if it is an RGL or UTIA file
 };
 
-/// A material with edits applied: a table if it is one, otherwise its own form evaluated with the edits. Anisotropic
-/// edits of a table give both: the table contains the mean over the azimuths. Returns the material itself if no edit
-/// has an effect. @throws Cancelled.
+/// A material with edits applied: a table if the material is a table, otherwise its native form evaluated with the
+/// edits. Anisotropic edits of a table set both: Material::brdf evaluates the edits, Material::table contains the mean
+/// over the azimuths. Returns the material itself if no edit has an effect. @throws Cancelled.
 materials::Material withEdits(const materials::Material& base, std::span<const Edit> edits,
                               const TaskControl& control = {});
 

@@ -33,7 +33,7 @@ bool actsOn(ArtistControl control, const models::ModelSpec& model);
 models::ParameterValues withControls(const models::ModelSpec& model, models::ParameterValues parameters,
                                      const models::ParameterValues& controls);
 
-/// The effect of one control on one parameter.
+/// The effect of one control on one parameter: its value per channel before and after the control.
 struct ControlledParameter {
   std::size_t parameter;
   Rgb before, after;

@@ -7,8 +7,8 @@
 
 namespace gonio::editing {
 
-/// A drag of control points on a curve, which follows them smoothly. Interpolation is monotone cubic, without overshoot
-/// between the points.
+/// A drag of control points on a curve; the curve follows the points smoothly. Interpolation is monotone cubic, without
+/// overshoot between the points.
 struct CurveDrag {
   enum class Mode {
     add,      ///< amounts are added to the curve; 0: no change

@@ -10,9 +10,9 @@ namespace gonio::editing {
 
 /// A differential edit: applies the change of a fitted model to the measurement,
 ///   edited = max(0, measured + strength change(measured, model(edited), model(fitted))),
-/// so that detail which the model does not explain is kept. Composition defines the three changes. The published one is
-/// additive (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section
-/// 4.4.1, eq. 4.40-4.41; the sign of the residual is kept).
+/// so that detail that the model does not explain is preserved. Composition defines the three changes. The published
+/// one is additive (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition",
+/// section 4.4.1, eq. 4.40-4.41; the sign of the residual is kept).
 struct DifferentialEdit {
   const models::Model* model = nullptr;
   models::ParameterValues fitted;

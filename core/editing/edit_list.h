@@ -27,7 +27,7 @@ EditList removed(EditList edits, std::size_t index);
 /// Moves the edit `from` to index `to`; those between move by one.
 EditList moved(EditList edits, std::size_t from, std::size_t to);
 
-/// Bytes of `list` that it does not share with `other`: curves that both contain do not count.
+/// Memory of `list` in bytes, without the curves that it shares with `other`.
 std::size_t bytesBeside(const EditList& list, const EditList& other);
 
 }  // namespace gonio::editing

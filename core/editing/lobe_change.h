@@ -21,9 +21,9 @@ namespace gonio::editing {
 /// shape while it widens, and unchanged lobes add exactly 0. Where w_k(x) has no data, q(x) is used instead.
 ///
 /// A lobe of changed colour carries the ratio of each channel only as far as its chromaticity is kept, and the ratio of
-/// the luminances for the rest (recolouredRatio()): a red body that becomes grey does not inherit the errors of the
-/// channels in which it was dark. The body, and every lobe without a width, carries the ratio only where it dominates
-/// the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the highlight.
+/// the luminances for the rest (recolouredRatio()): a red diffuse term that becomes grey does not inherit the errors of
+/// the channels in which it was dark. The diffuse term, and every other lobe without a width, carries the ratio only
+/// where it dominates the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the highlight.
 /// A lobe that is black in the fit, such as a coat that is added, carries no ratio: it adds M'_k.
 class LobeChange {
  public:
@@ -75,7 +75,7 @@ Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
 /// The effect of an edit on one lobe of the model.
 struct PartChange {
-  enum Kind { none, body, highlight } kind = none;  ///< body: a lobe without a width
+  enum Kind { none, body, highlight } kind = none;  ///< body: a lobe without a width, such as the diffuse term
   bool isRecoloured = false;
   LobeWarp warp = {};                  ///< for a highlight
   bool wasLit = false, isLit = false;  ///< whether the fitted and the edited lobe are not black

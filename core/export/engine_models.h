@@ -4,8 +4,8 @@
 
 #include "core/export/surface_values.h"
 
-/// Material models of game engines, for lights without area. Both omit the engines' optional compensation of multiple
-/// scattering.
+/// Material models of game engines, for punctual lights (without area). Both omit the engines' optional compensation of
+/// multiple scattering.
 namespace gonio::exports {
 
 /// Default Lit of Unreal Engine (Karis 2013, "Real Shading in Unreal Engine 4"): Lambert, GGX with an approximated

@@ -25,7 +25,7 @@ MaterialForm formBySuffix(const std::filesystem::path& path, const Brdf& base,
 
 struct FormFile {
   std::vector<std::byte> bytes;
-  std::vector<std::string> losses;  ///< for the user: what the form does not represent; empty for the source's own form
+  std::vector<std::string> losses;  ///< for the user: what the form does not represent; empty for the native form
 };
 
 /// The text for an anisotropic material in a table.
@@ -48,8 +48,8 @@ bool isOwnForm(const std::filesystem::path& path);
 std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
                                       const std::filesystem::path& path, const TaskControl& control = {});
 
-/// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB; +infinity for equal
-/// pictures. Takes a few seconds. @throws Cancelled.
+/// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB, larger is better;
+/// +infinity for equal pictures. Takes a few seconds. @throws Cancelled.
 double formError(const FormFile& file, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

@@ -22,10 +22,11 @@ struct DensitySize {
 /// Estimates a distribution from the material's retro-reflection, as if it were single reflection by mirror facets: the
 /// dominant eigenvector of Dupuy et al. 2015, "Extracting Microfacet-based BRDF Parameters from Arbitrary Materials
 /// with Power Iterations", after four iterations, normalised so that D cos theta integrates to 1. Up to half of it is
-/// replaced by the highlights for viewers at six polar angles (the values above the smallest within 41 degrees of the
-/// normal), then the uniform distribution 1/pi is mixed in with the fraction `floor`. It is uniform if the material has
-/// no retro-reflection. The result only serves as a parameterisation, for which any positive D is correct. (columns
-/// rows)^2 steps: some ms isotropic, some 0.1 s anisotropic.
+/// replaced by the highlights for viewers at six polar angles (the excess of the values over their minimum, for half
+/// vectors within 41 degrees of the normal, which removes the diffuse term), then the uniform distribution 1/pi is
+/// mixed in with the fraction `floor`. It is uniform if the material has no retro-reflection. The result only serves as
+/// a parameterisation, for which any positive D is correct. (columns rows)^2 steps: some ms isotropic, some 0.1 s
+/// anisotropic.
 NormalDensity normalDensity(const Brdf& material, const DensitySize& size, double floor);
 
 /// The field `vndf` for one polar angle `theta` of the incident direction (rad) and all azimuths `phis`, one slice

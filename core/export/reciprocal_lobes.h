@@ -18,8 +18,10 @@ struct ReciprocalLobes {
   struct Lobe {
     GgxWidths alpha{1};
     Rgb normal{0};  ///< F_0, >= 0
-    Rgb edge{0};    ///< F_90, >= 0; above 1 if the measurement rises more than a mirror's
-    Rgb tint82{1};  ///< [0, 1]: below 1 if the highlight gets weaker before it rises
+    /// F_90, >= 0; above 1 if the measurement increases more toward grazing angles than a Fresnel term can.
+    Rgb edge{0};
+    Rgb tint82{1};  ///< [0, 1], factor of F at 82 degrees; below 1 if the highlight gets weaker with the angle before F
+                    ///< rises to F_90
   };
   Rgb diffuse{0};           ///< albedo, [0, 1]
   std::vector<Lobe> lobes;  ///< by decreasing width

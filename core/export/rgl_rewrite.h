@@ -15,7 +15,7 @@ class RglRewrite {
   /// @throws FormatMismatch if `file` is not an RGL file.
   RglRewrite(std::span<const std::byte> file, std::shared_ptr<const RglBrdf::Tables> tables, const EditedRgl& edited);
 
-  /// The new file; the bytes of the old one if it has this kind of colours, all fields, and no value changed.
+  /// The new file. Identical to the old file if that has this kind of colours and all fields, and no value has changed.
   std::vector<std::byte> bytes(RglColours colours, const std::string& description) const;
   /// The data of the RGB file.
   RglData data() const;

@@ -14,7 +14,7 @@ namespace gonio::factorization {
 inline constexpr int defaultDeviations = 90;
 /// Maximum polar angle of factorisations, rad: closer to the horizon, measurements are unreliable.
 inline const double largestPolarAngle = radians(89);
-/// |Dp| of two equal directions at that polar angle.
+/// Maximum |Dp|: that of light and viewer in the same direction at that polar angle (retro-reflection).
 inline const double largestDeviation = 2 * std::sin(largestPolarAngle);
 
 /// Nodes of |Dp|, dense where BRDF values are large: quantiles of the energy ln(1 + rho) over 2,000 uniform steps of

@@ -7,9 +7,9 @@
 
 namespace gonio::factorization {
 
-/// The place between two nodes of a position in units of nodes, clamped to the ends.
+/// The two nodes around a position (in units of nodes) and the fraction between them, clamped to the ends.
 NodePlace nonparametricPlace(double position);
-/// The place of a polar angle (rad) between two nodes of G.
+/// The two nodes of G around a polar angle (rad), and the fraction between them.
 inline NodePlace maskingPlace(double theta) { return nonparametricPlace(degrees(theta) - 0.5); }
 
 }  // namespace gonio::factorization

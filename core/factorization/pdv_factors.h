@@ -27,8 +27,8 @@ struct PdvTerm {
 
 /// A BRDF as sums of products of curves, in a transformed domain:
 ///   y(theta_R, |Dp|, |phi|) = sum_l F1_l(theta_R) F2_l(|Dp|) F3_l(|phi|), rho = the inverse transform of max(0, y).
-///   The largest absolute value of F2 and F3 of a term is 1; F1 contains the scale. The first term is not negative.
-///   Symmetric about the plane of incidence; not reciprocal, because theta_R is the viewer's angle.
+/// The largest absolute value of F2, and that of F3, is 1 in each term; F1 contains the scale. The first term is not
+/// negative. Symmetric about the plane of incidence; not reciprocal, because theta_R is the viewer's angle.
 struct PdvFactors {
   PdvForm form = PdvForm::threeFactors;
   DataTransform transform = DataTransform::logPlus;

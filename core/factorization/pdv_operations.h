@@ -7,8 +7,8 @@
 
 #include "core/factorization/pdv_factors.h"
 
-/// Operations on factors for editing a material; all return new values. Curves are in the transformed domain: scaling a
-/// curve by 2 doubles ln(1 + rho), not rho.
+/// Operations on factors for editing a material; all return new values. Curves are in the transformed domain: with
+/// DataTransform::logPlus, scaling a curve by 2 doubles ln(1 + rho), not rho.
 ///
 /// The first term of a model describes the highlight; further terms correct it for this material. They do not fit other
 /// curves, so operations that replace a curve by another material's drop them by default. Operations that stretch |Dp|
@@ -47,7 +47,8 @@ PdvFactors takeF2(const PdvFactors& target, const PdvFactors& other, FurtherTerm
 /// @throws Error if the factor is not a positive number.
 PdvFactors widenF2(const PdvFactors& target, double factor);
 
-/// The model with `highest` raised to the maximum that its terms can reach. Call it after edits that raise curves.
+/// The model with the upper bound `highest` raised to the maximum that its terms can reach. Call it after edits that
+/// raise curves.
 PdvFactors withRoomForEdits(const PdvFactors& factors);
 
 }  // namespace gonio::factorization

@@ -12,7 +12,7 @@ namespace gonio::factorization {
 /// between rows.
 class DeviationRows {
  public:
-  /// Whether the energy of a bin is that of the part of its ring on the disk, or of the whole ring.
+  /// Which part of a bin's ring contributes to its energy: only the part on the unit disk, or the whole ring.
   enum class Ring { onDisk, whole };
 
   /// @param thetaNodes viewer's polar angles of the rows, rad. @param edges of the bins, strictly increasing from 0. At
@@ -23,7 +23,7 @@ class DeviationRows {
   std::size_t draw(double thetaR, double u) const;
   /// The probability of a bin.
   double probability(double thetaR, std::size_t bin) const;
-  /// Weight of the black rows among those interpolated for a viewer: 1 if no bin can be sampled.
+  /// Total weight of rows without energy (black) in the interpolation for a viewer; 1 if no bin can be sampled.
   double blackShare(double thetaR) const;
 
   std::size_t bins() const { return edges_.size() - 1; }

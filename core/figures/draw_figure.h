@@ -26,7 +26,7 @@ struct InsetPixels {
 };
 InsetPixels insetPixels(const FigureInset& inset, int size);
 
-/// A picture with exposure and tone map applied, on white.
+/// An image with exposure and tone map applied, composited over white.
 Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures);
 /// Crops a picture. Precondition: the pixels are inside it.
 Raster cutOut(const Raster& raster, const InsetPixels& pixels);

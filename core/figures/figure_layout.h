@@ -60,9 +60,9 @@ struct FigureLayout {
   std::optional<LegendLayout> legend;          ///< if there are error maps or insets
 };
 
-/// Computes the layout: a grid of cells of equal size, as wide as the page allows. Below each picture are inset and
-/// error map side by side; if there is only one, it has the full width. @param width measures text widths, for the line
-/// breaks of labels. @throws Error if the columns would be narrower than 9 mm.
+/// Computes the layout: a grid of cells of equal size, as wide as the page allows. The inset and the error map are
+/// below each picture, side by side; if there is only one of them, it has the full width. @param width measures text
+/// widths, for the line breaks of labels. @throws Error if the columns would be narrower than 9 mm.
 FigureLayout layOutFigure(const FigureDescription& description, const FigureTexts& texts, const TextWidth& width);
 
 /// Breaks a text into lines of at most `maxWidth` mm: at spaces, after hyphens and underscores, and between letters

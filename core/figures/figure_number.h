@@ -37,8 +37,8 @@ const FigureNumber& figureNumber(std::string_view id);
 /// A value with three significant digits and its unit, for sizes and times with an SI prefix: "38.2 dB", "44.7 kB",
 /// "1.25 ms", "∞ dB"; "-" for NaN.
 std::string valueText(const FigureNumber& number, double value);
-/// The same without prefix and unit, for tables with the unit in the header: "38.2", "1.25e-08". Bytes and values from
-/// 1000 on are whole numbers.
+/// The value with three significant digits, without SI prefix and unit, for tables with the unit in the header: "38.2",
+/// "1.25e-08". Bytes and values from 1000 on are whole numbers.
 std::string plainText(const FigureNumber& number, double value);
 
 }  // namespace gonio::figures

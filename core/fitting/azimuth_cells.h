@@ -12,17 +12,17 @@ struct AzimuthStrata {
   int thetaH, thetaD, phiD, phiH;
 };
 
-/// Numbers of strata by result.
+/// Number of strata that the fit uses, and that it excludes because they are invalid or grazing.
 struct AzimuthCensus {
   std::size_t used = 0, invalid = 0, grazing = 0;
   std::size_t negative = 0;  ///< channel values of used cells below 0, which count as 0
 };
 
 /// Cells for fits to an anisotropic material: one quasi-random pair of directions per stratum (theta_h by its square
-/// root, as in tables), weighted by the solid angle d wi d wo of the stratum there. Scattered pairs meet narrow ridges
-/// along the azimuths in proportion to their size. Since the models are reciprocal, the value is the mean over both
-/// orders of the directions if both have data. Deterministic, parallel. @param maxPolarAngle rad; cells with a
-/// direction beyond it are grazing.
+/// root, as in tables), weighted by the solid angle d wi d wo of the stratum there. Quasi-random pairs sample narrow
+/// ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models are
+/// reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
+/// @param maxPolarAngle rad; cells with a direction beyond it are grazing.
 FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCensus& census);
 
 }  // namespace gonio::fitting

@@ -48,7 +48,7 @@ struct FitResult {
 FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options = {},
               const TaskControl& control = {}, const models::ParameterValues& choices = {});
 
-/// The BRDF to pass to fit(): a material's own form if it is anisotropic, else its table.
+/// The BRDF to pass to fit(): a material's native form if it is anisotropic, else its table.
 inline std::shared_ptr<const Brdf> fitBase(const std::shared_ptr<const Brdf>& own,
                                            const std::shared_ptr<const TabulatedBrdf>& table) {
   return own->isIsotropic() ? table : own;

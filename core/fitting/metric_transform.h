@@ -14,9 +14,9 @@ namespace gonio::fitting {
 /// model's BRDF value times the metric's factor and y the measured one's. The weighted sum of the squared residuals is
 /// the metric's sum (core/metrics).
 ///
-/// For x < 0 (models with signed coefficients) transforms are continued, which leads the solver back. Slopes are
-/// bounded, so that roots near 0 do not dominate. For loops over many values, visitDomain() and visitPower() select the
-/// functions once, so that the loop can be vectorised.
+/// For x < 0 (models with signed coefficients) the transforms are continued monotonically, so that the solver returns
+/// to x >= 0. Slopes are bounded, so that roots near 0 do not dominate. For loops over many values, visitDomain() and
+/// visitPower() select the functions once, so that the loop can be vectorised.
 class MetricTransform {
  public:
   explicit MetricTransform(metrics::BrdfMetric metric, double gamma = metrics::defaultGamma)
@@ -92,7 +92,8 @@ class MetricTransform {
     }
   }
   bool isReweighted() const { return power_ != metrics::MetricPower::square; }
-  /// d for quadratic metrics; for means of |d|^p a smooth function with a square of about |d|^p.
+  /// The residual of a difference d: d itself for quadratic metrics; for metrics that are means of |d|^p, a smooth
+  /// function whose square is about |d|^p.
   double shape(double d) const { return d * reweight(d); }
   double shapeSlope(double d) const {
     double y = 0;

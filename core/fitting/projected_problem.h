@@ -31,8 +31,9 @@ struct FitTarget {
 /// projection, Golub and Pereyra 1973). The Jacobian is that of Kaufman 1975: the change of the residual at fixed
 /// linear parameters, without the part that a change of the linear parameters can compensate; its gradient is exact.
 ///
-/// Where the data do not determine a parameter (such as f0 of a matte material), a preference for the defaults does:
-/// the cost is multiplied by 1 + preference |u - u_default|^2. An exact fit (cost 0) is not biased by it.
+/// Where the data do not determine a parameter (such as f0 of a matte material), a weak regularisation toward the
+/// defaults determines it: the cost is multiplied by 1 + preference |u - u_default|^2. An exact fit (cost 0) is not
+/// biased by it.
 class ProjectedProblem {
  public:
   static constexpr double preference = 1e-3;

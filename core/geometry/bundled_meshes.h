@@ -22,7 +22,7 @@ TriangleMesh revolvedMesh(std::span<const glm::dvec2> profile, int segments);
 TriangleMesh torusMesh();
 /// A thick-walled bowl with a foot, open at the top.
 TriangleMesh bowlMesh();
-/// The preview object: a ball with a recessed band and an opening towards the viewer (+z) that shows a core, on a
+/// The preview object: a ball with a recessed band and an opening toward the viewer (+z) that shows a core, on a
 /// waisted stand. It has parts of every curvature, self-shadowing and interreflection.
 TriangleMesh shaderBallMesh();
 

@@ -24,8 +24,9 @@ namespace gonio::editing {
 enum class InterpolationSpace {
   linear,        ///< BRDF values
   parameters,    ///< parameters of a model fitted to each material; detail that the model does not explain is lost
-  differential,  ///< BRDF values, after each material was moved to the blended parameters by a differential edit, which
-                 ///< keeps its measured detail (Tongbuasirilai and Unger 2016; Tongbuasirilai 2023, section 4.4.1)
+  differential,  ///< BRDF values, after a differential edit has changed the fitted parameters of each material to the
+                 ///< blended ones, which preserves its measured detail (Tongbuasirilai and Unger 2016; Tongbuasirilai
+                 ///< 2023, section 4.4.1)
   factors,       ///< curves of PDV factors; detail that they do not explain is lost
   dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
                  ///< section 4.4.2); detail outside the codes is lost
@@ -42,8 +43,8 @@ struct InterpolationEnd {
   /// The code of a material that is a code over the ensemble. If null, or if its transform differs from the first
   /// code's, the table is encoded.
   std::shared_ptr<const dictionary::SparseCode> code = nullptr;
-  /// The material in its own form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files). Null:
-  /// the material is the table.
+  /// The material in its native form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files).
+  /// Null: the material is the table.
   std::shared_ptr<const Brdf> base = nullptr;
   EditList edits = {};
 
@@ -79,9 +80,9 @@ struct TransformedMixture {
 /// Materials prepared for blending: fits, factorisations and codes are computed once, so that new weights only cost the
 /// blend itself. Immutable.
 ///
-/// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its own
-/// form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential` mix
-/// materials in their own form; the other spaces use their tables.
+/// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its
+/// native form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential`
+/// mix materials in their native form; the other spaces use their tables.
 class Interpolation {
  public:
   using Table = std::shared_ptr<const TabulatedBrdf>;
@@ -100,7 +101,8 @@ class Interpolation {
 
   /// The blended parameters of the model, in `parameters` and `differential`.
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
-  /// One edit per material, in `differential`: the blend is the weighted sum of the edited materials.
+  /// One edit per material, which changes its fitted parameters to the blended ones, in `differential`: the blend is
+  /// the weighted sum of the edited materials.
   std::vector<DifferentialEdit> moves(std::span<const double> weights) const;
   /// The blended curves, in `factors`.
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;

@@ -93,7 +93,7 @@ class ContainerReader {
   nlohmann::json description();
   std::span<const std::byte> rest() { return take(left_.size()); }
 
-  /// @throws Error unless exactly `bytes` bytes are left.
+  /// @throws Error unless exactly `bytes` bytes remain.
   void expectLeft(std::uint64_t bytes) const;
 
   [[noreturn]] void fail(const std::string& fault) const;

@@ -23,9 +23,9 @@ struct CsvText {
   };
 
   std::vector<std::string> comments;  ///< without # and surrounding spaces
-  std::size_t namesLine = 0;
-  std::vector<std::string> names;  ///< names of the columns, in lower case
-  std::vector<Row> rows;           ///< each with one field per name
+  std::size_t namesLine = 0;          ///< number of the header line, from 1; 0: the table has no header
+  std::vector<std::string> names;     ///< names of the columns, in lower case
+  std::vector<Row> rows;              ///< each with one field per name
   char separator = ',';
 
   /// Index of the column of a name, if it exists.

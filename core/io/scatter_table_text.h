@@ -53,6 +53,7 @@ struct ScatterBlock {
 /// Whether `key` is the first word of any line of the text.
 bool hasKey(std::string_view text, std::string_view key);
 
+/// Angles given in degrees, in rad.
 std::vector<double> inRadians(const std::vector<double>& angles);
 
 }  // namespace gonio::io

@@ -8,19 +8,20 @@
 
 namespace gonio::io {
 
-/// A temporary file for data that does not fit into memory. It has no name in its folder and is gone with the object,
-/// also if the program is killed.
+/// A temporary file for data that does not fit into memory. It has no directory entry and is deleted with the object,
+/// even if the program is killed.
 class ScratchFile {
  public:
-  /// @throws Error naming the folder if no file can be made there, or if the folder has less than `bytes` free.
+  /// @throws Error that names the folder if no file can be created there, or if its file system has less than `bytes`
+  /// free.
   ScratchFile(const std::filesystem::path& folder, std::uint64_t bytes);
   ~ScratchFile();
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
-  /// @throws Error naming the folder if the disk is full or fails.
+  /// @throws Error that names the folder if the disk is full or fails.
   void write(std::uint64_t offset, std::span<const float> values);
-  /// Values that were written. May be called from several threads. @throws Error naming the folder.
+  /// Values that were written. May be called from several threads. @throws Error that names the folder.
   void read(std::uint64_t offset, std::span<float> values) const;
 
  private:

@@ -13,7 +13,8 @@ namespace gonio::materials {
 /// reconstructions from scattered points.
 inline constexpr HalfDifferenceGrid bundledBasisGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 45};
 
-/// Prior knowledge of materials, learned from the bundled library, on bundledBasisGrid.
+/// The principal components of the bundled materials and the largest of their values, on bundledBasisGrid; used to
+/// reconstruct scattered measurements.
 struct BundledBasis {
   dictionary::PrincipalComponents components;  ///< of the measured and near-measured bundled materials
   std::vector<float> largest;                  ///< per cell, the largest channel value of all bundled materials, 1/sr

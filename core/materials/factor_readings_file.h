@@ -28,10 +28,10 @@ std::string factorReadingsCsv(const acquisition::FactorPlan& plan, const acquisi
 void writeFactorReadings(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values,
                          const std::filesystem::path& path);
 
-/// Reads the directions and the values. Rows and columns may have any order. @param axes of the curves; those of the
-/// file's comment may differ, because projected-deviation, symmetric-deviation and half-out have the same readings at
-/// some angles: factorMeasurement() checks that the readings lie on two curves. @throws Error that names the file and
-/// the line: a missing column, an angle or value out of range, or a curve other than "along" and "across".
+/// Reads the directions and the values. Rows and columns may have any order. @param axes axes of the curves. They may
+/// differ from those in the comment of the file, because the same readings can serve several axes; factorMeasurement()
+/// checks that the readings lie on two curves. @throws Error that names the file and the line: a missing column, an
+/// angle or value out of range, or a curve other than "along" and "across".
 FactorReadings readFactorReadings(const std::filesystem::path& path, acquisition::FactorAxes axes);
 /// The same for text; errors name no file.
 FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxes axes);

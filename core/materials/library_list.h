@@ -23,7 +23,8 @@ struct LibraryRow {
 /// CSV with the columns source, name, kind, rendered_snr (which may be empty).
 std::string_view libraryListText();
 
-/// All rows, parsed once. The data files of a source have the same order.
+/// All rows, parsed once. The other bundled data (resources/library) contain the materials of each source in this
+/// order.
 const std::vector<LibraryRow>& libraryRows();
 
 /// LibraryRow::kind of a material; empty if it is not listed.

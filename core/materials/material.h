@@ -24,7 +24,7 @@ struct MaterialSource {
   std::vector<std::string> notes;  ///< what the reader changed, e.g. "12 negative values were set to 0"
 };
 
-/// A material as read: its origin and its BRDF in the file's own form. Immutable once loaded.
+/// A material as read: its origin, and its BRDF in its native form. Immutable once loaded.
 struct Material {
   std::string name;
   MaterialSource source;
@@ -39,8 +39,8 @@ struct Material {
 
 /// Reads a file of any supported format, recognised by content, a bundled material ("library:SOURCE/NAME"), or a row of
 /// a table of non-parametric factors ("FILE#ROW", npf_file.h).
-/// @throws Error with the file and the fault in its first line; if no format accepts the file, the following lines
-/// state what each reader found. @throws Cancelled.
+/// @throws Error that names the file and the fault in its first line; if no format accepts the file, the following
+/// lines state what each reader found. @throws Cancelled.
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control = {});
 /// The same for bytes; the material has no name and no path, and errors name no file.
 Material readMaterial(const io::ByteSource& source, const TaskControl& control = {});

@@ -27,7 +27,8 @@ struct MaterialFormat {
   std::string_view name;                       ///< MaterialSource::format, e.g. "MERL"
   std::string_view label;                      ///< for display, e.g. "MERL table"
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
-  bool hasCommonSuffix;  ///< whether other kinds of files have the suffix too, so that only the content decides
+  bool hasCommonSuffix;  ///< whether other kinds of files use the same suffix, so that only the content determines the
+                         ///< format
   bool isMeasurement;    ///< false: a model of a measurement, which training sets exclude
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.

@@ -13,7 +13,7 @@
 /// resources/ATTRIBUTIONS.md).
 namespace gonio::materials {
 
-/// The published table, CSV with a header line, compiled into the program.
+/// The published table of parameters, CSV with a header line, compiled into the program.
 std::string_view sgdFigures();
 
 /// MaterialSource::format of a fit.

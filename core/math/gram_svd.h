@@ -29,12 +29,13 @@ struct GramSvd {
 /// multiplications by Eigen's symmetric product, in parallel. @throws Cancelled.
 Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control = {});
 
-/// Adds the products of a block of rows to the lower triangle of T^T T, which is to have the block's columns. Parallel
-/// over tiles of the result, so that one matrix suffices however many columns there are; deterministic. Memory: 8 bytes
-/// a value of the block. @throws Cancelled.
+/// Adds the products of a block of rows to the lower triangle of `gram` = T^T T, a square matrix with as many columns
+/// as the block. Parallel over tiles of the result, so that one matrix suffices however many columns there are;
+/// deterministic. Memory: 8 bytes per value of the block. @throws Cancelled.
 void addToGram(Eigen::MatrixXd& gram, const TallMatrix& block, const TaskControl& control = {});
 
-/// Singular values and V from T^T T, of which the lower triangle is read; `u` stays empty. @see decomposeGramSvd.
+/// Singular values and V from the lower triangle of T^T T; `u` remains empty. Components are dropped as in
+/// decomposeGramSvd(), at most `maxComponents` are kept.
 GramSvd decomposeGram(const Eigen::MatrixXd& gram, int maxComponents);
 /// The rows of U that belong to a block of rows of T: T V / Sigma. Parallel over blocks of rows.
 Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const TaskControl& control = {});

@@ -12,7 +12,7 @@ namespace gonio {
 /// extrema). @param nodes strictly increasing, one per value, at least one.
 std::vector<double> monotoneSlopes(std::span<const double> nodes, std::span<const double> values);
 
-/// The place of a coordinate between two nodes, clamped to the ends.
+/// The interval of nodes that contains a coordinate, and the position in it, clamped to the ends.
 struct NodePlace {
   std::size_t index;  ///< of the lower node; index + 1 is a node too, unless there is only one
   double fraction;    ///< position between the nodes, [0, 1]

@@ -23,8 +23,8 @@ class RidgeRegression {
   /// ridge 0. @param ridge >= 0.
   Eigen::MatrixXd coefficients(double ridge) const;
 
-  /// For each row of B, its difference from the prediction by all other rows, in closed form: the i-th row of H B
-  /// divided by H_ii, H = (A A^T + ridge I)^-1. @param ridge > 0, finite.
+  /// Leave-one-out residuals: each row of B minus its prediction from all other rows, in closed form: the i-th row of H
+  /// B divided by H_ii, H = (A A^T + ridge I)^-1. @param ridge > 0, finite.
   Eigen::MatrixXd leaveOneOut(double ridge) const;
 
   /// The ridges to try: ten per decade, from 1e3 down to 1e-7 times the largest squared singular value. Empty if the

@@ -9,7 +9,8 @@ namespace gonio::metrics {
 
 /// Error metrics of BRDF values from the literature. Each is a mean of |d|^p over the used cells and channels, with d
 /// the difference of two values in the metric's domain, weighted by the solid angles of each cell times the metric's
-/// own weight. Not included: the neural quality metric of Kavoosighafi et al. 2025, which requires the weights of its
+/// own weight. metricRecords() contains the definition of each (formula, unit, source); docs/command-line.md lists
+/// them. Not included: the neural quality metric of Kavoosighafi et al. 2025, which requires the weights of its
 /// network.
 enum class BrdfMetric {
   log,

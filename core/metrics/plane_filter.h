@@ -29,7 +29,8 @@ Plane planeOf(const Image& image, const Function& function) {
 /// pixels, centred at the pixel.
 Plane filtered(const Plane& plane, std::span<const double> row, std::span<const double> column);
 
-/// exp(-x^2 / (2 deviation^2)) for x = -radius, .., radius, divided by its sum. @param deviation in pixels, > 0.
+/// exp(-x^2 / (2 deviation^2)) for x = -radius, .., radius, divided by its sum. @param deviation standard deviation in
+/// pixels, > 0.
 std::vector<double> gaussianKernel(int radius, double deviation);
 
 }  // namespace gonio::metrics

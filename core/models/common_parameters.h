@@ -109,9 +109,9 @@ inline Fresnel chosenFresnel(const ParameterValues& p, std::size_t term, std::si
 /// cos theta_d at which samplers evaluate the Fresnel term to estimate the brightness of highlights.
 inline constexpr double typicalCosine = 0.7;
 
-/// Model::lobes() for models with k_d and k_s as first parameters: body and highlight, each as the model's formula with
-/// the other term black. The highlight depends on all other parameters. @param width of the highlight. @param ofBody
-/// parameters besides k_d on which the body depends.
+/// Model::lobes() for models whose first parameters are k_d and k_s: the diffuse term and the highlight, each evaluated
+/// by the model's formula with the other term set to 0. The highlight depends on all other parameters. @param width of
+/// the highlight. @param ofBody parameters besides k_d on which the diffuse term depends.
 template <typename Create>
 std::vector<ModelLobe> bodyAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
                                         std::vector<Rgb> ofBody = {}) {

@@ -36,7 +36,8 @@ inline double halfVectorPower(const SurfaceGeometry& g, double n) {
   return std::exp(n * (g.oneMinusCosH < 0.5 ? std::log1p(-g.oneMinusCosH) : std::log(g.half.z)));
 }
 
-/// Factor that makes the directional albedo of cos^n theta_h exactly 1 at normal incidence, where it is largest.
+/// Normalisation factor of cos^n theta_h, 1/sr: its directional albedo becomes 1 at normal incidence, where it is
+/// largest.
 inline double halfVectorUnitAlbedo(double n) { return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2))); }
 /// The same for cos^n alpha.
 inline double reflectionUnitAlbedo(double n) { return (n + 2) / (2 * pi); }

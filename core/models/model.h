@@ -98,7 +98,8 @@ class Model {
   /// Number of independent components of each entry of shaderParameters(): 3, or 1 if all three are always equal. O(1).
   std::span<const int> shaderComponents() const { return shaderComponents_; }
 
-  /// Whether the model is a sum of a body and lobes about the half vector, each with a width.
+  /// Whether the model is a sum of lobes: the diffuse term, highlights about the half vector, each with a width, and in
+  /// some models further lobes without one.
   bool hasLobes() const { return functions_.lobes != nullptr; }
   /// The lobes, of which the sum is instantiate(); their number does not depend on the values. In GLSL they are
   /// lobes_ID() (shaders/models). Precondition: hasLobes(). @throws Error as instantiate().

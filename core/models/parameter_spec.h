@@ -15,7 +15,7 @@ enum class ParameterGroup { diffuse, specular, fresnel, shadowing, layer, coeffi
 /// Meaning of a parameter across models; the artist's controls select parameters by it.
 enum class ParameterRole {
   other,
-  body,               ///< strength and colour of the body
+  body,               ///< strength and colour of the diffuse term
   highlight,          ///< strength and colour of a highlight (at normal incidence, if there is an `edge` too)
   peak,               ///< the same, given as the value at the peak: the energy grows with the square of the width
   edge,               ///< strength and colour of a highlight toward grazing angles
@@ -53,7 +53,8 @@ struct ParameterSpec {
   /// For the second of two parameters along the axes x and y: the id of the first. Fits to isotropic data set both
   /// equal.
   std::string_view isotropicTwin = {};
-  /// Whether it has no effect if the pairs along x and y are equal; fits to isotropic data leave it at its default.
+  /// True for a parameter that has no effect if the parameters along x and y are equal (the rotation); fits to
+  /// isotropic data leave it at its default.
   bool anisotropicOnly = false;
   ParameterRole role = ParameterRole::other;
 };

@@ -17,8 +17,8 @@ namespace gonio::plots {
 enum class CosineFactor {
   none,      ///< f
   incident,  ///< f cos theta_i, the integrand of reflected light
-  outgoing   ///< f cos theta_o, proportional to the light that a detector of fixed area collects from an illuminated
-             ///< spot
+  outgoing   ///< f cos theta_o, proportional to the power that a distant detector of fixed area receives from an
+             ///< illuminated spot
 };
 
 /// The plotted channel.

@@ -21,7 +21,7 @@ struct ValueScale {
 /// A scale for given values: linear from 0 to slightly above the largest; logarithmic over whole decades from the
 /// smallest positive to the largest value, at most `maxDecades`. NaN and infinities are ignored; without positive
 /// values it is [0, 1] or [0.1, 1].
-/// @param shown in (0, 1]: the quantile of the positive values that determines the upper end, so that few very large
+/// @param shown in (0, 1]: the quantile of the positive values at the upper end of the scale, so that few very large
 /// values do not compress the rest.
 ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades = 8, double shown = 1);
 

@@ -8,11 +8,12 @@ namespace gonio {
 
 /// A camera that orbits `target` in world coordinates (y up). With both angles 0 it looks along -z.
 struct OrbitCamera {
-  double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
-  double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
-  double distance = 4;        ///< of the eye from the target
-  double fieldOfView = 0.55;  ///< along the picture's smaller side, rad; 0: an orthographic view that shows |y| <= 1.15
-  Direction target{0};        ///< world
+  double yaw = 0;       ///< rad, about +y; positive moves the camera toward +x
+  double pitch = 0;     ///< rad, positive moves the camera up, (-pi/2, pi/2)
+  double distance = 4;  ///< of the eye from the target, in world units
+  /// Full angle of view along the image's smaller side, rad; 0: an orthographic view that shows |y| <= 1.15.
+  double fieldOfView = 0.55;
+  Direction target{0};  ///< world
   bool operator==(const OrbitCamera&) const = default;
 };
 

@@ -31,7 +31,7 @@ const char* effectId(Effect effect);
 Effect effectOfId(const std::string& id);
 
 struct EffectDecision {
-  bool calledFor = false;  ///< result of the analysis
+  bool calledFor = false;  ///< whether the analysis found that the effect can change a pixel
   bool simulated = false;  ///< result after the user's override
   std::string reason;      ///< of the analysis, for display
 

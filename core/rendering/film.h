@@ -56,9 +56,10 @@ class SampleLuminances {
 /// Statistics of fireflies: rare samples that are much brighter than the rest, which cause noise that decreases slowly.
 /// They are reported, not clamped.
 struct Fireflies {
+  /// A sample counts as a firefly from this multiple of the mean luminance on.
   static constexpr double threshold = 100;
   double brightest = 0;  ///< luminance of the brightest sample, relative to the mean of the samples that hit something
-  double fraction = 0;   ///< fraction of the picture's luminance from samples above `threshold` means
+  double fraction = 0;   ///< fraction of the image's luminance that comes from samples above `threshold` times the mean
 };
 
 /// Sums of the samples of a picture, to which samples can be added.

@@ -26,12 +26,13 @@ class LightSampler {
   /// @param u two numbers in [0, 1); not used for lights without size.
   LightSample sample(const SceneLight& light, const Direction& position, const Direction& normal,
                      const glm::dvec2& u) const;
-  /// Radiance and density of sample() for a direction (world) that hits a light with size at a distance; both are 0
-  /// behind a lamp.
+  /// Radiance of a light in a direction that hits it, and density of that direction.
   struct Found {
     Rgb radiance{0};
-    double density = 0;
+    double density = 0;  ///< of sample(), 1/sr
   };
+  /// Radiance of a light with size, and density of sample(), for a direction (world) that hits it at a distance; both
+  /// are 0 on the back of a lamp.
   Found evalLight(const SceneLight& light, const Direction& toward, double distance) const;
   /// Radiance of the visible environment in a world direction. Precondition: the scene shows it.
   Rgb background(const Direction& toward) const;

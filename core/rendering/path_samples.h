@@ -11,8 +11,8 @@ struct PathSeed {
   std::uint32_t pixel, sample;
 };
 
-/// Sample points of one dimension at one reflection, an independent set per pixel. The set-up is cached for consecutive
-/// paths of a pixel.
+/// Sample points for one purpose (Dimension) at one reflection: an independent two-dimensional set per pixel. The
+/// set-up is cached for consecutive paths of a pixel.
 class PathSamples {
  public:
   enum Dimension : std::uint32_t { filmPosition, reflectedDirection, reflectedLobe, survival, firstLight };

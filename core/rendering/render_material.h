@@ -14,7 +14,7 @@ namespace gonio {
 /// A material for rendering: its BRDF, a density for importance sampling, and the bound for the effect plan. Immutable.
 class RenderMaterial {
  public:
-  /// Whether a given lobe also replaces the BRDF's own importance sampling.
+  /// When a given lobe is used: only if the BRDF has no importance sampling of its own, or always.
   enum class LobeUse { whereNeeded, always };
 
   /// The density is `lobe` if given and the BRDF has no importance sampling of its own (or LobeUse::always). Otherwise

@@ -42,8 +42,9 @@ std::vector<RepresentationFamily> familiesWithoutTraining();
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                   ///< "components", "nonparametric", a baseline's id, "factors-2d-published", "factors-3d-published",
-                   ///< "code-published", "factors-2d-joint", "factors-3d-joint", "code-basis-pursuit", "neural"
+                   ///< "components", "components-separated", "nonparametric", a baseline's id, "factors-2d-published",
+                   ///< "factors-3d-published", "code-published", "factors-2d-joint", "factors-3d-joint",
+                   ///< "code-basis-pursuit", "neural"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget

@@ -35,7 +35,7 @@ struct BuildOptions {
 };
 
 struct BuiltRepresentation {
-  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its own form, e.g. factors and codes without a table
+  std::shared_ptr<const Brdf> brdf;  ///< evaluated from its native form, e.g. factors and codes without a table
   /// Its values at the nodes of the subject's table, if available as a table; else null.
   std::shared_ptr<const TabulatedBrdf> nodes;
   std::size_t bytes = 0;     ///< see StudyRecord

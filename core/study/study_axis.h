@@ -12,7 +12,7 @@
 
 namespace gonio::study {
 
-/// The vertical axis of a study: the error of a metric, or the rendered SNR if empty.
+/// The accuracy measure on the vertical axis of a study: the error of a metric, or the rendered SNR if empty.
 using Quality = std::optional<metrics::BrdfMetric>;
 
 /// The error, or the rendered SNR in dB.

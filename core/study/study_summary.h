@@ -12,7 +12,7 @@ namespace gonio::study {
 struct StudySummary {
   StudyRecord median;               ///< medians over the materials, without NaN
   std::size_t materials = 0;        ///< number of materials with this representation
-  double leastSnr = 0, maxSnr = 0;  ///< over the materials, dB; NaN if all are NaN
+  double leastSnr = 0, maxSnr = 0;  ///< minimum and maximum over the materials, dB; NaN if all are NaN
   std::size_t worst = 0;            ///< the first material with the minimum SNR
 };
 

@@ -21,7 +21,7 @@ class JsonObject {
   /// @throws Error if `value` is not an object.
   JsonObject(const nlohmann::json& value, std::string where);
 
-  /// The path of a member, e.g. "edits[0].strength".
+  /// The path of a member in its document, e.g. "edits[0].strength".
   std::string place(std::string_view key) const;
   bool contains(std::string_view key) const { return value_.contains(key); }
 
@@ -38,7 +38,7 @@ class JsonObject {
   JsonObject object(std::string_view key) const;
   const nlohmann::json& array(std::string_view key) const;
 
-  /// @throws Error with the member's path, what was found and `expected`.
+  /// @throws Error that states the member's path, what was found and `expected`.
   [[noreturn]] void fail(std::string_view key, std::string_view expected) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace gonio {
 
-/// Runs work() and adds the file's path to the message of an Error. The new exception is a plain Error; Cancelled is
-/// passed on.
+/// Runs work() and prepends the file's path to the message of any Error that it throws. The new exception is a plain
+/// Error; Cancelled is passed on.
 template <typename Work>
 auto namingFile(const std::filesystem::path& path, Work work) {
   try {

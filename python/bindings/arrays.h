@@ -25,7 +25,7 @@ using PairWork = std::function<void(std::size_t begin, std::span<const glm::dvec
 inline constexpr std::size_t pairBlock = 512;
 void forPairs(const Vectors& a, const Vectors& b, const PairWork& work);
 
-/// @throws Error naming the array and the row where a direction's length is not 1 to 1e-5.
+/// @throws Error that names the array and the row where a direction's length is not 1 to 1e-5.
 void checkUnit(std::span<const glm::dvec3> directions, std::size_t firstRow, const char* name);
 
 /// A new array of the shape of rows of `like`, with `last` numbers per row; a number per row where that is 0.

@@ -13,8 +13,8 @@ namespace gonio::widgets {
 
 struct PlotStyle;
 
-/// The two curves of a factor measurement, one chart each, with a dot per reading and a line per channel: along the
-/// mirror direction over the angle, and across it over the distance.
+/// The two curves of a factor measurement, one chart each, with a dot per reading and a line per channel: in the mirror
+/// direction vs. angle ("along"), and at the fixed angle vs. distance from the mirror direction ("across").
 class FactorCurves : public QWidget {
   Q_OBJECT
 

@@ -32,7 +32,7 @@ class HalfDifferenceChart : public SampleChart {
 
   void setSlice(HalfDifferenceSlice slice);
   const HalfDifferenceSlice& slice() const { return m_slice; }
-  /// The deviation that has the last colour; the first is 0.
+  /// The standard deviation at the last colour of the map; the first colour is 0.
   void setRange(double range);
   double range() const { return m_range; }
 

@@ -16,7 +16,8 @@ class ReconstructionView : public QWidget {
   struct Content {
     QImage reference, reconstruction, errorMap;  ///< null pictures are omitted, except the reconstruction
     QString referenceName;
-    double errorRange = 0;  ///< the difference that has the last colour
+    /// The luminance difference at the last colour of the error map, in the scene's unit of radiance.
+    double errorRange = 0;
   };
 
   explicit ReconstructionView(QWidget* parent = nullptr);

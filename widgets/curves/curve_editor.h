@@ -14,8 +14,8 @@ namespace gonio::widgets {
 /// set of points scales all three curves; otherwise the points belong to one channel. Mouse: a drag on a point moves
 /// the selected points, elsewhere it selects with a box; a double-click adds a point. Keyboard: Tab moves to the next
 /// point, the arrows move the selected points (Shift: a tenth), Delete removes them, Ctrl+A selects all, Escape reverts
-/// a drag or clears the selection. The value of the current point is shown and announced to screen readers, that under
-/// the pointer is shown.
+/// a drag or clears the selection. The value of the current point is shown and announced to screen readers; the value
+/// under the pointer is only shown.
 class CurveEditor : public QWidget {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ using ChannelCurves = std::array<std::vector<double>, 3>;
 
 /// Texts and units of a curve's axis.
 struct CurveAxis {
-  QString title;            ///< above the chart, e.g. "F1: strength of the mirror"
+  QString title;            ///< above the chart, e.g. "F1: specular strength vs. angle"
   QString label;            ///< with unit, e.g. "θR in degrees"
   QString symbol;           ///< before the number of a position, e.g. "θR"
   QString suffix;           ///< after the number, e.g. "°"

@@ -18,8 +18,8 @@ class ResidualStrip : public QWidget {
   /// @param editor above this widget, with the same width; must outlive it.
   explicit ResidualStrip(const CurveEditor& editor, QWidget* parent = nullptr);
 
-  /// @param shares residuals >= 0, one per node of the editor; above 1 if the curves are farther from the material than
-  /// black. Empty: unknown.
+  /// @param fractions relative residuals >= 0, one per node of the editor; above 1 if the curves approximate the
+  /// material worse than 0 would. Empty: unknown.
   void setFractions(const std::vector<double>& fractions, const QString& title);
   const std::vector<double>& fractions() const { return m_fractions; }
   /// The upper end of the scale: a round number above the largest residual, at most 1; larger residuals are drawn as 1.

@@ -16,7 +16,7 @@ constexpr int pageMargin = 12;         ///< around the page, pixels
 constexpr double emptyAspect = 0.75;   ///< height / width before there is a page
 constexpr double minDrawnSide = 0.02;  ///< of a drawn square, in picture sides; a smaller one is a click
 
-/// The square from a corner towards a point, inside the unit square.
+/// The square from a corner toward a point, inside the unit square.
 QRectF squareBetween(const QPointF& start, const QPointF& end) {
   const bool leftward = end.x() < start.x(), upward = end.y() < start.y();
   const double wanted = std::max(std::abs(end.x() - start.x()), std::abs(end.y() - start.y()));

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 /// A corner of the pad.
 struct BlendCorner {
   QString name;
-  QImage picture;  ///< null: a quiet disc
+  QImage picture;  ///< null: a placeholder disc
 };
 
 /// A triangle or square with a material at each corner and a movable point that sets the weights. Mouse: press or drag

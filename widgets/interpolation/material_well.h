@@ -10,14 +10,14 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// The content of a well.
+/// The content of a material slot.
 struct WellContent {
-  QString name;     ///< empty: the well is empty
+  QString name;     ///< empty: the slot is empty
   QString toolTip;  ///< what the material is
   QImage picture;   ///< null: a placeholder disc
   QString note;     ///< below the name: a weight, "Opening...", or an error
   bool failed = false;
-  bool removable = false;  ///< whether the well itself can be removed, even if it is empty
+  bool removable = false;  ///< whether the slot itself can be removed, even if it is empty
 };
 
 /// A drop target for one material: from the library or the desktop, the open document, or a file. Buttons provide the

@@ -26,7 +26,7 @@ PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vect
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 
-/// Whether the shader mixes tables of materials that files and rendered pictures mix in their own form.
+/// Whether the shader mixes tables although exported files and rendered images mix the materials in their native form.
 bool mixesTables(const PreparedBlend& blend);
 
 /// The preview's subject for given weights, in the form with the lowest cost per frame: the shader mixes `linear`,

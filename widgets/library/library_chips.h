@@ -13,7 +13,7 @@ class QToolButton;
 namespace gonio::widgets {
 
 /// Filter buttons for each kind, origin and tag in the library, for favourites and recently opened materials. Buttons
-/// of the same sort are combined with or, different sorts with and.
+/// of the same group are combined with OR, different groups with AND.
 class LibraryChips : public QWidget {
   Q_OBJECT
 

@@ -22,7 +22,7 @@ struct LibraryItem {
   QString badge = {};         ///< one or two words on the picture, e.g. "measured"
   QString source = {};        ///< heading of its group by source; empty: none
   QString kind = {};          ///< heading of its group by kind, also used in searches, e.g. "Metal"
-  qint64 version = 0;         ///< changes with the content, which invalidates the look
+  qint64 version = 0;         ///< changes with the content, which invalidates the thumbnail
   QString badgeMeaning = {};  ///< one sentence that explains the badge
 };
 
@@ -35,7 +35,8 @@ struct LibraryLook {
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
-/// The materials of a library and their looks, which other objects render and set; followed by one row per heading.
+/// The materials of a library, one row each, with their thumbnails, which other objects render and set; then one row
+/// per heading.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 

@@ -19,7 +19,7 @@ class LibrarySelection : public QObject {
   Q_OBJECT
 
  public:
-  /// @param list shows the model. @param library beside which the quick look stands.
+  /// @param list the view of the model. @param library the widget beside which the quick look appears.
   LibrarySelection(QListView& list, LibraryModel& model, QWidget& library);
 
   /// Restricts the selection to one material and hides actions for several.

@@ -13,7 +13,7 @@ class QuickLook : public QFrame {
   Q_OBJECT
 
  public:
-  static constexpr int side = 384;  ///< of the picture, without the ratio of device pixels
+  static constexpr int side = 384;  ///< of the image, in device-independent pixels
 
   explicit QuickLook(QWidget* library);
 

@@ -15,9 +15,9 @@ namespace gonio::widgets {
 
 class ParameterRow;
 
-/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's body. Below a control
-/// that was moved, its effect on the parameters is listed; controls without parameters in the model are disabled, with
-/// an explanation. Does not own the values, like ParameterPanel.
+/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's diffuse term. Below a
+/// control that was moved, its effect on the parameters is listed; controls without parameters in the model are
+/// disabled, with an explanation. Does not own the values, like ParameterPanel.
 class ControlPanel : public QWidget {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class ControlPanel : public QWidget {
   void editingStarted();
   void controlEdited(gonio::editing::ArtistControl control, const gonio::Rgb& value);
   void controlResetRequested(gonio::editing::ArtistControl control);
-  /// The model's own parameter for the body's colour.
+  /// The model's own parameter for the colour of the diffuse term.
   void bodyEdited(int parameter, const gonio::Rgb& value);
   void bodyResetRequested(int parameter);
   void editingFinished();

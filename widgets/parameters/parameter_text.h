@@ -7,9 +7,10 @@
 #include "core/math/types.h"
 #include "core/models/parameter_spec.h"
 
+/// Display texts of parameters, generated from their specs.
 namespace gonio::widgets {
 
-/// Display texts of parameters, generated from their specs.
+/// The QString of UTF-8 text.
 QString fromView(std::string_view text);
 /// Display of roughness parameters: as the models define them (alpha), or as the square root, the roughness of other
 /// programs (Burley 2012). Does not change the values.

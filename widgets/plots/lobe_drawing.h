@@ -13,7 +13,8 @@ namespace gonio::widgets {
 
 /// The view of a lobe: an orthographic projection with the normal upwards.
 struct LobeView {
-  double yaw = radians(-65);   ///< rad; -90 degrees looks at the plane of incidence, the mirror side to the right
+  double yaw = radians(-65);   ///< azimuth of the eye, rad; at -90 degrees it looks across the plane of incidence, with
+                               ///< the mirror direction on the right
   double pitch = radians(22);  ///< rad above the surface, (-pi/2, pi/2)
   double zoom = 1;
 

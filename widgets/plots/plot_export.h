@@ -17,7 +17,7 @@ QByteArray plotAsPng(Plot& plot, const QSize& size = {});
 QByteArray plotAsCsv(const Plot& plot);
 
 /// Writes the plot atomically, in the format of the path's suffix (.svg, .png, .csv).
-/// @throws Error with the file name, if the file cannot be written or the suffix is none of these.
+/// @throws Error that names the file, if the file cannot be written or the suffix is none of these.
 void exportPlot(Plot& plot, const QString& path, const QSize& size = {});
 
 }  // namespace gonio::widgets

@@ -21,6 +21,7 @@ struct PolarGeometry {
   QPointF at(double angle, double fraction) const;
   /// Signed polar angle of a point, rad, (-pi, pi].
   double angleOf(const QPointF& point) const;
+  /// Fraction of the axis at a point: its distance from the centre divided by `radius`.
   double shareOf(const QPointF& point) const;
 };
 

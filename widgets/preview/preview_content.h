@@ -43,7 +43,8 @@ class PreviewContent : public QObject {
   const PreviewSide& second() const { return m_second; }
   bool hasMaterial() const { return !m_first.subject().isEmpty(); }
 
-  /// Shows another scene, which becomes home(). Environment and background chosen by the user stay.
+  /// Shows another scene, to which the view is reset from now on (home()). Environment and background chosen by the
+  /// user stay.
   void showScene(const Scene& scene);
   /// Changes the view or the lighting of the scene.
   void setScene(const Scene& scene);

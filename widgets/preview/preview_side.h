@@ -16,7 +16,7 @@ class PreviewSide : public QObject {
  public:
   explicit PreviewSide(QObject* parent = nullptr);
 
-  /// @returns whether the subject changed.
+  /// @return whether the subject changed.
   bool setSubject(const PreviewSubject& subject);
   const PreviewSubject& subject() const { return m_subject; }
   void setName(const QString& name) { m_name = name; }

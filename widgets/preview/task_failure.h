@@ -16,7 +16,7 @@ class TaskFailure {
   Q_DECLARE_TR_FUNCTIONS(TaskFailure)
 
  public:
-  /// Runs the work. @returns a message for the user if it threw; empty if it was finished or cancelled.
+  /// Runs the work. @return a message for the user if it threw; empty if it was finished or cancelled.
   template <typename Work>
   static QString of(const Work& work) {
     try {

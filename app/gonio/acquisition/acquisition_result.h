@@ -29,7 +29,7 @@ RenderOptions acquisitionPicture();
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
                                              std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
                                              const TaskControl& control = {});
-/// The same for a material that is read first. @throws Error with the file name; Cancelled.
+/// The same for a material that is read first. @throws Error that names the file; Cancelled.
 AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
                                                  const TaskControl& control = {});
 

@@ -20,7 +20,7 @@ class AcquisitionSubject : public QObject {
   void takeOpenMaterial();
   /// Selects a material. @param id a file or a material of the library.
   void choose(const QString& id);
-  /// Keeps the current material as the measured one although another will be opened.
+  /// Fixes the measured material to the one that is open now, before another one is opened.
   void keepOpenMaterial();
 
  private:

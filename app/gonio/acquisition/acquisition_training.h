@@ -35,7 +35,7 @@ QStringList without(const QStringList& ids, const QString& id);
 
 /// Reads the materials one after another and learns their principal components. About a second per material that is not
 /// a table. Memory: see PrincipalComponents.
-/// @throws Error with the file name, or if there are fewer than two materials; Cancelled.
+/// @throws Error that names the file, or if there are fewer than two materials; Cancelled.
 std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids,
                                                                   const TaskControl& control = {});
 

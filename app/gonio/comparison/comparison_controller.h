@@ -67,8 +67,8 @@ class ComparisonController : public QObject {
   /// The stand-in that is shown; nullopt: the edited material.
   std::optional<StandIn> standIn() const;
   QString standInName() const;
-  /// Ends the pair of setPair(), else asks the owner of the stand-in to remove it (standInDismissed()), if there is
-  /// one.
+  /// Ends the comparison started by setPair(). Without one, emits standInDismissed(), so that the owner of the stand-in
+  /// removes it.
   void dismissStandIn();
 
   /// A subject that is not part of the document.

@@ -49,8 +49,8 @@ class Document : public QObject {
   explicit Document(QObject* parent = nullptr);
 
   const LoadedMaterialPtr& material() const { return m_content.material; }
-  /// The BRDF that is shown and edited: the material's base with the directions in the order of the state. Null without
-  /// a material.
+  /// The BRDF that is shown and edited: the material's base, read with the incident direction of the state
+  /// (EditState::incident). Null without a material.
   std::shared_ptr<const Brdf> base() const;
   const EditState& state() const { return m_content.state; }
   /// In the order in which they are applied.
@@ -65,8 +65,8 @@ class Document : public QObject {
 
   const History& history() const { return m_history; }
   History& history() { return m_history; }
-  /// Whether there are unsaved changes: of values, edits or the order of directions. The mere choice of a model is not
-  /// a change.
+  /// Whether there are unsaved changes: of values, edits or the incident direction. The mere choice of a model is not a
+  /// change.
   bool isModified() const;
   QString path() const { return m_content.path; }
   /// Name for titles: of the file, else of the material, else "Untitled".
@@ -88,7 +88,7 @@ class Document : public QObject {
   /// and endInteraction() merge into one.
   /// @param selected the selected edit; by default unchanged.
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
-  /// Sets the order of the directions, in one undo step.
+  /// Sets which direction is used as the incident one (EditState::incident), in one undo step.
   void setIncident(IncidentSlot slot);
   void beginInteraction();
   void endInteraction() { m_interacting = false; }

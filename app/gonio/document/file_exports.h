@@ -26,7 +26,7 @@ class FileExports : public QObject {
   void writeMaterial(const QString& path, exports::MaterialForm form);
   /// Renders the edited material on the CPU; the user can pause it.
   void renderPicture(const PictureExport& picture);
-  /// Writes something else that a panel shows.
+  /// Writes what another panel saves (factors, a code, a fit, a figure) with FileSave::write, in the background.
   void save(const QString& path, const FileSave& save);
   /// Called in the background.
   using Caption = std::function<QString(const TaskControl&)>;

@@ -16,7 +16,7 @@ struct FileSave {
   QString name;    ///< proposed file name, without folder and suffix
   QString filter;  ///< "PDV factors (*.pdv)"
   QString suffix;  ///< ".pdv"
-  /// Not for the GUI thread. @throws Error with the file name; Cancelled.
+  /// Not for the GUI thread. @throws Error that names the file; Cancelled.
   std::function<void(const std::filesystem::path& path, const TaskControl& control)> write;
 };
 

@@ -63,8 +63,8 @@ LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskCo
 LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control = {});
 
-/// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Published fit" or "Kept
-/// blend".
+/// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Near-measured", "Published
+/// fit", "Reconstruction" or "Saved blend".
 QString sourceKind(const LoadedMaterial& material);
 /// Where the acquisition workspace stores the materials that it opens.
 QString reconstructionFolder();

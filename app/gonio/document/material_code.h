@@ -22,7 +22,7 @@ struct MaterialCode {
   std::shared_ptr<const TabulatedLobe> lobe;            ///< of the decoded table
   std::size_t bytes = 0;                                ///< of the file
   double logError = 0;                                  ///< metrics::BrdfMetric::log compared with the measurement
-  double snr = 0;                                       ///< dB, of the reflectances
+  double snr = 0;                                       ///< BRDF SNR of `table` compared with the measurement, dB
   double nanoseconds = 0;                               ///< per evaluation directly from the code, on one core
   double decodeSeconds = 0;
 };

@@ -24,8 +24,8 @@ struct ExportLosses {
 
 /// Writes a material with its edits, atomically. If content is lost, measures the error (a few seconds). Not for the
 /// GUI thread.
-/// @param base base of the material with the displayed order of the directions
-/// @throws Error with the file name; Cancelled.
+/// @param base base of the material, read with the displayed incident direction
+/// @throws Error that names the file; Cancelled.
 ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr<const Brdf>& base,
                            const editing::EditList& edits, exports::MaterialForm form,
                            const std::filesystem::path& path, const TaskControl& control);

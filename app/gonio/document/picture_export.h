@@ -40,7 +40,7 @@ struct PicturePlan {
 PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited);
 
 /// Renders a picture and writes it atomically. Not for the GUI thread.
-/// @param edited the document's material with its edits, named `name`. @throws Error with the file name; Cancelled.
+/// @param edited the document's material with its edits, named `name`. @throws Error that names the file; Cancelled.
 void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
                           const std::string& name, const TaskControl& control, const Pause& pause);
 

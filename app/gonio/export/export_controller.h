@@ -70,7 +70,7 @@ class ExportController : public QObject {
   /// Writes a material of the library without edits. Never replaces its own file.
   /// @param id a path or a bundled material, as for openMaterial(). @param replace whether existing files are replaced.
   void writeMeasured(const QString& id, const ExportRequest& request, bool replace);
-  /// Repeats the last export of this document with its current state. Contract: canRepeat().
+  /// Repeats the last export of this document with its current state. Precondition: canRepeat().
   void repeat();
   bool canRepeat() const { return m_last.has_value(); }
   const std::optional<ExportRequest>& last() const { return m_last; }

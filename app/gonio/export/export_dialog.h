@@ -29,7 +29,7 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Contract: the document has a material. @param scene scene of the preview, written on request.
+  /// Precondition: the document has a material. @param scene scene of the preview, written on request.
   ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent);
   ~ExportDialog() override;
 

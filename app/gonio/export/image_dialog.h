@@ -41,7 +41,7 @@ class ImageDialog : public QDialog {
     QSettings& settings;
   };
 
-  /// Contract: the document has a material. @param name proposed file name, without folder and suffix.
+  /// Precondition: the document has a material. @param name proposed file name, without folder and suffix.
   ImageDialog(const Parts& parts, const QString& name, QWidget* parent);
   ~ImageDialog() override;
 

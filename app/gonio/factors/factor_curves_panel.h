@@ -38,8 +38,8 @@ class FactorCurvesPanel : public QWidget {
   void widen(double factor);
   /// Adds a new edit of the curves, once they are known; the panel must be visible.
   void addEdit();
-  /// Takes F1 or F2 from another material, which is read and factorised in the background. One undo step. @param id as
-  /// in the library.
+  /// Replaces F1 or F2 by that of another material, which is read and factorised in the background. One undo step.
+  /// @param id as in the library.
   void takeOver(FactorAxis axis, const QString& id);
 
  Q_SIGNALS:

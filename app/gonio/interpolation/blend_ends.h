@@ -11,7 +11,7 @@
 
 namespace gonio::app {
 
-/// One of the materials that are blended.
+/// One of the materials of a blend, with its image and the document that reproduces it.
 struct BlendEnd {
   QString name, description;
   QImage picture;
@@ -21,7 +21,7 @@ struct BlendEnd {
 
 /// Reads a file, a .gonio document or a material of the library, and renders its picture. @throws Error, Cancelled.
 BlendEnd readBlendEnd(const QString& id, const TaskControl& control);
-/// Makes an end from an open material with the edits of `source`. @throws Cancelled.
+/// Makes a material of a blend from an open material, with the edits of `source`. @throws Cancelled.
 BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
                       const TaskControl& control);
 
@@ -41,7 +41,7 @@ class BlendEnds : public QObject {
   /// Whether every place has a material.
   bool isComplete() const;
   bool isReading() const;
-  /// All materials. Contract: isComplete().
+  /// All materials. Precondition: isComplete().
   std::vector<editing::InterpolationEnd> ends() const;
 
   /// A file, a .gonio document, or a library's material by its id.

@@ -33,8 +33,8 @@ class BlendSpaces : public QObject {
   /// The available spaces, in the order of display.
   const std::vector<Space>& spaces() const { return m_spaces; }
 
-  /// Sets the materials, or none. If they are the same as before in any order, even with none in between, the prepared
-  /// blends stay. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
+  /// Sets the materials; empty: none. Prepared blends are reused if the materials are those of the last non-empty set,
+  /// in any order. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
   /// for a material that stays, because the nodes and dictionaries of a blend depend on all materials.
   void setEnds(std::vector<editing::InterpolationEnd> ends);
   /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.

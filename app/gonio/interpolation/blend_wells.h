@@ -14,7 +14,7 @@ class MaterialWell;
 
 namespace gonio::app {
 
-/// Wells for the blended materials, one per place.
+/// The material slots of a blend.
 class BlendWells : public QScrollArea {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class BlendWells : public QScrollArea {
   void showWeights(const std::vector<double>& weights);
 
  Q_SIGNALS:
-  /// The user filled a place.
+  /// The user filled a slot.
   void touched();
 
  protected:
-  /// Drops beside a well go to the nearest one.
+  /// Drops beside a slot go to the nearest one.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragMoveEvent(QDragMoveEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
@@ -48,7 +48,7 @@ class BlendWells : public QScrollArea {
   BlendEnds& m_ends;
   std::vector<widgets::MaterialWell*> m_wells;
   QToolButton *m_swap, *m_add;
-  widgets::MaterialWell* m_offered = nullptr;  ///< target of a drag beside the wells
+  widgets::MaterialWell* m_offered = nullptr;  ///< target of a drag beside the slots
 };
 
 }  // namespace gonio::app

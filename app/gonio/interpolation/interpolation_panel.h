@@ -27,7 +27,7 @@ class BlendWells;
 
 /// The content of the Interpolation dock: two to four materials, an editor for the position between them, the
 /// interpolation space, and a comparison of all spaces. While it is visible it can replace the subject of the preview.
-/// The document does not change until the blend is kept, which is an undo step.
+/// The document does not change until the blend is saved as a material, which is an undo step.
 class InterpolationPanel : public QWidget {
   Q_OBJECT
 

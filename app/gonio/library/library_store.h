@@ -19,7 +19,7 @@ class LibraryStore {
   LibraryStore& operator=(const LibraryStore&) = delete;
 
   widgets::LibraryNotes read() const;
-  /// Writes notes to the file immediately, in one transaction. Empty notes are removed from the file. @returns whether
+  /// Writes notes to the file immediately, in one transaction. Empty notes are removed from the file. @return whether
   /// writing succeeded.
   bool write(const widgets::LibraryNotes& notes);
   /// Why the last note was not written or the file cannot be opened; empty: no failure.

@@ -24,7 +24,7 @@ namespace gonio::app {
 /// The user's choices for the plots.
 struct PlotChoices {
   PlotKind kind = PlotKind::polar;
-  widgets::PlotSettings settings;  ///< of all plots, except for the logarithm, see settingsOf()
+  widgets::PlotSettings settings;  ///< of all plots; PlotSettings::logarithmic is ignored, see settingsOf()
   /// Whether a kind of plot has a logarithmic value axis. Lobes have one, because on a linear axis only the highlight
   /// is visible.
   std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, false, false, true};

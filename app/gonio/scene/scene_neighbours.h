@@ -14,19 +14,20 @@ class MaterialWell;
 
 namespace gonio::app {
 
-/// The wells of the Scene dock: further materials in scenes with several materials. Not part of the document.
+/// The material slots of the Scene dock, for the further materials of scenes with several materials. Not part of the
+/// document.
 class SceneNeighbours : public QWidget {
   Q_OBJECT
 
  public:
-  /// Number of places in addition to that of the edited material.
+  /// Number of material slots in addition to that of the edited material.
   static constexpr int count = 3;
 
   SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Shows the wells for the places of a scene.
+  /// Shows the material slots of a scene.
   void showScene(const Scene& scene);
-  /// One per place; empty: the edited material.
+  /// One per material slot; empty: the edited material.
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);

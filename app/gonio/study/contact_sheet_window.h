@@ -47,7 +47,7 @@ class ContactSheetWindow : public QDialog {
   void setCount(int count);
   /// Whether all pictures and maps are finished.
   bool isComplete() const { return m_complete; }
-  /// Prepares the two selected tiles for the preview. Contract: two are selected.
+  /// Prepares the two selected tiles for the preview. Precondition: two are selected.
   void compareSelected();
 
  Q_SIGNALS:

@@ -37,7 +37,7 @@ class StudyRun : public QObject {
   /// Description of the machine, one fact per line; empty before the first measurement.
   std::vector<std::string> machine() const;
   QString csv() const;
-  /// Writes the plot with `axes`, dark on white. @throws Error with the file name.
+  /// Writes the plot with `axes`, dark on white. @throws Error that names the file.
   void writeSvg(const QString& path, const study::StudyAxes& axes) const;
 
  Q_SIGNALS:

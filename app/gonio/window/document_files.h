@@ -52,18 +52,18 @@ class DocumentFiles : public QObject {
   /// Opens a file after asking what to do with unsaved changes.
   void open(const QString& path);
   void askAndOpen();
-  /// Saves to the document's path, or asks for one. @returns false if it was not saved.
+  /// Saves to the document's path, or asks for one. @return false if it was not saved.
   bool save();
   bool saveAs();
   /// Asks for a name and saves the document among the user's own materials.
   void saveInLibrary();
   void exportBrdf();
   void exportImage();
-  /// Asks for a file name and writes the file in the background.
+  /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.
   void saveBeside(const FileSave& save);
   /// Offers to recover unsaved work of an earlier run.
   void offerRecovery();
-  /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @returns false if the
+  /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @return false if the
   /// document should stay open.
   bool close();
 

@@ -6,7 +6,7 @@
 
 namespace gonio::app {
 
-/// Whether a file is an environment, by its suffix.
+/// Whether a file is an environment image, by its suffix.
 bool isPicture(const QString& path);
 /// Whether a file is a scene or a mesh, by its suffix.
 bool isScene(const QString& path);

@@ -9,8 +9,8 @@ class QWidget;
 namespace gonio::app {
 
 /// Text fields consume the undo and redo keys even if they have nothing to undo. In that case this object passes the
-/// keys on within a window, so that they undo and redo steps of the document. It always passes on Ctrl+E, which text
-/// fields use for the end of the line (as End), and the window for an export.
+/// keys on within a window, so that they undo and redo steps of the document. It always passes on Ctrl+E: text fields
+/// use it to move to the end of the line (like End), but in the window it exports the BRDF.
 class UndoKeys : public QObject {
   Q_OBJECT
 

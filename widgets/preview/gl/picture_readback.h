@@ -16,7 +16,7 @@ class PictureReadback {
   /// Binds a framebuffer of the given size, with undefined content.
   /// @throws Error if the card cannot create it.
   void begin(Gl& gl, const QSize& size);
-  /// Waits until everything drawn since begin() is finished. @returns the picture as opaque sRGB, upright.
+  /// Waits until everything drawn since begin() is finished. @return the picture as opaque sRGB, upright.
   QImage read(Gl& gl);
   void release(Gl& gl);
 

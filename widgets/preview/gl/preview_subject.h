@@ -32,11 +32,11 @@ struct PreviewBlend {
   /// The mixture of `interpolation`. Kept while the weights change, so it is uploaded once. At most four materials.
   std::shared_ptr<const editing::TransformedMixture> mixture;
   std::vector<double> weights;
-  std::vector<editing::DifferentialEdit> moves = {};  ///< one edit per material, applied before mixing, all to one
-                                                      ///< target; or empty
+  /// One edit per material, applied before mixing, all with the same edited parameters; may be empty.
+  std::vector<editing::DifferentialEdit> moves = {};
   /// The material of the largest weight in its native form (an RGL or UTIA file without edits), which replaces the
-  /// table for `ownFraction` of the weight: the difference to the second largest weight. So the transition to another
-  /// material is continuous, and at weight 1 the table is not used.
+  /// table for the fraction `ownFraction` of the weight: the difference between the largest and the second largest
+  /// weight. Thus the transition between materials is continuous, and at weight 1 no table is used.
   std::shared_ptr<const Brdf> own = {};
   std::size_t ownIndex = 0;
   double ownFraction = 0;
@@ -57,7 +57,8 @@ struct PreviewSubject {
 /// A measurement without edits; empty if `base` is null.
 PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedLobe> lobe = {});
 
-/// Whether two subjects certainly look the same: equal values on the same measurement.
+/// Whether two subjects have the same measurement and equal values, so that their images are equal; may be false for
+/// equal images.
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 
 /// The BRDF of a subject, for core/rendering and metrics. Null if the subject is empty.

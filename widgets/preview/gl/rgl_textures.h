@@ -15,7 +15,7 @@ class RglTextures final : public ShaderBase {
   RglTextures(QOpenGLFunctions_4_1_Core& gl, std::shared_ptr<const RglBrdf::Tables> tables);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// The definitions of the shader variant, without the order of the directions.
+  /// The definitions of the shader variant, without the incident direction.
   static QStringList definitions(const RglBrdf& brdf);
 
  private:

@@ -27,7 +27,7 @@ class SceneUniforms {
   void set(QOpenGLShaderProgram& program) const;
   /// Whether the shader reads the environment.
   bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
-  /// Whether the shader samples directions of reflection.
+  /// Whether the shader samples reflected directions.
   bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
   const std::vector<MeshShape>& meshes() const { return meshes_; }

@@ -10,12 +10,12 @@ namespace gonio::widgets {
 
 /// Source of a shader in shaders/, e.g. "preview/scene.frag", with its #include "file" lines replaced by those files
 /// (each once). Read from the program's resources or, during development, from the folder in GONIO_SHADER_DIR.
-/// @throws gonio::Error naming the missing file.
+/// @throws gonio::Error that names the missing file.
 QByteArray shaderText(const QString& name);
 
 /// A complete shader: the version line, a #define for each of `definitions` ("NAME" or "NAME value"), the texts of
 /// `preamble` files, then the file itself.
-/// @throws gonio::Error naming the missing file.
+/// @throws gonio::Error that names the missing file.
 QByteArray assembleShader(const QString& name, const QStringList& definitions = {}, const QStringList& preamble = {});
 
 }  // namespace gonio::widgets

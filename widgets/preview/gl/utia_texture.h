@@ -15,7 +15,7 @@ class UtiaTexture final : public ShaderBase {
   UtiaTexture(QOpenGLFunctions_4_1_Core& gl, const UtiaBrdf::Values& values);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// The definitions of the shader variant, without the order of the directions.
+  /// The definitions of the shader variant, without the incident direction.
   static QStringList definitions() { return {"UTIA"}; }
 
  private:
