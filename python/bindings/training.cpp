@@ -35,8 +35,7 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
   options.seed = seed;
   const auto result = resultOf(progress, [&](const TaskControl& control) {
     const std::vector<std::string> files = editing::trainingFiles(sources, excluded);
-    auto trained =
-        dictionary::train(editing::trainingMaterials(files, editing::trainingGrid(files)), options, control);
+    auto trained = dictionary::train(editing::trainingMaterials(files, editing::trainingGrid(files)), options, control);
     if (trained.complete) materials::writeDictionary(trained.ensemble, out);
     return trained;
   });

@@ -12,8 +12,8 @@ namespace gonio::widgets {
 
 QString modelToolTip(const models::ModelSpec& spec) {
   return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
-      .arg(fromView(spec.name).toHtmlEscaped(), fromView(spec.description).toHtmlEscaped(),
-           formulaHtml(spec.formula), fromView(spec.reference).toHtmlEscaped());
+      .arg(fromView(spec.name).toHtmlEscaped(), fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula),
+           fromView(spec.reference).toHtmlEscaped());
 }
 
 namespace {

@@ -95,11 +95,13 @@ QString formulaePage() {
   for (const models::Model* model : models::allModels()) {
     const models::ModelSpec& spec = model->spec();
     page += QStringLiteral("<h3>%1</h3><p>%2</p><p>%3</p><p><i>%4</i></p><table>")
-                .arg(escaped(spec.name), escaped(spec.description), widgets::formulaHtml(spec.formula), escaped(spec.reference));
+                .arg(escaped(spec.name), escaped(spec.description), widgets::formulaHtml(spec.formula),
+                     escaped(spec.reference));
     for (const models::ParameterSpec& parameter : spec.parameters)
       page += row(QStringLiteral("<b>%1</b> %2").arg(escaped(parameter.label), widgets::formulaHtml(parameter.symbol)),
                   QStringLiteral("%1<br>%2<br><i>%3</i>")
-                      .arg(escaped(parameter.description), widgets::formulaHtml(parameter.formula), escaped(parameter.reference)));
+                      .arg(escaped(parameter.description), widgets::formulaHtml(parameter.formula),
+                           escaped(parameter.reference)));
     page += QStringLiteral("</table>");
   }
   return page;
