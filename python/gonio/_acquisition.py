@@ -188,7 +188,7 @@ def learn_separated_basis(sources: Sequence[PathLike] = (), excluded: Sequence[s
         sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
             bundled materials.
         excluded: Names of materials to leave out of the training set; (): none.
-        components: Max number of components of each part.
+        components: Maximum number of components of each part.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:

@@ -49,8 +49,8 @@ def plan_factors(axes: str, fixed_angle: float = math.radians(60), angles: int =
         fixed_angle: Angle of the curve across, rad.
         angles: Number of readings along, even in the angle.
         distances: Number of readings across, even in the square root of the distance.
-        max_polar_angle: Max polar angle of both directions, rad.
-        min_separation: Min angle between light and viewer, rad.
+        max_polar_angle: Maximum polar angle of both directions, rad.
+        min_separation: Minimum angle between light and viewer, rad.
 
     Raises:
         Error: An argument is out of its range, or a curve has no reading that the arms do not obstruct.

@@ -76,7 +76,7 @@ class Material:
 
     @property
     def notes(self) -> list[str]:
-        """What was changed when the file was read, one sentence each, such as "12 negative values were set to 0"."""
+        """What was changed when the file was read, as sentences such as "12 negative values were set to 0"."""
         return self._handle.notes
 
     @property

@@ -153,7 +153,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
 
     Args:
         material: The material to represent.
-        representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
+        representations: Kinds of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
             non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors and
             codes as the papers describe them), "alternatives" (PDV factors whose terms are fitted together, codes by basis
             pursuit), "neural" (gonio.train_neural()).
@@ -172,7 +172,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A family, a model or a baseline is unknown, or the basis for "components" is missing or on another grid.
+        Error: A kind, a model or a baseline is unknown, or the basis for "components" is missing or on another grid.
     """
     request = _core.StudyRequest()
     request.families, request.models, request.baselines = list(representations), list(models), list(baselines)

@@ -112,7 +112,8 @@ class Factors:
         return Factors(self._handle.with_curves(f1, f2, f3))
 
     def truncated(self, terms: int) -> Factors:
-        """The factors with only their first terms: the same as a factorisation with this number of terms."""
+        """The factors with only their first terms: the same as a factorisation with this number of terms, except for joint
+        terms."""
         return Factors(self._handle.truncated(terms))
 
     def material(self, name: str = "factors") -> Material:
@@ -332,7 +333,7 @@ class Code:
 
         Args:
             as_table: True: the code is decoded to a table (50 ms), which is fast to evaluate. False: values are computed from
-                the coefficients when they are evaluated, under 1 us per pair of directions.
+                the coefficients when they are evaluated, under 1 µs per pair of directions.
             name: Name of the material.
         """
         return Material(self._handle.material(as_table, name))
