@@ -7,6 +7,7 @@
 #include "core/documents/training_files.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
+#include "core/materials/material_formats.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::tool {
@@ -24,6 +25,10 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
   basis->learnedFrom = materials.names;
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return basis;
+}
+
+std::string trainingSetHelp(const std::string& title) {
+  return title + ": " + materials::suffixText(materials::isMeasurement, "or") + " files, or folders of them";
 }
 
 std::filesystem::path basisBeside(const std::string& plan) {

@@ -18,6 +18,9 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
                                                        const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds);
 
+/// The help of an option that names training materials: "Training set: .binary or .bsdf files, or folders of them".
+std::string trainingSetHelp(const std::string& title);
+
 /// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.
 std::filesystem::path basisBeside(const std::string& plan);
 

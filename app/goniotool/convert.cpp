@@ -55,8 +55,10 @@ void addConvert(CLI::App& app, Tool& tool) {
       app.add_subcommand("convert", "Converts between formats; an unchanged MERL file stays byte-identical");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix sets the format"))->required();
-  command->add_flag("--whole-circle", options->wholeCircle,
-                    "Write a table of 90 x 90 x 360 instead of 90 x 90 x 180 cells, as non-reciprocal materials need");
+  command->add_flag(
+      "--whole-circle", options->wholeCircle,
+      "Sample phi_d from 0 to 360 degrees, 90 x 90 x 360 instead of 90 x 90 x 180 cells, as non-reciprocal "
+      "materials need");
   command->callback([=, &tool] { tool.run = [=, &tool] { return convert(*options, tool); }; });
 }
 

@@ -125,7 +125,7 @@ int info(const std::string& path, const Tool& tool) {
          {"scaled", ensemble.scaled},
          {"learnedFrom", ensemble.learnedFrom}},
         std::to_string(ensemble.dictionaries.size()) +
-            (ensemble.scaled ? " dictionaries, " : " dictionaries without the scale of the cells, ") +
+            (ensemble.scaled ? " dictionaries, " : " dictionaries without cell scaling, ") +
             std::to_string(ensemble.bytes()) + " bytes, orthonormal to " + number(orthonormality) + "\nsparsities" +
             text + "\nlearned from " + std::to_string(ensemble.learnedFrom.size()) + " materials\n");
   return 0;
@@ -159,7 +159,7 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 0.5));
   command->add_flag(
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
-      "Learn from transformed values without the scale of the cells");
+      "Learn from transformed values without cell scaling");
   command->add_option("--seed", training.seed, "Seed of the initial assignment of materials to dictionaries (1)");
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");

@@ -231,9 +231,9 @@ void addEdit(CLI::App& app, Tool& tool) {
       "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()));
   command
       ->add_option("--compose", options->composition,
-                   "How the change is combined with the material: additive, log-plus or lobes (default of the model)")
+                   "Composition of the edit: additive, log-plus or lobes (that of the model)")
       ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
-  command->add_option("--strength", options->strength, "Strength: fraction of the change that is applied (1)")
+  command->add_option("--strength", options->strength, "Fraction of the change that is applied (1)")
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--out", options->out,

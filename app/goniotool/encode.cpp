@@ -94,8 +94,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
-            " bytes, transform " + nameOf(encoded.code.transform) + (encoded.code.scaled ? "" : " without the scale") +
-            ", dictionaries " + dictionaries.dump() + ", BRDF SNR " + number(snr) + " dB" +
+            " bytes, transform " + nameOf(encoded.code.transform) +
+            (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + dictionaries.dump() +
+            ", BRDF SNR " + number(snr) + " dB" +
             (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
             " s\n" + text + errorsText(errors));
   return 0;
@@ -133,8 +134,10 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--coefficients", options->encoding.coefficients, "Max. coefficients per channel (262)")
       ->check(CLI::Range(0, 65535));
   command
-      ->add_option("--error", options->relativeError,
-                   "Use fewer coefficients if the squared error is then at most this fraction of the signal's energy")
+      ->add_option(
+          "--error", options->relativeError,
+          "Use the smallest number of coefficients with a squared error of at most this fraction of the signal's "
+          "energy")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--bytes", options->bytes, "Max. size of the file, bytes")->check(CLI::PositiveNumber);
   command
@@ -145,22 +148,23 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->add_option("--transform", options->transform,
                    "Transform: log-plus or cosine-log (the one with the smaller error)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
-  command->add_option("--gamma", options->encoding.gamma, "Exponent of the gamma error that selects the transform (2)")
+  command->add_option("--gamma", options->encoding.gamma, "Gamma of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
   command->add_flag("--single", options->single, "Store values in single instead of half precision");
   std::vector<std::string> methods(codingMethodNames.begin(), codingMethodNames.end());
   methods.emplace_back(componentsMethod);
   command
-      ->add_option("--method", options->method,
-                   "omp: largest coefficients; basis-pursuit: smallest sum of absolute values; components: principal "
-                   "components of --basis (omp)")
+      ->add_option(
+          "--method", options->method,
+          "omp: orthogonal matching pursuit; basis-pursuit: smallest L1 norm; components: principal components of "
+          "--basis (omp)")
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
   command->add_flag("--as-published", options->asPublished,
-                    "Published method: no scale of the cells, one projection, a gamma error without weights");
+                    "Published method: without cell scaling, one projection, unweighted gamma error");
   command->add_option("--out", options->out,
-                      "Code file to write (" + suffixOf(materials::FormatId::code) + "); with --method components " +
-                          outputHelp("the material that they represent"));
+                      "File to write: the code (" + suffixOf(materials::FormatId::code) +
+                          "), or with --method components " + outputHelp("the material that the components represent"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] { return encodeByMethod(*options, *command, tool); };
   });

@@ -47,8 +47,9 @@ void addEvaluate(CLI::App& app, Tool& tool) {
       ->required();
   command->add_option("--out", options->out, "CSV file to write: the directions, then the BRDF values r, g, b in 1/sr")
       ->required();
-  command->add_flag("--as-stored", options->asStored,
-                    "Use the light instead of the viewer as the incident direction of an RGL or UTIA file");
+  command->add_flag(
+      "--as-stored", options->asStored,
+      "Interpret the incident direction of an RGL or UTIA file as that of the light (default: that of the viewer)");
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
 }

@@ -99,11 +99,11 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   return 0;
 }
 
-/// "mitsuba (Mitsuba 3), pbrt (pbrt-v4)"
+/// "mitsuba: Mitsuba 3; pbrt: pbrt-v4"
 std::string targetList() {
   std::string text;
   for (const exports::ExportTarget& target : exports::exportTargets())
-    text += (text.empty() ? "" : ", ") + std::string(target.id) + " (" + std::string(target.label) + ")";
+    text += (text.empty() ? "" : "; ") + std::string(target.id) + ": " + std::string(target.label);
   return text;
 }
 
@@ -117,25 +117,27 @@ std::vector<std::string> targetIds() {
 
 void addExport(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand("export", "Exports a material, with its edits, for a renderer");
+  CLI::App* command = app.add_subcommand("export", "Exports a material, with its edits, for a renderer or as a table");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, "Name of the files, without their suffix")->required();
-  command->add_option("--for", options->target, "Target: " + targetList())
+  command->add_option("OUT", options->out, "Path of the files to write, without suffix")->required();
+  command->add_option("--for", options->target, "Target. " + targetList())
       ->required()
       ->check(CLI::IsMember(targetIds()));
-  command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0, 100));
+  command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0.0, 100.0));
   command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (128)")
       ->check(CLI::Range(1, 1 << 20));
   command
       ->add_option("--theta-count", options->thetaCount,
                    "Number of incident polar angles of a .bsdf file; needs --size")
       ->check(CLI::Range(4, 1024));
-  command->add_option("--size", options->size, "Nodes along each side of a slice of a .bsdf file; needs --theta-count")
+  command
+      ->add_option("--size", options->size,
+                   "Nodes per side of the grid for each incident direction of a .bsdf file; needs --theta-count")
       ->check(CLI::Range(4, 512));
   command
       ->add_option("--scene", options->scene,
                    "Also write a scene with the material, for " + sceneTargetList() +
-                       ": a bundled one, a scene file or a mesh (sphere if no name follows)")
+                       ": a bundled scene, a scene file or a mesh; without a value, sphere")
       ->expected(0, 1)
       ->default_str(sphereName);
   command->add_option(

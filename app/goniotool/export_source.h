@@ -33,6 +33,6 @@ inline std::string ownFormHelp(const std::string& what) { return what + " (.bina
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =
-    "Use one wavelength of a spectral RGL file, nm, in grey, instead of all wavelengths under D65";
+    "Use only this wavelength of a spectral RGL file, in grey, nm (all wavelengths under D65)";
 
 }  // namespace gonio::tool

@@ -147,8 +147,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
 
 /// The options of PDV alone.
 std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr<FactorArguments>& options) {
-  auto* terms =
-      command.add_option("--terms", options->terms, "Number of terms, products of curves that are summed (10)");
+  auto* terms = command.add_option("--terms", options->terms, "Number of terms; each is a product of curves (10)");
   terms->check(CLI::Range(1, maxPdvTerms));
   auto* form = command.add_option_function<std::string>(
       "--form",
@@ -156,7 +155,7 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
         options->form = name;
         options->formGiven = true;
       },
-      "2d: two curves per term; 3d: three (3d)");
+      "2d: two curves per term; 3d: three curves per term (3d)");
   form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
   auto* transform = command.add_option_function<std::string>(
       "--transform",
@@ -170,9 +169,9 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
                                      "Weights of the cells: projected-solid-angle, or equal, as in the papers "
                                      "(projected-solid-angle)");
   weights->check(CLI::IsMember(std::vector<std::string>(pdvWeightNames.begin(), pdvWeightNames.end())));
-  auto* deviations = command.add_option(
-      "--deviations", options->deviations,
-      "Nodes of |Dp|: adapted to the material, or common to all materials of the library (material)");
+  auto* deviations =
+      command.add_option("--deviations", options->deviations,
+                         "Nodes of |Dp|: adapted to the material, or common to the bundled library (material)");
   deviations->check(CLI::IsMember({nodesOfMaterial, nodesOfLibrary}));
   return {
       terms,
@@ -182,14 +181,15 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
       deviations,
       command.add_flag("--as-published", options->asPublished,
                        "Published method: --transform log-plus --weights equal --deviations library"),
-      command.add_flag("--joint", options->joint, "Fit all terms together after they were found one after the other"),
+      command.add_flag("--joint", options->joint, "Refine all terms jointly after finding them one after the other"),
       command.add_option("--decode", options->decode,
-                         outputHelp("File to write: the material that the factors represent")),
+                         outputHelp("Also write the material that the factors represent to this file")),
       command.add_option("--swap-f1", options->swapF1,
                          "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
       command.add_option("--swap-f2", options->swapF2,
                          "Replace F2 of the first term (highlight profile) with that of this material"),
-      command.add_flag("--keep-terms", options->keepFurther, "Retain the other terms when F1 or F2 is replaced")};
+      command.add_flag("--keep-terms", options->keepFurther,
+                       "Retain the other terms when F1 or F2 is replaced (otherwise they are dropped)")};
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
 void addFactor(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<FactorArguments>();
   CLI::App* command = app.add_subcommand(
-      "factor", "Factorises a material into curves in projected-deviation coordinates (PDV), or by a baseline");
+      "factor", "Factorises a material into curves in PDV coordinates (projected deviation vector), or by a baseline");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   std::vector<std::string> methods = baselineIds();
   methods.insert(methods.begin(), pdvMethod);

@@ -213,9 +213,10 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
   command.add_option("--representations", options.representations,
                      "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
   command
-      .add_option("--numbers", options.numbers,
-                  "Numbers under the images: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
-                  "frame-time (rendered-snr,bytes)")
+      .add_option(
+          "--numbers", options.numbers,
+          "Numbers under the images: rendered-snr, an image metric (listed by goniotool compare), a metric of BRDF "
+          "values (see goniotool fit --sort), bytes, encoding-time, evaluation-time, frame-time (rendered-snr,bytes)")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");
   command
@@ -224,7 +225,7 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
       ->expected(3);
   command.add_flag("--no-error-maps", options.noErrorMaps, "Leave out the error maps");
   command.add_option("--error-maximum", options.errorMaximum,
-                     "Luminance error at the end of the scale of the error maps (from the data)");
+                     "Maximum of the scale of the error maps, luminance error (from the data)");
   command.add_option("--title", options.title, "Title above the figure (none)");
 }
 

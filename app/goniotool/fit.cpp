@@ -84,12 +84,12 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
 
 std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::BrdfMetric metric) {
   char line[160];
-  std::snprintf(line, sizeof line, "%4s  %-34s %14s %12s %11s %9s\n", "", "model",
-                std::string(metrics::metricName(metric)).c_str(), "SNR, dB", "parameters", "seconds");
+  std::snprintf(line, sizeof line, "%4s  %-34s %14s %17s %11s %9s\n", "", "model",
+                std::string(metrics::metricName(metric)).c_str(), "rendered SNR [dB]", "parameters", "time [s]");
   std::string text = line;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
     const study::RankedFit& row = ranking[i];
-    std::snprintf(line, sizeof line, "%4zu  %-34s %14.6g %12.2f %11zu %9.2f\n", i + 1,
+    std::snprintf(line, sizeof line, "%4zu  %-34s %14.6g %17.2f %11zu %9.2f\n", i + 1,
                   std::string(row.fit.model->spec().id).c_str(), row.fit.errors[static_cast<std::size_t>(metric)],
                   row.renderedSnr, row.parameterCount, row.fit.seconds);
     text += line;
@@ -150,10 +150,14 @@ void addFit(CLI::App& app, Tool& tool) {
   for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricName(metric));
   for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricName(metric));
   orders.emplace_back(bySnr);
-  command->add_option("--metric", options->metric, "Metric that is minimised (log)")->check(CLI::IsMember(metricNames));
-  command->add_option("--gamma", options->gamma,
-                      "Exponent of the metric gamma: 1 to 3, or auto for the highest rendered SNR (2)");
-  command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (the minimised metric)")
+  command->add_option("--metric", options->metric, "Metric to minimise, see Metrics in docs/command-line.md (log)")
+      ->check(CLI::IsMember(metricNames));
+  command->add_option(
+      "--gamma", options->gamma,
+      "Gamma of the metric gamma (values are raised to 1/gamma): 1 to 3, or auto for the highest rendered SNR (2)");
+  command
+      ->add_option("--sort", options->sort,
+                   "Order of the ranking: a metric, or snr for the rendered SNR (the minimised metric)")
       ->check(CLI::IsMember(orders));
   command
       ->add_option("--samples", options->samples,

@@ -84,8 +84,8 @@ int info(const InfoArguments& options, const Tool& tool) {
 
 void addInfo(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<InfoArguments>();
-  CLI::App* command =
-      app.add_subcommand("info", "Shows format, grid, ranges, fraction of invalid cells and albedo of a material");
+  CLI::App* command = app.add_subcommand(
+      "info", "Shows format, grid, range of BRDF values, fraction of invalid cells and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   CLI::Option* tableError =
       command->add_flag("--table-error", options->tableError,

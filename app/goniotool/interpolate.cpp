@@ -220,7 +220,12 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
 void addInterpolate(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<InterpolateArguments>();
   CLI::App* command = app.add_subcommand("interpolate", "Interpolates between two or more materials");
-  command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, maxMaterials);
+  command
+      ->add_option(
+          "MATERIAL", options->materials,
+          "Two to " + std::to_string(maxMaterials) + " materials: files, .gonio documents, or library:SOURCE/NAME")
+      ->required()
+      ->expected(2, maxMaterials);
   auto* at = command->add_option("--at,--t", options->at,
                                  "Position between two materials: 0 is the first, 1 the second (0.5)");
   at->check(CLI::Range(0.0, 1.0));
@@ -233,7 +238,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(2, mostSteps));
   command->add_option("--space", options->space, "Interpolation space (linear)")
       ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
-  command->add_option("--model", options->model, "Model for --space parameters and differential (ggx)")
+  command->add_option("--model", options->model, "Model for --space parameters or --space differential (ggx)")
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Number of terms for --space factors (10)")
       ->check(CLI::Range(1, factorization::maxPdvTerms));

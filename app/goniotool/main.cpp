@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cstdio>
+#include <memory>
 #include <optional>
 
+#include "app/goniotool/help_formatter.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/documents/edit_document.h"
-#include "core/materials/material_formats.h"
 #include "core/math/parallel.h"
 
 namespace {
@@ -19,14 +19,6 @@ constexpr int failed = 1, wrongUsage = 2;
 int printError(const std::string& message, int code) {
   std::fprintf(stderr, "goniotool: %s\n", tool::oneLine(message).c_str());
   return code;
-}
-
-/// "MERL table .binary, RGL material .bsdf, ..".
-std::string formatsText() {
-  std::string text;
-  for (const materials::MaterialFormat& format : materials::materialFormats())
-    text += (text.empty() ? "" : ", ") + std::string(format.label) + " " + std::string(format.suffix());
-  return text;
 }
 
 int work(const tool::Tool& tool, const CLI::App& command) {
@@ -56,11 +48,8 @@ int parseAndWork(int argc, char** argv) {
   app.add_flag("--progress", tool.showProgress, "Show progress on standard error even if it is not a terminal");
   app.add_flag("--force", tool.force, "Allow outputs to replace input files, and exports to replace existing files");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
-  app.footer(
-      "A MATERIAL is a file, recognised by its content (" + formatsText() + "),\na " +
-      std::string(editing::documentSuffix) +
-      " document, or a bundled material such as library:merl-copy/chrome or library:rgl/paper_blue.\n"
-      "Parentheses at the end of an option contain its default. Exit code: 0 success, 1 failure, 2 wrong usage.");
+  app.formatter(std::make_shared<tool::HelpFormatter>());
+  app.footer("Exit code: 0 success, 1 failure or failed check, 2 wrong usage.");
   for (const auto add :
        {tool::addInfo,        tool::addEvaluate,   tool::addCheck,      tool::addConvert,     tool::addFit,
         tool::addEdit,        tool::addFactor,     tool::addDictionary, tool::addEncode,      tool::addDecode,

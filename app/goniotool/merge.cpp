@@ -35,9 +35,9 @@ int merge(const MergeArguments& options, const Tool& tool) {
 
 void addMerge(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<MergeArguments>();
-  CLI::App* command = app.add_subcommand("merge", "Joins the shards of a study into the results of a single run");
+  CLI::App* command = app.add_subcommand("merge", "Merges the shards of a study into the results of a single run");
   command->add_option("SHARD", options->shards, "Folders that goniotool study --shard wrote, in any order")->required();
-  command->add_option("--out", options->out, "Folder for the joined results, created if needed")->required();
+  command->add_option("--out", options->out, "Folder for the merged results, created if needed")->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return merge(*options, tool); }; });
 }
 

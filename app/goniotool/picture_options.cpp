@@ -58,7 +58,7 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
                          "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
   command
       .add_option("--light", options->light,
-                  "Replace all lights by a distant light in the direction X Y Z (y up, z toward the camera)")
+                  "Replace all lights with a distant light; X Y Z points towards the light, y up, z towards the camera")
       ->expected(3)
       ->excludes(environment);
   command.add_option("--rotation", options->rotation,

@@ -11,7 +11,6 @@
 #include "app/goniotool/report.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
-#include "core/documents/training_files.h"
 #include "core/io/atomic_file.h"
 #include "core/materials/plan_file.h"
 
@@ -139,19 +138,22 @@ void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<PlanArguments>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "Chooses the directions at which to measure a material");
-  command->add_option("--train", options->train, editing::trainingHelp() + " as the training set (bundled library)");
+  command->add_option("--train", options->train, trainingSetHelp("Training set") + " (bundled library)");
   command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
   command->add_option("--samples", selection.samples, "Number of direction pairs")
       ->required()
       ->check(CLI::Range(1, 4096));
   command
-      ->add_option(
-          "--out", options->out,
-          "CSV file to write; its basis is written beside it with the suffix " + std::string(materials::basisSuffix))
+      ->add_option("--out", options->out,
+                   "CSV file to write; the basis is written to the same path with the suffix " +
+                       std::string(materials::basisSuffix))
       ->required();
   command
-      ->add_option("--method", options->method,
-                   "Method: somp, somp-first-columns, condition-number, random or uniform (somp)")
+      ->add_option(
+          "--method", options->method,
+          "somp: simultaneous orthogonal matching pursuit (FROST); somp-first-columns: the same over the first "
+          "training signals only; condition-number: search for the smallest condition number; random: random "
+          "directions; uniform: evenly spread directions (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
   command
       ->add_option("--components", selection.components,
@@ -167,9 +169,9 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->add_option("--min-separation", options->separationDegrees, "Min. angle between light and viewer, degrees (0)")
       ->check(CLI::Range(0.0, 180.0));
   command
-      ->add_option(
-          "--forbid", options->forbidden,
-          "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees; repeatable")
+      ->add_option("--forbid", options->forbidden,
+                   "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees "
+                   "(phi: difference of the azimuths); repeatable")
       ->allow_extra_args(false);
   command->add_option("--seed", selection.seed, "Seed of the methods condition-number and random (1)");
   command

@@ -157,8 +157,8 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--values", options->values, "CSV file of the measured values")->required();
   command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
   CLI::Option* basis = command->add_option("--basis", options->basis, "Basis file (the one beside the plan)");
-  CLI::Option* train = command->add_option("--train", options->train,
-                                           "Folders or files to use as the training set instead of the basis");
+  CLI::Option* train =
+      command->add_option("--train", options->train, trainingSetHelp("Training set instead of the basis"));
   train->excludes(basis);
   command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
       ->delimiter(',')
@@ -167,16 +167,17 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(reconstructionMethods()));
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary file of the method dictionaries (bundled dictionary)");
-  command->add_option("--ridge", options->ridge,
-                      "Ridge parameter: a number, such as the published 40, or auto for leave-one-out (auto)");
+  command->add_option(
+      "--ridge", options->ridge,
+      "Weight of the regularisation: a number (40 in the publication) or auto, chosen by leave-one-out (auto)");
   command
       ->add_option("--components", reconstruction.components,
                    "Number of components (all of the basis; with --train as many as samples)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--atoms", reconstruction.atoms, "Number of components of the method sparse (by leave-one-out)")
+  command->add_option("--atoms", reconstruction.atoms, "Number of atoms of the method sparse (chosen by leave-one-out)")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--equal-noise", reconstruction.equalNoise,
-                    "Give all samples the same weight, as in the published equation, whatever their known noise");
+                    "Give all samples the same weight even if their noise is known, as in the published method");
   command->add_flag("--as-published", options->asPublished,
                     "Published method: --method ridge --ridge 40 --equal-noise, with as many components as samples");
   command->add_option("--uncertainty", options->uncertainty,

@@ -153,21 +153,23 @@ void addRender(CLI::App& app, Tool& tool) {
       ->required();
   command->add_option(
       "--scene", options->scene,
-      "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ")");
+      "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ") (sphere)");
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Show which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure the time and contribution of each effect");
-  command->add_flag("--strategy-costs", options->strategies,
-                    "Measure time and error of sampling lights, materials or both");
+  command->add_flag(
+      "--strategy-costs", options->strategies,
+      "Measure time and error of sampling the lights, the materials, or both (multiple importance sampling)");
   const CLI::IsMember known(effectIds());
   command->add_option("--on", options->on, "Effects to simulate even if the analysis leaves them out")
       ->delimiter(',')
       ->check(known);
   command->add_option("--off", options->off, "Effects to leave out")->delimiter(',')->check(known);
-  command->add_flag("--everything", options->everything, "Simulate all effects, to verify the plan");
+  command->add_flag("--everything", options->everything, "Simulate all effects, to verify the effect plan");
   command
       ->add_option("--remainder", options->remainder,
-                   "Max. light that omitted reflections may add, relative to the brightest first reflection (1/512)")
+                   "Ignore further reflections that together add at most this fraction of the brightest first "
+                   "reflection (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png");

@@ -40,8 +40,7 @@ int scenes(const ScenesArguments& options, const Tool& tool) {
 
 void addScenes(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ScenesArguments>();
-  CLI::App* command =
-      app.add_subcommand("scenes", "Lists the bundled scenes, or other scenes, with their effect plans");
+  CLI::App* command = app.add_subcommand("scenes", "Lists scenes with their effect plans");
   command->add_option("SCENE", options->scenes,
                       "Scenes, scene files (.json) or meshes (" + io::meshSuffixList() + ") (all bundled scenes)");
   command->add_option("--material", options->materials, "Material of the scenes (a grey Lambertian surface)");

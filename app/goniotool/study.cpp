@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "app/goniotool/bases.h"
 #include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/study_output.h"
@@ -190,20 +191,20 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--representations", options->representations,
-          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
+          "Families of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
           "alternatives, neural (all except components, baselines, published, alternatives and neural)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
   command
-      ->add_option(
-          "--terms", options->choice.terms,
-          "Numbers of terms of the factors, whose sizes are also the budgets of the baselines (1,2,3,5,8,10,14,20)")
+      ->add_option("--terms", options->choice.terms,
+                   "Numbers of terms of the factors; the resulting file sizes are the budgets of the baselines "
+                   "(1,2,3,5,8,10,14,20)")
       ->delimiter(',')
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command
       ->add_option("--coefficients", options->choice.coefficients,
-                   "Coefficients per channel of the codes (32,64,..,2048)")
+                   "Coefficients per channel of the codes (powers of two from 32 to 2048)")
       ->delimiter(',')
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
@@ -214,23 +215,26 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->allow_extra_args(false);
   command
       ->add_option("--components-from", options->componentsFrom,
-                   "Training set of principal components, files or folders (none)")
+                   trainingSetHelp("Training set of the principal components") + " (none)")
       ->delimiter(',');
   command->add_flag("--separate", options->choice.separatedComponents,
-                    "Also measure components of the diffuse and the specular part, separated as by Sun et al. 2018");
-  command->add_option("--components", options->choice.components, "Numbers of principal components (4,8,..,128)")
+                    "Also measure components of the separated diffuse and specular parts (Sun et al. 2018)");
+  command
+      ->add_option("--components", options->choice.components,
+                   "Numbers of principal components (powers of two from 4 to 128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");
   command->add_option("--shard", options->shard,
-                      "I/N: measure only every Nth material, starting with the Ith; goniotool merge joins the shards");
+                      "I/N: measure only every Nth material, starting with the Ith; goniotool merge merges the shards");
   command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
-                      "Max. frame time of the best representation, ms");
-  command->add_option("--min-snr", options->budget.renderedSnr, "Min. rendered SNR of the best representation, dB");
-  command->add_option("--max-bytes", options->budget.bytes, "Max. size of the best representation, bytes");
+                      "Limit for the best representation: max. frame time, ms");
+  command->add_option("--min-snr", options->budget.renderedSnr,
+                      "Limit for the best representation: min. rendered SNR, dB");
+  command->add_option("--max-bytes", options->budget.bytes, "Limit for the best representation: max. size, bytes");
   command->callback([options, &tool] { tool.run = [options, &tool] { return study(*options, tool); }; });
 }
 

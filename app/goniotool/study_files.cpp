@@ -103,7 +103,7 @@ ReadStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
       return ReadStudy{{stem, json.at("material"), json.at("source"), recordsOf(json.at("records"))},
                        {json.at("pictures"), machineOf(json.at("machine")), json.at("settings").dump()}};
     } catch (const Json::exception& error) {
-      throw Error(std::string("not the result of a study that can be joined: ") + error.what());
+      throw Error(std::string("not the result of a study that can be merged: ") + error.what());
     }
   });
 }

@@ -70,15 +70,17 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand(
       "train-neural", "Trains a neural BRDF of 675 weights (Sztrajman et al. 2021) to reproduce a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  auto* steps = command->add_option("--steps", options->training.steps, "Steps of the training, 0.3 ms each (40000)");
+  auto* steps =
+      command->add_option("--steps", options->training.steps, "Number of training steps, about 0.3 ms each (40000)");
   steps->check(CLI::Range(1, 100'000'000));
   auto* rate =
       command->add_option("--learning-rate", options->training.learningRate, "Learning rate at the start (0.01)");
   rate->check(CLI::Range(1e-6, 1.0));
   auto* seed =
       command->add_option("--seed", options->training.seed, "Seed of the initial weights and of the batches (1)");
-  auto* weights = command->add_option("--weights", options->weights,
-                                      "Use published weights, rows of 675 float32, instead of training");
+  auto* weights =
+      command->add_option("--weights", options->weights,
+                          "File of published weights to use instead of training: rows of 675 float32 values");
   for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
   command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
   command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")

@@ -236,8 +236,7 @@ void checkFigureOutput(const FigureDescription& description, const fs::path& pat
 }
 
 Scene figureScene(const FigurePictures& pictures) {
-  Scene scene =
-      pictures.scene.empty() || pictures.scene == comparisonSceneName ? comparisonScene() : openScene(pictures.scene);
+  Scene scene = openScene(pictures.scene.empty() ? comparisonSceneName : pictures.scene);
   if (!pictures.environment.empty()) scene.environment = openEnvironment(pictures.environment);
   return scene;
 }

@@ -11,7 +11,7 @@ namespace gonio::models {
 
 // clang-format off
 constexpr ParameterSpec diffuseParameter(double defaultValue) {
-  return {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
+  return {.id = "diffuse", .label = "Diffuse colour", .symbol = "k_d", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
           .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
           .description = "Fraction of the light that is scattered equally in all directions: the diffuse albedo.",
@@ -19,7 +19,7 @@ constexpr ParameterSpec diffuseParameter(double defaultValue) {
 }
 
 constexpr ParameterSpec specularParameter(double defaultValue, std::string_view formula, std::string_view reference) {
-  return {.id = "specular", .label = "Specular", .symbol = "k_s", .unit = "",
+  return {.id = "specular", .label = "Specular strength", .symbol = "k_s", .unit = "",
           .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
           .perChannel = true, .linear = true,
           .description = "Strength and tint of the highlight.",

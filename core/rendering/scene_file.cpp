@@ -11,6 +11,7 @@
 #include "core/io/mesh_file.h"
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
 #include "core/support/json_object.h"
 #include "core/support/naming_file.h"
 
@@ -275,7 +276,8 @@ Scene sceneOfFile(const std::filesystem::path& path, int materials) {
 
 Scene openScene(const std::string& nameOrPath, int materials) {
   Scene scene;
-  const auto bundled = std::ranges::find(bundledScenes(), std::string_view(nameOrPath), &BundledScene::name);
+  const std::string_view name = nameOrPath == comparisonSceneName ? "sphere" : std::string_view(nameOrPath);
+  const auto bundled = std::ranges::find(bundledScenes(), name, &BundledScene::name);
   if (bundled != bundledScenes().end()) {
     scene = parseScene(std::string(bundled->json), materials);
     scene.name = nameOrPath;

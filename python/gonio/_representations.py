@@ -362,7 +362,7 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
         rendered_snr: Use the smallest number of coefficients that reaches this rendered SNR in dB; None: no such limit.
         method: "omp" (the largest coefficients, as orthogonal matching pursuit chooses them) or "basis-pursuit" (those of the
             smallest sum of absolute values; docs/dictionaries.md).
-        as_published: Encode the transformed values without the scale of the cells, by one projection (Tongbuasirilai 2023,
+        as_published: Encode the transformed values without cell scaling, by one projection (Tongbuasirilai 2023,
             eq. 4.37 to 4.39; docs/dictionaries.md).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 

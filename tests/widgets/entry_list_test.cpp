@@ -94,7 +94,7 @@ class EntryListTest : public QObject {
   void buttonsAreThoseThatDoSomething() {
     const auto enabled = [&] {
       QString names;
-      for (const char* name : {"Add", "Remove", "Up", "Down"})
+      for (const char* name : {"Add", "Remove", "Move up", "Move down"})
         if (button(name)->isEnabled()) names += name[0];
       return names;
     };
@@ -105,7 +105,7 @@ class EntryListTest : public QObject {
     m_list->select(2);
     QCOMPARE(enabled(), QString("ARU"));
     QSignalSpy moved(m_list.get(), &EntryList::moveRequested), removed(m_list.get(), &EntryList::removeRequested);
-    button("Up")->click();
+    button("Move up")->click();
     button("Remove")->click();
     QCOMPARE(moved.count() + removed.count(), 2);
     m_list->setEntries({{.name = "GGX"}}, true);

@@ -67,7 +67,7 @@ class MaterialWellTest : public QObject {
     const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, thumbnail.get(), Qt::LeftButton, {});
     QApplication::sendEvent(m_well.get(), &enter);
-    QVERIFY(isWritten("Use it as B"));
+    QVERIFY(isWritten("Drop to use as material B"));
     QDragLeaveEvent leave;
     QApplication::sendEvent(m_well.get(), &leave);
     QVERIFY(isWritten("Drop a material here"));

@@ -62,7 +62,7 @@ class ParameterPanelTest : public QObject {
     QCOMPARE(field.text(), "0.25");
     setRoughnessDisplay(RoughnessDisplay::squareRoot);
     owned.panel.showUnits();
-    QVERIFY2(field.text().startsWith("0.5") && field.text().endsWith("√α"), qPrintable(field.text()));
+    QCOMPARE(field.text(), "0.5");
     QVERIFY(field.toolTip().contains("√α"));
     QCOMPARE(owned.values.values[roughness].x, 0.25);
     auto* typed = line(owned.panel.row(roughness), 0)->field();
@@ -76,7 +76,7 @@ class ParameterPanelTest : public QObject {
     QCOMPARE(owned.values.values[roughness].x, m_spec.parameters[roughness].hardMin);
     // Oren and Nayar's is an angle.
     const models::ModelSpec& orenNayar = models::findModel("oren-nayar").spec();
-    QCOMPARE(displayUnit(orenNayar.parameters[*orenNayar.find("roughness")]), "deg");
+    QCOMPARE(displayUnit(orenNayar.parameters[*orenNayar.find("roughness")]), "°");
     setRoughnessDisplay(RoughnessDisplay::alpha);
   }
 

@@ -87,7 +87,7 @@ void ErrorCurve::refresh() {
 void ErrorCurve::addAxes(const PlotStyle& style) {
   styleChart(*m_chart, style, font());
   setLogarithmic(*m_chart->yAxis, m_logarithmic);
-  m_chart->xAxis->setLabel(tr("samples m"));
+  m_chart->xAxis->setLabel(tr("Number of samples"));
   m_chart->yAxis->setLabel(m_title);
   for (QCPAxis* axis : {m_chart->xAxis2, m_chart->yAxis2}) axis->setTicks(false);
   int most = std::max(10, m_marked);

@@ -29,6 +29,9 @@ FactorCurves::FactorCurves(QWidget* parent)
     : QWidget(parent), m_along(newChart(this, "along")), m_across(newChart(this, "across")), m_hint(new QLabel) {
   m_along->setAccessibleName(tr("Readings along the mirror direction"));
   m_across->setAccessibleName(tr("Readings across the mirror direction"));
+  m_along->setToolTip(tr("Readings along the mirror direction, vs. the angle"));
+  m_across->setToolTip(
+      tr("Readings across the mirror direction at the fixed angle, relative to the reading in the mirror direction"));
   m_hint->setAlignment(Qt::AlignCenter);
   m_hint->setWordWrap(true);
   m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -55,10 +58,10 @@ void FactorCurves::refresh() {
   m_hint->setVisible(isEmpty);
   draw(*m_along, m_content.angles, m_content.along, style);
   draw(*m_across, m_content.distances, m_content.across, style);
-  m_along->xAxis->setLabel(m_content.angleTitle);
-  m_along->yAxis->setLabel(tr("ln(1 + ρ) along"));
-  m_across->xAxis->setLabel(m_content.distanceTitle);
-  m_across->yAxis->setLabel(tr("across, relative"));
+  m_along->xAxis->setLabel(tr("%1, along the mirror direction").arg(m_content.angleTitle));
+  m_along->yAxis->setLabel(tr("ln(1 + ρ)"));
+  m_across->xAxis->setLabel(tr("%1, across the mirror direction").arg(m_content.distanceTitle));
+  m_across->yAxis->setLabel(tr("ln(1 + ρ), relative"));
   for (QCustomPlot* chart : {m_along, m_across}) chart->replot(QCustomPlot::rpQueuedReplot);
 }
 

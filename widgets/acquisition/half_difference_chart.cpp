@@ -208,7 +208,7 @@ void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
   painter.save();
   painter.translate(width() - 0.8 * em, at.center().y());
   painter.rotate(-90);
-  drawCentred(painter, {0, 0}, tr("uncertainty: σ of ln ρ"));
+  drawCentred(painter, {0, 0}, tr("Uncertainty: σ of ln ρ"));
   painter.restore();
 }
 
@@ -242,7 +242,7 @@ void HalfDifferenceChart::drawLegend(QPainter& painter) const {
     };
   };
   if (!samples().empty()) {
-    entry(tr("φd within %1°").arg(degrees(sliceWidth), 0, 'g', 3), dot(true));
+    entry(tr("φd within %1° of the slice").arg(degrees(sliceWidth), 0, 'g', 3), dot(true));
     entry(tr("other φd"), dot(false));
   }
   for (const CellState state : shownStates())
@@ -255,7 +255,7 @@ void HalfDifferenceChart::drawLegend(QPainter& painter) const {
 
 QString HalfDifferenceChart::toolTipOf(int sample) const {
   return SampleChart::toolTipOf(sample) + '\n' +
-         (isInSlice(sample) ? tr("in the slice shown") : tr("outside the slice shown"));
+         (isInSlice(sample) ? tr("In the slice shown") : tr("Outside the slice shown"));
 }
 
 bool HalfDifferenceChart::event(QEvent* event) {
@@ -269,7 +269,7 @@ bool HalfDifferenceChart::event(QEvent* event) {
                      .arg(degreesText(at.thetaH), degreesText(at.thetaD), degreesText(m_slice.phiD),
                           stateName(m_slice.states[std::size_t(cell)]));
   if (hasDeviations() && !std::isnan(m_slice.deviations[std::size_t(cell)]))
-    text += '\n' + tr("σ of ln ρ: %1").arg(formatNumber(double(m_slice.deviations[std::size_t(cell)])));
+    text += '\n' + tr("Uncertainty, σ of ln ρ: %1").arg(formatNumber(double(m_slice.deviations[std::size_t(cell)])));
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }

@@ -20,8 +20,8 @@ constexpr double gapEms = 0.8, captionEms = 1.3, legendEms = 2.2;
 ReconstructionView::ReconstructionView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Reconstruction beside its reference"));
   setToolTip(
-      tr("The measured material, its reconstruction from the samples, and the difference of the two images: |L1 - "
-         "L2| of their luminances, in the scene's unit of radiance"));
+      tr("The measured material, its reconstruction from the samples, and the luminance error |L1 − L2| "
+         "in scene radiance"));
 }
 
 QSize ReconstructionView::sizeHint() const { return QSize(26, 13) * fontMetrics().height(); }

@@ -24,10 +24,10 @@ QString percentText(double fraction) {
 ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Residual"));
-  setToolTip(tr(
-      "Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\n"
-      "in the norm of the factorisation. More terms lower it. If measured detail is kept, the residual remains part of "
-      "the material."));
+  setToolTip(
+      tr("Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\n"
+         "with the weights of the factorisation. More terms lower it. If measured detail is kept, the residual "
+         "remains part of the material."));
 }
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }

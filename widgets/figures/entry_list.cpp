@@ -47,8 +47,8 @@ EntryList::EntryList(const QString& nameTitle, bool hasBudgets, QWidget* parent)
   m_add->setMenu(m_menu);
   m_add->setPopupMode(QToolButton::InstantPopup);
   m_remove = button(tr("Remove"), tr("Removes the selected entry (Delete)"));
-  m_up = button(tr("Up"), tr("Moves the selected entry up (Alt+Up)"));
-  m_down = button(tr("Down"), tr("Moves the selected entry down (Alt+Down)"));
+  m_up = button(tr("Move up"), tr("Moves the selected entry up (Alt+Up)"));
+  m_down = button(tr("Move down"), tr("Moves the selected entry down (Alt+Down)"));
   for (QToolButton* one : {m_add, m_remove, m_up, m_down}) buttons->addWidget(one);
   buttons->addStretch();
   auto* layout = new QVBoxLayout(this);

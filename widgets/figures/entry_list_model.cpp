@@ -43,7 +43,7 @@ QVariant EntryListModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && index.column() == nameColumn) return entry.toolTip;
   if (role == Qt::ToolTipRole && isLabel) return tr("Label in the figure; double-click or press F2 to edit it");
   if (role == Qt::ToolTipRole && isBudget && entry.budget)
-    return tr("1 to %1; double-click to edit").arg(entry.maxBudget);
+    return tr("Budget, 1 to %1; double-click to edit").arg(entry.maxBudget);
   if (role == Qt::ForegroundRole && isLabel && entry.label.isEmpty())
     return QGuiApplication::palette().color(QPalette::PlaceholderText);
   if (role == Qt::TextAlignmentRole && isBudget) return int(Qt::AlignRight | Qt::AlignVCenter);

@@ -33,7 +33,7 @@ QRectF movedBy(const QRectF& square, const QPointF& by) {
 }  // namespace
 
 FigurePage::FigurePage(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Page"));
+  setAccessibleName(tr("Figure preview"));
   setBackgroundRole(QPalette::Dark);
   setAutoFillBackground(true);
   setMouseTracking(true);

@@ -31,9 +31,9 @@ BlendPad::BlendPad(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::CrossCursor);
   setAccessibleName(tr("Point between the materials"));
   setToolTip(
-      tr("Drag the point toward a corner to increase the weight of its material (Shift: fine).\nArrow keys move it, 1 "
-         "to 4 go to a "
-         "corner, Home or a double-click to the middle.\nThe strip of spheres shows blends along the dashed line."));
+      tr("Drag the point towards a corner to increase the weight of its material (Shift: fine).\nThe arrow keys move "
+         "the point; the keys 1 to 4 move it to a corner, Home or a double-click to the middle.\nThe strip of spheres "
+         "shows blends along the dashed line."));
   QSizePolicy square(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setSizePolicy(square);
   setCorners(std::vector<BlendCorner>(3));

@@ -28,7 +28,7 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
       m_name(new QLabel),
       m_note(new QLabel),
       m_current(addButton(tr("Current"), tr("Uses the open material with its current edits"))),
-      m_file(addButton(tr("File..."), tr("Opens a measured file or a document"))),
+      m_file(addButton(tr("File..."), tr("Opens a material file or a document"))),
       m_clear(addButton({}, {})) {
   m_clear->setIcon(glyphIcon(Glyph::close));
   m_clear->setAutoRaise(true);
@@ -81,7 +81,7 @@ void MaterialWell::setContent(const WellContent& content) {
   const QString what = content.name.isEmpty() ? tr("empty") : content.name;
   setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
   setAccessibleDescription(content.note);
-  m_current->setAccessibleName(tr("Material %1: use the open one").arg(m_letter));
+  m_current->setAccessibleName(tr("Material %1: use the open material").arg(m_letter));
   m_file->setAccessibleName(tr("Material %1: from a file").arg(m_letter));
   m_clear->setAccessibleName(tr("Material %1: empty the slot").arg(m_letter));
   showTexts();
@@ -123,7 +123,7 @@ void MaterialWell::keyPressEvent(QKeyEvent* event) {
 void MaterialWell::dragEnterEvent(QDragEnterEvent* event) {
   if (draggedMaterial(event->mimeData()).isEmpty()) return;
   m_dropping = true;
-  m_note->setText(tr("Use it as %1").arg(m_letter));
+  m_note->setText(tr("Drop to use as material %1").arg(m_letter));
   update();
   event->acceptProposedAction();
 }

@@ -115,11 +115,11 @@ QString spaceExplanation(InterpolationSpace space) {
           "detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
     case InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
-          "The factor curves of projected-deviation coordinates are mixed: the strength and width of the highlight "
+          "The curves of the PDV factors are mixed: the strength and width of the highlight "
           "change gradually. Detail that the curves do not explain is lost in between.");
     default:
       return InterpolationSpaceText::tr(
-          "Each material is a sum of learned patterns with few coefficients; the coefficients, and with them the "
+          "Each material is approximated by a sum of a few dictionary atoms; the coefficients, and with them the "
           "transformed BRDF values, are mixed. Detail that the codes omit is lost in between.");
   }
 }

@@ -81,7 +81,7 @@ void LibraryView::buildControls() {
   m_filter->setText(tr("Filter"));
   m_filter->setCheckable(true);
   m_filter->setFocusPolicy(Qt::StrongFocus);
-  m_filter->setToolTip(tr("Shows buttons for kinds, origins and favourites; off: shows all materials"));
+  m_filter->setToolTip(tr("Shows the filter buttons; when off, all materials are shown"));
   connect(m_filter, &QToolButton::toggled, this, &LibraryView::setChipsShown);
   connect(m_chips, &LibraryChips::filterChanged, this, &LibraryView::filterChanged);
   m_chips->hide();
@@ -92,9 +92,9 @@ void LibraryView::buildControls() {
   m_sort->addItems(
       {tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Similarity"), tr("Rating"), tr("Last opened")});
   m_sort->setAccessibleName(tr("Sort by"));
-  m_sort->setToolTip(tr("The order of the materials"));
+  m_sort->setToolTip(tr("Sorts the materials within their groups"));
   m_sort->setItemData(similarityMode,
-                      tr("Similarity to the open material in mean colour and roughness of the thumbnails"),
+                      tr("Sorts by similarity to the open material: mean colour of the thumbnails, and roughness"),
                       Qt::ToolTipRole);
   connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
 

@@ -88,10 +88,10 @@ void EditRow::show(const EditEntry& entry) {
   m_eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
   m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the image, the checks and exports")
                                   : tr("Includes this edit again"));
-  m_eye->setAccessibleName(tr("%1 is shown").arg(entry.name));
+  m_eye->setAccessibleName(tr("%1 enabled").arg(entry.name));
   m_slider->setNumber(entry.strength);
   m_slider->setModified(entry.strength != 1);
-  m_slider->setToolTip(tr("Strength: how much of the change is added, in percent"));
+  m_slider->setToolTip(tr("Strength: percentage of the change that is applied"));
   m_slider->setAccessibleName(tr("Strength of %1").arg(entry.name));
   m_field->setValue(entry.strength);
   m_field->setAccessibleName(tr("Strength of %1").arg(entry.name));

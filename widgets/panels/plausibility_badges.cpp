@@ -73,7 +73,7 @@ PlausibilityBadges::PlausibilityBadges(QWidget* parent)
       m_grid(new QGridLayout),
       m_empty(new QLabel(this)),
       m_explanation(new QLabel(this)),
-      m_show(new QPushButton(tr("Show in the Plot"), this)) {
+      m_show(new QPushButton(tr("Show in Plot"), this)) {
   m_empty->setForegroundRole(QPalette::PlaceholderText);
   m_explanation->setWordWrap(true);
   m_explanation->setTextFormat(Qt::RichText);

@@ -36,8 +36,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
             PlausibilityText::tr(
                 "A surface reflects at most the light that it receives: the directional albedo is at most 1."),
             PlausibilityText::tr("Maximum albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
-            PlausibilityText::tr(
-                "Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
+            PlausibilityText::tr("Lower the specular strength or the diffuse colour, or raise the roughness.")};
   if (check.name == "reciprocity")
     return {
         PlausibilityText::tr("Reciprocity"),
@@ -47,21 +46,21 @@ Text textOf(const metrics::PlausibilityCheck& check) {
         PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal.")};
   if (check.name == "negative")
     return {PlausibilityText::tr("Non-negative"),
-            PlausibilityText::tr(
-                "The edit subtracts more than was measured there. The image shows 0 instead, as black patches."),
+            PlausibilityText::tr("BRDF values are at least 0. Where an edit subtracts more than was measured, the "
+                                 "image shows black patches."),
             PlausibilityText::tr("Minimum value: %1 1/sr, at %2 of the directions")
                 .arg(number(-check.worst), percent(check.fraction)),
             PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
-    return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),
-            PlausibilityText::tr("Values that are not numbers: %1").arg(check.worst),
+    return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every BRDF value is a finite number."),
+            PlausibilityText::tr("Values that are not finite: %1").arg(check.worst),
             PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
   return {
       PlausibilityText::tr("Measured"),
       PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),
       PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
           .arg(percent(check.worst), percent(check.limit)),
-      PlausibilityText::tr("Treat those angles with caution: nothing was measured there.")};
+      PlausibilityText::tr("Treat angles without data with caution.")};
 }
 
 }  // namespace
@@ -74,7 +73,7 @@ QString plausibilityText(const metrics::PlausibilityCheck& check) {
   const QString worst = locate ? PlausibilityText::tr("%1, %2.").arg(text.worst, where(check))
                                : PlausibilityText::tr("%1.").arg(text.worst);
   return QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>%4")
-      .arg(check.passed ? PlausibilityText::tr("Passed.") : PlausibilityText::tr("Not plausible."),
+      .arg(check.passed ? PlausibilityText::tr("Passed.") : PlausibilityText::tr("Failed."),
            text.meaning.toHtmlEscaped(), worst.toHtmlEscaped(),
            check.passed ? QString() : QStringLiteral("<p>%1</p>").arg(text.remedy.toHtmlEscaped()));
 }

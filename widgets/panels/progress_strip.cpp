@@ -29,12 +29,12 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_bar->setTextVisible(false);
   m_bar->setFixedSize(fontMetrics().height() * 8, fontMetrics().height() * 2 / 3);
   m_cancel->setText(tr("Cancel"));
-  m_cancel->setToolTip(tr("Stops this task (Esc)"));
+  m_cancel->setToolTip(tr("Cancels this task (Esc)"));
   m_cancel->setAutoRaise(true);
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
   m_pause->setAutoRaise(true);
   m_pause->setCheckable(true);
-  m_pause->setToolTip(tr("Pauses this task to leave the processor to others; press again to continue"));
+  m_pause->setToolTip(tr("Pauses this task to free the processor; press again to resume"));
   connect(m_pause, &QToolButton::clicked, this, &ProgressStrip::pauseRequested);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);
@@ -50,7 +50,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_entries->setAutoRaise(true);
   m_entries->setPopupMode(QToolButton::InstantPopup);
   m_entries->setMenu(new QMenu(m_entries));
-  m_entries->setToolTip(tr("All tasks in progress; choose one to stop it"));
+  m_entries->setToolTip(tr("All tasks in progress; choose one to cancel it"));
   m_noticeTime.setSingleShot(true);
   connect(&m_noticeTime, &QTimer::timeout, m_notice, &QLabel::clear);
   setEntries({});
@@ -64,7 +64,7 @@ void ProgressStrip::showProgress(const QString& text, double fraction, bool canC
   m_cancel->setVisible(canCancel);
   m_pause->setVisible(pausing != Pausing::no);
   m_pause->setChecked(pausing == Pausing::paused);
-  m_pause->setText(pausing == Pausing::paused ? tr("Continue") : tr("Pause"));
+  m_pause->setText(pausing == Pausing::paused ? tr("Resume") : tr("Pause"));
   m_text->show();
   m_bar->show();
 }
@@ -82,7 +82,7 @@ void ProgressStrip::setEntries(const std::vector<Entry>& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const int id = entries[i].id;
     QAction* action = same ? actions[qsizetype(i)] : menu->addAction(QString());
-    action->setText(tr("Stop: %1").arg(QString(entries[i].text).replace('&', QStringLiteral("&&"))));
+    action->setText(tr("Cancel: %1").arg(QString(entries[i].text).replace('&', QStringLiteral("&&"))));
     action->setData(id);
     if (!same) connect(action, &QAction::triggered, this, [this, id] { Q_EMIT entryCancelRequested(id); });
   }

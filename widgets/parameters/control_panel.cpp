@@ -118,8 +118,8 @@ void ControlPanel::addControl(ArtistControl control) {
           [this, control](const Rgb& value) { Q_EMIT controlEdited(control, value); });
   connect(row, &ParameterRow::resetRequested, this, [this, control] { Q_EMIT controlResetRequested(control); });
   row->setActive(editing::actsOn(control, *m_spec),
-                 tr("The model %1 has no parameter for this control. The model Layered lobes has one for every "
-                    "control.")
+                 tr("The model %1 has no parameter for this control. The model Layered lobes has parameters "
+                    "for every control.")
                      .arg(fromView(m_spec->name)));
   auto* changes = new QLabel(m_content);
   changes->setWordWrap(true);

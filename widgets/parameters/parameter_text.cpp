@@ -39,8 +39,7 @@ double displayFactor(const models::ParameterSpec& spec) {
 double displayPower(const models::ParameterSpec& spec) { return isShownAsRoot(spec) ? 0.5 : 1; }
 
 QString displayUnit(const models::ParameterSpec& spec) {
-  if (isShownAsRoot(spec)) return QStringLiteral("√α");
-  return spec.scale == models::ParameterScale::angle ? ParameterText::tr("deg") : fromView(spec.unit);
+  return spec.scale == models::ParameterScale::angle ? QStringLiteral("°") : fromView(spec.unit);
 }
 
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
@@ -59,9 +58,11 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
   const auto line = [](const QString& name, const QString& text) {
     return QStringLiteral("<tr><td style='padding-right:1em'>%1</td><td>%2</td></tr>").arg(name, text.toHtmlEscaped());
   };
-  QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p><p>%4</p><table>")
+  const QString shownAsRoot =
+      isShownAsRoot(spec) ? QStringLiteral("<p>%1</p>").arg(ParameterText::tr("The slider shows √α.")) : QString();
+  QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p><p>%4</p>%5<table>")
                      .arg(fromView(spec.label).toHtmlEscaped(), formulaHtml(spec.symbol),
-                          fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula));
+                          fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula), shownAsRoot);
   if (spec.choices.empty()) {
     const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
     const auto range = [&](double from, double to) {

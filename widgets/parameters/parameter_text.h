@@ -23,7 +23,7 @@ RoughnessDisplay roughnessDisplay();
 double displayFactor(const models::ParameterSpec& spec);
 double displayPower(const models::ParameterSpec& spec);
 QString displayUnit(const models::ParameterSpec& spec);
-/// "0.3", "12.5 deg", "0.2, 0.4, 0.6" or the name of a choice.
+/// "0.3", "12.5 °", "0.2, 0.4, 0.6" or the name of a choice.
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value);
 /// Rich text: name and symbol, sentence, formula, unit and range, default, fitted value, source.
 QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted);

@@ -12,15 +12,16 @@ AlbedoPlot::AlbedoPlot(QWidget* parent) : CurveChart(tr("Albedo"), parent) {
 }
 
 ChartAxes AlbedoPlot::axes() const {
-  const QString channel = channelName(settings().channel);
-  return {tr("θo [°] of the viewer"),
-          tr("%1 of ∫ f cos θi dωi").arg(channel),
+  const QString channel = channelName(settings().channel).toLower();
+  return {tr("Viewing angle θo [°]"),
+          tr("Albedo, %1: ∫ ρ cos θi dωi").arg(channel),
           0,
           90,
           "theta_o",
-          "no unit",
+          "1",
           QString(),
-          channelForCsv(settings().channel) + " of the integral of f cos theta_i over the light's hemisphere, no unit"};
+          "albedo, " + channelForCsv(settings().channel) +
+              " (integral of rho cos theta_i over the directions of the light)"};
 }
 
 }  // namespace gonio::widgets

@@ -52,7 +52,7 @@ ChartAxes CartesianPlot::axes() const {
   const QString plane = m_section.planeAzimuth == 0
                             ? tr("in the plane of incidence")
                             : tr("%1 from the plane of incidence").arg(degreesText(m_section.planeAzimuth));
-  return {tr("θo [°] %1, %2").arg(plane, fixed(tr("θi"), m_section.thetaI)),
+  return {tr("θo [°], %1, %2").arg(plane, fixed(tr("θi"), m_section.thetaI)),
           value,
           -90,
           90,

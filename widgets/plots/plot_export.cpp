@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <QSvgGenerator>
+#include <filesystem>
 
 #include "core/io/atomic_file.h"
 #include "core/plots/csv_table.h"
@@ -14,6 +15,7 @@
 namespace gonio::widgets {
 
 namespace {
+namespace fs = std::filesystem;
 constexpr double pngScale = 2;
 constexpr QSize smallest(480, 320);
 QSize exportSize(const Plot& plot, const QSize& size) {
@@ -57,7 +59,8 @@ void exportPlot(Plot& plot, const QString& path, const QSize& size) {
   else if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
     content = plotAsCsv(plot);
   else
-    throw Error(path.toStdString() + ": not the suffix of a plot format, expected .svg, .png or .csv");
+    throw Error(path.toStdString() + ": found the suffix '" + fs::path(path.toStdString()).extension().string() +
+                "', expected .svg, .png or .csv");
   io::writeFileAtomically(path.toStdString(), content.toStdString());
 }
 

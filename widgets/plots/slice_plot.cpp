@@ -32,7 +32,7 @@ double largestOf(const std::vector<double>& values) {
 
 SlicePlot::SlicePlot(QWidget* parent)
     : Plot(tr("Slice"), parent), m_chart(new QCustomPlot(this)), m_margins(new QCPMarginGroup(m_chart)) {
-  setAccessibleDescription(tr("BRDF values over the half angle and the difference angle in false colour."));
+  setAccessibleDescription(tr("BRDF values vs. half angle and difference angle, in false colour."));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_chart);
@@ -150,7 +150,7 @@ void SlicePlot::apply(const PlotStyle& style) {
   styleAxis(*m_bar->axis(), style, font());
   setLogarithmic(*m_bar->axis(), settings().logarithmic);
   m_bar->axis()->setLabel(m_largest > m_scale.max
-                              ? tr("%1; maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
+                              ? tr("%1; data maximum: %2").arg(valueTitle(settings()), formatNumber(m_largest))
                               : valueTitle(settings()));
   for (std::size_t i = 0; i < m_panels.size(); ++i) {
     const Panel& panel = m_panels[i];

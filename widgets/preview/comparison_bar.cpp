@@ -57,7 +57,7 @@ QWidget* ComparisonBar::buildModes() {
       {CompareMode::flicker, tr("Flicker"),
        tr("Shows the first side, and the second side while \\ or the button is held")},
       {CompareMode::difference, tr("Difference"), tr("Shows the luminance difference in false colour")},
-      {CompareMode::twoUp, tr("Two-up"), tr("Shows both sides next to each other, with the same camera")}};
+      {CompareMode::twoUp, tr("Side by side"), tr("Shows both sides next to each other, with the same camera")}};
   for (const auto& [mode, text, toolTip] : modes) {
     auto* button = new QToolButton(row);
     button->setText(text);
@@ -115,7 +115,9 @@ QWidget* ComparisonBar::buildDifference() {
   m_kind->setAccessibleName(tr("Kind of difference"));
   m_kind->addItems({tr("Absolute"), tr("Signed"), tr("Relative")});
   for (int i = 0; i < m_kind->count(); ++i) m_kind->setItemData(i, differenceTitle(DifferenceKind(i)), Qt::ToolTipRole);
-  m_kind->setToolTip(tr("Kind of luminance difference that is shown"));
+  m_kind->setToolTip(
+      tr("Luminance difference that is shown\nAbsolute: |first − second|\nSigned: first − second\n"
+         "Relative: |first − second| / second"));
   connect(m_kind, &QComboBox::activated, this, [this](int kind) {
     m_comparison.difference = DifferenceKind(kind);
     m_comparison.range = 0;

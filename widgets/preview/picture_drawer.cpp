@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
+#include "widgets/preview/gl/opengl_version.h"
 
 namespace gonio::widgets {
 
@@ -20,7 +21,7 @@ PictureDrawer::PictureDrawer()
       display_(resources_) {}
 
 void PictureDrawer::initialize() {
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
+  if (!initializeOpenGLFunctions()) throw Error(openGlTooOld);
   for (Side& side : sides_) side.picture.initialize();
   display_.initialize();
 }

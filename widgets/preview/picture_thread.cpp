@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "widgets/preview/gl/code_decoder.h"
+#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/picture_readback.h"
 #include "widgets/preview/picture_drawer.h"
 #include "widgets/preview/task_failure.h"
@@ -32,8 +33,7 @@ class PictureThread::Worker : public QObject {
     m_broken = TaskFailure::of([this] {
       if (!m_context->create()) throw Error("the graphics driver cannot create an OpenGL context");
       makeCurrent();
-      if (!m_gl.initializeOpenGLFunctions())
-        throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
+      if (!m_gl.initializeOpenGLFunctions()) throw Error(openGlTooOld);
       postToOwner([graphics = graphics(), software = CodeDecoder::isSoftware(m_gl)](PictureThread& owner) {
         Q_EMIT owner.started(graphics, software);
       });

@@ -29,7 +29,7 @@ QString effectsText(const EffectPlan& plan, int followed) {
     parts << PreviewOverlay::tr("%1 of %2 reflections").arg(followed).arg(plan.reflections);
   else if (plan.reflections > 1)
     parts << PreviewOverlay::tr("%1 reflections").arg(plan.reflections);
-  return parts.isEmpty() ? PreviewOverlay::tr("No light") : PreviewOverlay::tr("Light: %1").arg(parts.join(", "));
+  return parts.isEmpty() ? PreviewOverlay::tr("No light") : PreviewOverlay::tr("Effects: %1").arg(parts.join(", "));
 }
 
 PreviewOverlay::PreviewOverlay(QWidget* viewport)

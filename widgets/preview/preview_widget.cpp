@@ -30,7 +30,7 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(200, 200);
   setAccessibleName(tr("Preview"));
-  setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
+  setAccessibleDescription(tr("The material in the scene. Drag to orbit, use the wheel to zoom."));
   connectContent();
   connectThread();
   connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double fraction) {
@@ -190,8 +190,8 @@ void PreviewWidget::showOverlay() {
                            m_flickering && m_content.isComparing());
   if (!m_failure.isEmpty()) return;
   m_overlay->setHint(m_content.hasMaterial() ? QString()
-                                             : tr("Open a measured material (Ctrl+O), drop a file here,\n"
-                                                  "or double-click one in the library."));
+                                             : tr("Open a material (Ctrl+O), drop a file here,\n"
+                                                  "or double-click a material in the library."));
   if (!m_content.hasMaterial()) m_overlay->setStatus({});
 }
 
@@ -201,7 +201,7 @@ void PreviewWidget::showStatus(double milliseconds) {
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
   const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::maxReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
-  m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7%8\n%9")
+  m_overlay->setStatus(tr("%1%2 | exposure %3 stops | %4 | %5 ms%6 | %7%8\n%9")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
                            .arg(QString::fromStdString(m_content.scene().name))
                            .arg(m_settings.exposure, 0, 'f', 1)

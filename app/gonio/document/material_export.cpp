@@ -37,7 +37,7 @@ QString formFilter(MaterialForm form) {
     case MaterialForm::foldedTable:
       return MaterialExportText::tr("MERL table, 90 × 90 × 180 (*.binary)");
     default:
-      return MaterialExportText::tr("MERL table, whole circle, 90 × 90 × 360 (*.binary)");
+      return MaterialExportText::tr("MERL table, φd 0 to 360°, 90 × 90 × 360 (*.binary)");
   }
 }
 

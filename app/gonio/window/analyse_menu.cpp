@@ -68,7 +68,7 @@ void AnalyseMenu::addModes(QMenu* menu, ComparisonController& comparison) {
                                                    {CompareMode::split, tr("&Split")},
                                                    {CompareMode::flicker, tr("&Flicker")},
                                                    {CompareMode::difference, tr("&Difference")},
-                                                   {CompareMode::twoUp, tr("&Two-up")}};
+                                                   {CompareMode::twoUp, tr("S&ide by Side")}};
   for (const auto& [mode, text] : modes) {
     QAction* action = group->addAction(menu->addAction(text));
     action->setCheckable(true);

@@ -148,6 +148,16 @@ class SceneFileTest : public QObject {
     QVERIFY(half < sphere.camera.fieldOfView / 2 && half > 0.8 * sphere.camera.fieldOfView / 2);
   }
 
+  void theComparisonSceneHasTwoNames() {
+    const LambertBrdf grey(Rgb(0.5));
+    RenderOptions options;
+    options.width = options.height = 24;
+    options.samples = 4;
+    const Image expected = renderPicture(grey, comparisonScene(), options);
+    for (const char* name : {comparisonSceneName, "sphere"})
+      QCOMPARE(renderPicture(grey, openScene(name), options).pixels, expected.pixels);
+  }
+
   void bundledScenesParse() {
     QCOMPARE(bundledSceneNames().size(), bundledScenes().size());
     QCOMPARE(bundledSceneNames().front(), std::string("sphere"));

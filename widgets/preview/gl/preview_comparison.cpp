@@ -46,10 +46,10 @@ double automaticRange(std::vector<double> differences) {
 }
 
 QString differenceTitle(DifferenceKind kind) {
-  if (kind == DifferenceKind::relative) return PreviewComparisonText::tr("Relative difference of luminance, %");
+  if (kind == DifferenceKind::relative) return PreviewComparisonText::tr("Luminance difference, relative [%]");
   if (kind == DifferenceKind::signedValue)
-    return PreviewComparisonText::tr("Signed difference of luminance, scene radiance");
-  return PreviewComparisonText::tr("Absolute difference of luminance, scene radiance");
+    return PreviewComparisonText::tr("Luminance difference, signed [scene radiance]");
+  return PreviewComparisonText::tr("Luminance difference, absolute [scene radiance]");
 }
 
 QString differenceNumber(DifferenceKind kind, double value) {

@@ -52,7 +52,7 @@ std::vector<double> pictureDifferences(const Image& first, const Image& second, 
 /// 0.001 for equal pictures.
 double automaticRange(std::vector<double> differences);
 
-/// E.g. "Luminance difference, scene radiance"; and the unit of its numbers: "" or "%".
+/// "Luminance difference, relative [%]"; and a number in this unit.
 QString differenceTitle(DifferenceKind kind);
 QString differenceNumber(DifferenceKind kind, double value);
 

@@ -12,6 +12,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/support/error.h"
+#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
@@ -36,7 +37,7 @@ PreviewRenderer::~PreviewRenderer() = default;
 
 void PreviewRenderer::initialize() {
   if (!resources_->isInitialized()) resources_->initialize();
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
+  if (!initializeOpenGLFunctions()) throw Error(openGlTooOld);
 }
 
 void PreviewRenderer::release() {

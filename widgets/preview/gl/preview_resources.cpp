@@ -8,6 +8,7 @@
 #include "core/rendering/false_colour.h"
 #include "core/support/error.h"
 #include "widgets/preview/gl/flat_uniforms.h"
+#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/shader_library.h"
 #include "widgets/preview/gl/textures.h"
 
@@ -42,7 +43,7 @@ TableTexture::~TableTexture() {
 }
 
 void PreviewResources::initialize() {
-  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not support OpenGL 4.1 (core profile)");
+  if (!initializeOpenGLFunctions()) throw Error(openGlTooOld);
   glGenVertexArrays(1, &vertexArray_);
   usesFlatUniforms_ = CodeDecoder::isSoftware(*this);
   decodesCodes_ = !usesFlatUniforms_;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace gonio::tool {
+
+/// The help of all commands. Values are named by words such as FILE instead of CLI11's types, and ranges are written as
+/// "(1 to 20)". Parentheses at the end of the description of an optional option contain its default, which is printed
+/// as "[default: 40]", unless they start with a file suffix. Lines are broken at 120 columns. The footer explains
+/// MATERIAL if the command has such an argument.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_footer(const CLI::App* command) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_option_usage(const CLI::Option* option) const override;
+};
+
+}  // namespace gonio::tool
