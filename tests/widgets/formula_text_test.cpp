@@ -6,6 +6,7 @@
 #include <QTextDocument>
 
 #include "core/metrics/brdf_metric.h"
+#include "core/metrics/image_errors.h"
 #include "core/models/model.h"
 #include "tests/support/test_program.h"
 
@@ -19,22 +20,36 @@ class FormulaTextTest : public QObject {
   void formulas_data() {
     QTest::addColumn<QString>("formula");
     QTest::addColumn<QString>("html");
-    QTest::newRow("index") << "k_d / pi" << "<i>k</i><sub><i>d</i></sub> / π";
-    QTest::newRow("exponent") << "alpha^2" << "α<sup>2</sup>";
-    QTest::newRow("negative exponent") << "u^-C" << "<i>u</i><sup>−<i>C</i></sup>";
+    QTest::newRow("index") << "k_d / pi"
+                           << "<i>k</i><sub><i>d</i></sub> / π";
+    QTest::newRow("exponent") << "alpha^2"
+                              << "α<sup>2</sup>";
+    QTest::newRow("negative exponent") << "u^-C"
+                                       << "<i>u</i><sup>−<i>C</i></sup>";
     QTest::newRow("expression") << "v^(-(c + 1) / 2)"
                                 << "<i>v</i><sup>−(<i>c</i> + 1) / 2</sup>";
     QTest::newRow("both") << "h_x^2 / alpha_x^2"
                           << "<i>h</i><sub><i>x</i></sub><sup>2</sup> / α<sub><i>x</i></sub><sup>2</sup>";
-    QTest::newRow("root") << "sqrt(1 - x), sqrt rho" << "√(1 − <i>x</i>), √ρ";
-    QTest::newRow("relation") << "k <= 1, m >= 2" << "<i>k</i> ≤ 1, <i>m</i> ≥ 2";
-    QTest::newRow("mean") << "<|d|^(2/3)>" << "⟨|<i>d</i>|<sup>2/3</sup>⟩";
-    QTest::newRow("product") << "cos theta_d = h . i" << "cos θ<sub><i>d</i></sub> = <i>h</i> · <i>i</i>";
-    QTest::newRow("difference") << "Delta E of Dp" << "Δ<i>E</i> of Δp";
-    QTest::newRow("markup") << "a & b" << "<i>a</i> &amp; <i>b</i>";
-    QTest::newRow("nothing") << "" << "";
-    QTest::newRow("cut off") << "a^" << "<i>a</i>";
-    QTest::newRow("open") << "a^(b" << "<i>a</i><sup>(<i>b</i></sup>";
+    QTest::newRow("root") << "sqrt(1 - x), sqrt rho"
+                          << "√(1 − <i>x</i>), √ρ";
+    QTest::newRow("relation") << "k <= 1, m >= 2"
+                              << "<i>k</i> ≤ 1, <i>m</i> ≥ 2";
+    QTest::newRow("mean") << "<|d|^(2/3)>"
+                          << "⟨|<i>d</i>|<sup>2/3</sup>⟩";
+    QTest::newRow("word") << "sqrt mean(d^2), d: difference of rho"
+                          << "√mean(<i>d</i><sup>2</sup>), <i>d</i>: difference of ρ";
+    QTest::newRow("product") << "cos theta_d = h . i"
+                             << "cos θ<sub><i>d</i></sub> = <i>h</i> · <i>i</i>";
+    QTest::newRow("difference") << "Delta E of Dp"
+                                << "Δ<i>E</i> of Δp";
+    QTest::newRow("markup") << "a & b"
+                            << "<i>a</i> &amp; <i>b</i>";
+    QTest::newRow("nothing") << ""
+                             << "";
+    QTest::newRow("cut off") << "a^"
+                             << "<i>a</i>";
+    QTest::newRow("open") << "a^(b"
+                          << "<i>a</i><sup>(<i>b</i></sup>";
   }
   void formulas() {
     QFETCH(QString, formula);
@@ -59,6 +74,7 @@ class FormulaTextTest : public QObject {
       }
     }
     for (const metrics::MetricRecord& record : metrics::metricRecords()) check(record.formula);
+    for (const metrics::ImageMetricRecord& record : metrics::imageMetricRecords()) check(record.formula);
   }
 };
 
