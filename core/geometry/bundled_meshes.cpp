@@ -276,7 +276,7 @@ std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
     std::call_once(flags[i], [i] { made[i] = std::make_shared<const TriangleMesh>(meshes[i].second()); });
     return made[i];
   }
-  throw Error("there is no bundled mesh named '" + name + "'; the bundled meshes are " + names);
+  throw Error("found the mesh '" + name + "', expected one of " + names);
 }
 
 }  // namespace gonio
