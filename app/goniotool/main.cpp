@@ -21,7 +21,7 @@ int printError(const std::string& message, int code) {
   return code;
 }
 
-/// "MERL table .binary, RGL material .bsdf, ..".
+/// "MERL file .binary, RGL file .bsdf, ..".
 std::string formatsText() {
   std::string text;
   for (const materials::MaterialFormat& format : materials::materialFormats())
