@@ -43,10 +43,11 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
   material.brdf = std::move(rgl.brdf);
   material.source.description = std::move(rgl.description);
   material.source.grid = std::move(rgl.grid);
-  if (rgl.isSpectral) material.source.notes.push_back("spectra are shown under D65 for the CIE 1931 observer");
+  if (rgl.isSpectral)
+    material.source.notes.push_back("spectra are converted to colours under D65 with the CIE 1931 observer");
   if (rgl.negativeCount > 0)
     material.source.notes.push_back(std::to_string(rgl.negativeCount) +
-                                    " negative values (colours outside the sRGB gamut)");
+                                    " negative values (colours outside the sRGB gamut) are preserved");
 }
 
 void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
@@ -263,7 +264,7 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
 const MaterialFormat& writableFormat(const std::filesystem::path& path) {
   if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
   throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
-              suffixText(isWritable, "or") + ", the formats that can be written");
+              suffixText(isWritable, "or") + ", the suffixes of the formats that Gonio writes");
 }
 
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
