@@ -34,7 +34,7 @@ double mappedValue(double value, const dictionary::MappedCells& mapping, std::si
   const double mapped = logRelative(value, mapping.weights[position], mapping.reference[position]);
   if (std::isfinite(mapped)) return mapped;
   throw Error(nameOf(sample) + ": found the value " + numberText(value) +
-              ", which is too large, expected a BRDF value with a finite logarithm");
+              ", expected a BRDF value with a finite logarithm (neither negative nor too large)");
 }
 
 }  // namespace

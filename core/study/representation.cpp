@@ -108,10 +108,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       return addCounted(list, {family, "code-published", "Dictionary code, as published"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::alternatives:
-      addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint optimisation"}, choice.terms,
-                 "term");
-      addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint optimisation"}, choice.terms,
-                 "term");
+      addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint fit"}, choice.terms, "term");
+      addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint fit"}, choice.terms, "term");
       return addCounted(list, {family, "code-basis-pursuit", "Dictionary code by basis pursuit"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::neural:

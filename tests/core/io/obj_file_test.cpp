@@ -111,8 +111,8 @@ class ObjFileTest : public QObject {
     const std::pair<std::string, std::string> cases[] = {
         {good + "\nv 1 nan 0\n", "line 6: found 'nan', expected a finite number"},
         {good + "v 1 2 inf\n", "line 5: found 'inf', expected a finite"},
-        {good + "v 1 2 1e39\n", "line 5: found '1e39', expected a finite number of single"},
-        {good + "v 1 2 1e999\n", "line 5: found '1e999', expected a finite number of single"},
+        {good + "v 1 2 1e39\n", "line 5: found '1e39', expected a finite number in the range"},
+        {good + "v 1 2 1e999\n", "line 5: found '1e999', expected a finite number in the range"},
         {good + "v 1 2 3x\n", "line 5: found '3x', expected a number"},
         {good + "v 1 2\n", "line 5: found the end of the line, expected three numbers"},
         {good + "vn 0 zero 0\n", "line 5: found 'zero', expected a number"},

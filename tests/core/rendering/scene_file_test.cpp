@@ -280,7 +280,7 @@ class SceneFileTest : public QObject {
         QFAIL("no such scene");
       } catch (const Error& error) {
         const std::string text = error.what();
-        QVERIFY(text.find("neither a scene of this name (sphere, sphere-distant-light, ") != std::string::npos);
+        QVERIFY(text.find("neither a bundled scene (sphere, sphere-distant-light, ") != std::string::npos);
         QVERIFY(text.find("torus) nor a file") != std::string::npos);
       }
     // Named once.
