@@ -49,7 +49,7 @@ constexpr std::array records{
         .factor = MetricFactor::cosI, .domain = MetricDomain::log, .power = MetricPower::square,
         .weight = MetricWeight::cosO},
     MetricRecord{
-        .metric = BrdfMetric::gamma, .id = "gamma", .alias = "", .name = "Gamma error",
+        .metric = BrdfMetric::gamma, .id = "gamma", .alias = "", .name = "Gamma",
         .formula = "sqrt mean(d^2), d: difference of (rho cos theta_i)^(1/g), g from 1 to 3", .unit = "sr^(-1/g)",
         .reference = bieronPeers,
         .factor = MetricFactor::cosI, .domain = MetricDomain::gamma, .power = MetricPower::square},

@@ -42,6 +42,8 @@ class FormulaTextTest : public QObject {
                              << "cos θ<sub><i>d</i></sub> = <i>h</i> · <i>i</i>";
     QTest::newRow("difference") << "Delta E of Dp"
                                 << "Δ<i>E</i> of Δp";
+    QTest::newRow("capitals") << "Gamma(p), Lambda(o), Omega, psi"
+                              << "Γ(<i>p</i>), Λ(<i>o</i>), Ω, ψ";
     QTest::newRow("markup") << "a & b"
                             << "<i>a</i> &amp; <i>b</i>";
     QTest::newRow("nothing") << ""
@@ -63,7 +65,7 @@ class FormulaTextTest : public QObject {
       QTextDocument page;
       page.setHtml(formulaHtml(formula));
       const QString text = page.toPlainText();
-      for (const char* sign : {"_", "^", "<", ">", "alpha", "theta", "sqrt", "pi "})
+      for (const char* sign : {"_", "^", "<", ">", "alpha", "theta", "sqrt", "pi ", "Lambda", "Omega"})
         QVERIFY2(!text.contains(sign), qPrintable(text + " contains " + sign));
     };
     for (const models::Model* model : models::allModels()) {
