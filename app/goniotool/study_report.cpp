@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/study_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -105,7 +106,10 @@ std::string recordsText(std::span<const StudyRecord> records) {
                 "value [ns]", "frame [ms]", "bytes", "encode [s]");
   std::string text = line;
   for (const StudyRecord& record : records) {
-    std::snprintf(line, sizeof line, "  %-52s %17s %11s %10s %9s %10s\n", record.representation.fullLabel().c_str(),
+    const std::string label = record.representation.fullLabel();
+    // Columns are counted in characters: a letter with an accent has two bytes.
+    const auto furtherBytes = std::ranges::count_if(label, [](char c) { return (c & 0xc0) == 0x80; });
+    std::snprintf(line, sizeof line, "  %-*s %17s %11s %10s %9s %10s\n", 52 + int(furtherBytes), label.c_str(),
                   cell(record.renderedSnr, "%.2f").c_str(), cell(record.evaluation.median, "%.1f").c_str(),
                   cell(record.frameMilliseconds, "%.2f").c_str(), shortNumber(double(record.bytes)).c_str(),
                   cell(record.encodeSeconds, "%.3g").c_str());

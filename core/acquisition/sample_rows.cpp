@@ -33,7 +33,8 @@ double mappedValue(double value, const dictionary::MappedCells& mapping, std::si
                    const PlannedSample& sample) {
   const double mapped = logRelative(value, mapping.weights[position], mapping.reference[position]);
   if (std::isfinite(mapped)) return mapped;
-  throw Error(nameOf(sample) + ": found a value of " + numberText(value) + ", which is too large for a BRDF value");
+  throw Error(nameOf(sample) + ": found the value " + numberText(value) +
+              ", expected a BRDF value with a finite logarithm (neither negative nor too large)");
 }
 
 }  // namespace

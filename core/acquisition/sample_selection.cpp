@@ -57,9 +57,10 @@ double conditionOf(const PrincipalComponents& basis, const Rows& rows, Eigen::In
 
 std::string whyFewer(PursuitStop stop, std::size_t chosen, const SelectionOptions& options, Eigen::Index components) {
   if (stop == PursuitStop::enough) return {};
-  const std::string counts = std::to_string(chosen) + " of " + std::to_string(options.samples) + " cells were chosen: ";
-  if (stop == PursuitStop::exhausted) return counts + "no other measurable cell adds information";
-  return counts + "they explain all " + std::to_string(components) + " principal components";
+  const std::string counts =
+      std::to_string(chosen) + " of " + std::to_string(options.samples) + " samples were chosen: ";
+  if (stop == PursuitStop::exhausted) return counts + "no other measurable sample adds information";
+  return counts + "they already determine all " + std::to_string(components) + " principal components";
 }
 
 SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,

@@ -86,7 +86,7 @@ SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32
   for (const std::uint32_t cell : cells) {
     if (cell >= grid.size() || !directions.at(cell).aboveHorizon)
       throw Error("cell " + std::to_string(cell) +
-                  " has no directions above the horizon: nothing can be measured there");
+                  " has a direction below the horizon, expected a cell with both directions above it");
     pairs.push_back(directions.at(cell).pair);
     plan.samples.push_back({int(pairs.size()), pairs.back(), 0});
   }
@@ -97,7 +97,8 @@ SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32
 }
 
 std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& directions) {
-  if (isBelowHorizon(directions.wi) || isBelowHorizon(directions.wo)) throw Error("a direction lies below the horizon");
+  if (isBelowHorizon(directions.wi) || isBelowHorizon(directions.wo))
+    throw Error("found a direction below the horizon, expected polar angles up to 90 degrees");
   const HalfDifference at = toHalfDifference(directions.wi, directions.wo);
   if (!at.valid) throw Error("light and viewer are opposite each other on the horizon, so they have no half vector");
   const HalfDifferenceGrid::Position position = grid.position(at);

@@ -66,7 +66,8 @@ void checkNodes(const std::vector<double>& nodes, double highest, const char* na
     if (!(nodes[i] >= -incidenceTolerance && nodes[i] <= highest + incidenceTolerance) ||
         (i > 0 && !(nodes[i] > nodes[i - 1])))
       throw Error("found the " + std::string(name) + " " + std::to_string(degrees(nodes[i])) +
-                  " degrees, expected ascending angles from 0 to " + std::to_string(std::lround(degrees(highest))));
+                  " degrees, expected ascending angles from 0 to " + std::to_string(std::lround(degrees(highest))) +
+                  " degrees");
 }
 
 void checkIncidences(const IncidenceTable& table) {

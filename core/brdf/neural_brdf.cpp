@@ -40,7 +40,7 @@ std::array<float, NeuralBrdf::inputs> NeuralBrdf::inputsAt(const HalfDifference&
 
 NeuralBrdf::NeuralBrdf(std::span<const float> weights) {
   if (weights.size() != weightCount)
-    throw Error("a neural BRDF of " + std::to_string(weights.size()) + " weights, expected " +
+    throw Error("found a neural BRDF with " + std::to_string(weights.size()) + " weights, expected " +
                 std::to_string(weightCount));
   for (std::size_t i = 0; i < weightCount; ++i)
     if (!std::isfinite(weights[i]))

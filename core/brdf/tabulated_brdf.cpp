@@ -85,8 +85,8 @@ struct TabulatedBrdf::Corners {
 TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid)
     : grid_(grid), values_(std::move(values)), valid_(std::move(valid)) {
   if (values_.size() != grid_.size() || valid_.size() != grid_.size())
-    throw Error("table of " + std::to_string(values_.size()) + " values and " + std::to_string(valid_.size()) +
-                " flags for a grid of " + std::to_string(grid_.size()) + " cells");
+    throw Error("found " + std::to_string(values_.size()) + " values and " + std::to_string(valid_.size()) +
+                " validity flags, expected one of each for the " + std::to_string(grid_.size()) + " cells of the grid");
   constexpr std::size_t block = 1 << 15;
   std::vector<Found> blocks((grid_.size() + block - 1) / block);
   parallelForBlocks(grid_.size(), block, [&](std::size_t begin, std::size_t end) {

@@ -67,9 +67,10 @@ float largestSize(const ChannelCode& channel) {
 
 void pack(const ChannelCode& channel, CodePrecision precision, Writer& writer) {
   if (channel.coefficients.size() > std::numeric_limits<std::uint16_t>::max())
-    throw Error("a code of " + std::to_string(channel.coefficients.size()) + " coefficients, expected at most 65535");
+    throw Error("found a code with " + std::to_string(channel.coefficients.size()) +
+                " coefficients, expected at most 65535");
   if (channel.dictionary < 0 || channel.dictionary > std::numeric_limits<std::uint8_t>::max())
-    throw Error("a code of dictionary " + std::to_string(channel.dictionary) + ", expected 0 to 255");
+    throw Error("the code refers to dictionary " + std::to_string(channel.dictionary) + ", expected 0 to 255");
   std::vector<Coefficient<float>> sorted = channel.coefficients;
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   const float scale = largestSize(channel);

@@ -107,8 +107,8 @@ ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table,
 std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, const ComponentCode& code,
                                             const TaskControl& control, std::size_t* cappedCount) {
   if (code.components() > pca.count())
-    throw Error("a code of " + std::to_string(code.components()) + " components, expected at most " +
-                std::to_string(pca.count()));
+    throw Error("found " + std::to_string(code.components()) + " coefficients per channel, expected at most " +
+                std::to_string(pca.count()) + ", the number of principal components");
   const MappedCells& m = pca.mapping;
   const auto u = pca.svd.u.view().leftCols(code.components());
   Eigen::MatrixX3f coefficients(code.components(), 3);

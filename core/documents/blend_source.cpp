@@ -47,8 +47,8 @@ std::string nameOf(const EditDocument& material) {
 }
 
 std::string nodesNote(const std::string& name, double accuracy) {
-  return "RGL files, blended at the nodes of " + name + ": " + std::to_string(std::lround(accuracy)) +
-         " dB under uniform light";
+  return "RGL files, resampled to the angles of " + name + " for the blend; accuracy " +
+         std::to_string(std::lround(accuracy)) + " dB under uniform illumination";
 }
 
 materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {

@@ -163,7 +163,7 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
     document.incident = *slot;
   }
   document.sourceSha256 = source.text("sha256");
-  if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");
+  if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 lower-case hexadecimal digits");
   const nlohmann::json& edits = object.array("edits");
   for (std::size_t i = 0; i < edits.size(); ++i)
     document.edits.push_back(

@@ -14,13 +14,13 @@ namespace {
 
 std::string cellsText(const HalfDifferenceGrid& grid) {
   return std::to_string(grid.thetaHCount) + " x " + std::to_string(grid.thetaDCount) + " x " +
-         std::to_string(grid.phiDCount) + (grid.reciprocal ? " cells" : " cells of the whole circle");
+         std::to_string(grid.phiDCount) + (grid.reciprocal ? " cells" : " cells with phi_d from 0 to 360 degrees");
 }
 
 }  // namespace
 
 std::string trainingHelp() {
-  return "Folders of " + materials::suffixText(materials::isMeasurement, "and") + " files, or files";
+  return "Measured materials (" + materials::suffixText(materials::isMeasurement, "and") + " files) or folders of them";
 }
 
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,

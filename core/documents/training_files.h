@@ -9,7 +9,8 @@
 
 namespace gonio::editing {
 
-/// Help text of options that take a training set, e.g. "Folders of .binary and .bsdf files, or files".
+/// Help text of options that take a training set, e.g. "Measured materials (.binary and .bsdf files) or folders of
+/// them".
 std::string trainingHelp();
 
 /// The files of a training set. Folders in `sources` are replaced by all measured materials in them

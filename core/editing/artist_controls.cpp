@@ -41,31 +41,34 @@ constexpr ParameterSpec ratioControl(std::string_view id, std::string_view label
 /// In the order of ArtistControl.
 constexpr ParameterSpec controls[] = {
     ratioControl("roughness", "Roughness", "x",
-                 "Widens or narrows every highlight by this factor, at equal energy: 2 is twice as wide.",
+                 "Widens or narrows every highlight by this factor, at constant energy: 2 is twice as wide.",
                  "alpha' = x alpha, n' = n / x^2"),
     strengthControl("specular-strength", "Specular strength", "x", "Brightens or dims every highlight by this factor.",
                     "k_s' = x k_s"),
     {.id = "tint", .label = "Tint", .symbol = "t", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 1, .perChannel = true,
-     .description = "Multiplies the colour of the whole material; white changes nothing.",
+     .description = "Multiplies the colour of the whole material by this colour; white leaves it unchanged.",
      .formula = "rho' = t rho in each channel"},
     {.id = "saturation", .label = "Saturation", .symbol = "s", .unit = "",
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 10, .defaultValue = 1,
-     .description = "Saturation of the whole material at equal luminance: 0 is grey, 2 twice as saturated.",
+     .description = "Scales the saturation of the whole material at constant luminance: 0 is grey, 1 leaves it "
+                    "unchanged.",
      .formula = "rho' = max(0, Y + s (rho - Y)), Y the luminance of rho"},
-    ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the diffuse term so that their ratio changes by this factor.",
+    ratioControl("contrast", "Contrast", "x",
+                 "Brightens the highlights and dims the diffuse term so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),
     strengthControl("coat-strength", "Coat strength", "x",
                     "Strength of the clear coat: 0 removes it; above 1 a coat with the reflectance of lacquer (0.04) "
                     "is added to it.",
                     "F_0' = x F_0 + 0.04 max(0, x - 1)"),
     strengthControl("edge-brightness", "Edge brightness", "x",
-                    "Brightens or dims the highlights toward grazing angles by this factor; at normal incidence nothing changes.",
+                    "Brightens or dims the highlights towards grazing angles by this factor; at normal "
+                    "incidence nothing changes.",
                     "F_90' = x F_90"),
 };
 
 constexpr ModelSpec controlsSpec = {.id = "artist-controls", .name = "Controls",
-                                    .description = "Controls of the visible appearance, with the same meaning for "
+                                    .description = "Controls for the visible appearance, with the same meaning for "
                                                    "every model.",
                                     .parameters = controls};
 // clang-format on

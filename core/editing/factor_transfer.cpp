@@ -97,7 +97,9 @@ void checkAlike(const FactorEdit& edit, const FactorEdit::Curves& target) {
   if (!edit.original || !edit.edited || !target) throw Error("a factor edit without curves cannot be transferred");
   for (const FactorEdit::Curves& own : {edit.original, edit.edited})
     if (own->form != target->form || own->transform != target->transform)
-      throw Error("the factor edit and the material's factors differ in form or transform");
+      throw Error(
+          "the factor edit and the factors of the material differ in the number of curves (2 or 3) or in the "
+          "transform, expected the same");
 }
 
 }  // namespace

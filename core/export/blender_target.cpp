@@ -124,7 +124,7 @@ ExportResult makeScript(const ExportSource& source, const ExportOptions& options
     best = std::move(lobes);
     if (snr >= options.snr) break;
   }
-  made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Angles of the viewer", best.thetas.size()}};
+  made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Viewing angles", best.thetas.size()}};
   if (!source.brdf->isIsotropic()) made.warnings.push_back(meanAzimuthWarning());
   made.parts.push_back(textPart("_blender.py", blenderScript(best, source.name, originText(source, made.snr))));
   return made;
@@ -138,8 +138,7 @@ std::string blenderScript(const ViewLobes& lobes, const std::string& name, const
   if (!isBlack(lobes.weights[0])) json["lobes"].push_back(lobeJson(nullptr, lobes.weights[0]));
   for (std::size_t j = 0; j < lobes.alphas.size(); ++j)
     if (!isBlack(lobes.weights[j + 1])) json["lobes"].push_back(lobeJson(lobes.alphas[j], lobes.weights[j + 1]));
-  return blenderMaterialScript(origin,
-                               "A Diffuse and Glossy nodes, each weighted by the angle of the viewer to the normal.",
+  return blenderMaterialScript(origin, "One Diffuse and several Glossy nodes, each weighted by the viewing angle.",
                                pythonText(json), lobesProgram);
 }
 
@@ -151,8 +150,8 @@ ExportTarget blenderTarget() {
               "viewing angle: run it in Blender, or with blender --background --python.",
           .holds =
               "An approximation by GGX lobes with colours that depend only on the viewing angle; isotropic. The stated "
-              "accuracy is that of Blender 3.4; later versions use another masking term, which differs near the "
-              "horizon.",
+              "accuracy is that of Blender 3.4; later versions use a different masking term, so results differ "
+              "near the horizon.",
           .suffixes = {"_blender.py"},
           .choosesSnr = true,
           .scene = &blenderSceneFormat(),

@@ -12,7 +12,7 @@ namespace gonio::exports {
 
 namespace {
 
-/// "change of ggx (lobes), factors"
+/// "model ggx (composition lobes), factor curves"
 std::string editsText(const editing::EditList& edits) {
   std::string text;
   for (const editing::Edit& edit : edits) {
@@ -20,10 +20,10 @@ std::string editsText(const editing::EditList& edits) {
     text += text.empty() ? "" : ", ";
     if (!edit.name.empty()) text += "\"" + edit.name + "\" ";
     if (const auto* change = std::get_if<editing::DifferentialEdit>(&edit.content))
-      text += "change of " + std::string(change->model->spec().id) + " (" +
+      text += "model " + std::string(change->model->spec().id) + " (composition " +
               std::string(editing::compositionIds[std::size_t(change->composition)]) + ")";
     else
-      text += "factors";
+      text += "factor curves";
   }
   return text.empty() ? "none" : text;
 }

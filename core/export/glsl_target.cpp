@@ -85,7 +85,7 @@ std::string glslFunction(const ReciprocalLobes& fitted, const std::string& origi
   if (lobes.lobes.empty()) lobes.lobes.push_back({});
   return commentLines(origin, "// ") + (glslUsage + 1) + "const vec3 gonioDiffuse = " + glslVector(lobes.diffuse) +
          ";\nconst vec2 gonioGrain = vec2(" + decimalText(std::cos(lobes.rotation)) + ", " +
-         decimalText(std::sin(lobes.rotation)) + ");  // direction of x of the lobes\n" +
+         decimalText(std::sin(lobes.rotation)) + ");  // x axis of the lobes (brushing direction)\n" +
          "const int gonioLobeCount = " + std::to_string(lobes.lobes.size()) + ";\n" +
          glslArray(lobes, "vec2", "gonioAlpha",
                    [](const Lobe& lobe) {

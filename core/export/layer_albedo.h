@@ -21,7 +21,7 @@ GgxAlbedo ggxAlbedo(double cosine, double alpha);
 /// for F = 1. Turquin 2019, "Practical Multiple Scattering Compensation for Microfacet Models", eq. 16.
 double scatteringCompensation(const GgxAlbedo& albedo, double fresnel);
 
-/// Distribution of the fibres' normals, 1/sr: Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF",
+/// Distribution of the fibres' normals, 1/sr: Estévez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF",
 /// eq. 2. @param sin2H squared sine of theta_h. @param alpha > 0.
 double charlieDensity(double sin2H, double alpha);
 /// Directional albedo of charlieDensity() / (4 (cos theta_i + cos theta_o - cos theta_i cos theta_o)), the term of

@@ -48,7 +48,7 @@ std::vector<glm::vec3> editedUtia(const UtiaBrdf& file, const Brdf& edited, cons
 
 FormFile encodeUtiaForm(const ExportSource& source, const materials::Material& base, const TaskControl& control) {
   const UtiaBrdf* file = asUtia(*base.brdf);
-  if (!file) throw Error(source.name + ": found a material of another form, expected a UTIA file for .bin");
+  if (!file) throw Error(source.name + ": found a material that is not a UTIA file, expected one to write .bin");
   return {io::encodeUtia(source.brdf == base.brdf ? *file->values() : editedUtia(*file, *source.brdf, control)), {}};
 }
 
@@ -57,7 +57,7 @@ FormFile encodeRglForm(const ExportSource& source, const materials::Material& ba
   const RglBrdf* file = base.brdf->asRgl();
   const bool spectral = file && file->tables()->data.spectra;
   FormFile result{spectral ? std::move(made.spectral) : std::move(made.rgb), {}};
-  if (!file) result.losses.push_back("the material was sampled at the nodes of an RGL file");
+  if (!file) result.losses.push_back("the material was resampled to the grid of an RGL file");
   if (made.clippedValues > 0)
     result.losses.push_back(std::to_string(made.clippedValues) + " negative values were set to 0");
   return result;
@@ -67,10 +67,12 @@ FormFile encodeTableForm(const ExportSource& source, const HalfDifferenceGrid& g
   const TabulatedBrdf* own = source.brdf->asTable();
   if (own && own->grid() == grid) return {io::encodeMerl(*own), {}};
   FormFile result{io::encodeMerl(*bakeTable(*source.brdf, grid, control, editing::bakedAzimuths)), {}};
-  result.losses.push_back("the material was sampled at the cells of a table");
+  result.losses.push_back("the material was resampled to the grid of a table");
   if (!source.brdf->isIsotropic()) result.losses.push_back(azimuthLoss());
   if (grid.reciprocal && !source.brdf->isReciprocal())
-    result.losses.push_back("the material is not reciprocal: the table contains the mean of both orders of directions");
+    result.losses.push_back(
+        "the material is not reciprocal: the table contains the mean of each value and the value "
+        "with light and viewer exchanged");
   return result;
 }
 

@@ -25,8 +25,8 @@ ExportResult makeBsdf(const ExportSource& source, const ExportOptions& options, 
   made.snr = files.snr;
   made.brdf = std::move(files.brdf);
   made.facts = {{"thetaCount", "Incident polar angles", files.size.thetaCount},
-                {"size", "Nodes along each side of a slice", files.size.size},
-                {"unchanged", "Colours of the source", files.unchanged},
+                {"size", "Grid size per incident direction", files.size.size},
+                {"unchanged", "Colours copied unchanged", files.unchanged},
                 {"negativeValues", "Negative values", files.negativeValues},
                 {"clippedValues", "Negative values set to 0", files.clippedValues}};
   if (files.negativeValues > 0)
@@ -64,8 +64,8 @@ ExportTarget mitsubaTarget() {
 ExportTarget pbrtTarget() {
   ExportTarget pbrt = target("pbrt", "pbrt-v4",
                              "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf with the same "
-                             "material. For isotropic materials, both sides of the plane of incidence are stored; for "
-                             "Mitsuba, use the target Mitsuba 3.");
+                             "material in RGB, for other programs. For isotropic materials, both sides of the plane of "
+                             "incidence are stored; for Mitsuba, use the target Mitsuba 3.");
   pbrt.make = makeBsdf<true>;
   pbrt.scene = &pbrtSceneFormat();
   return pbrt;

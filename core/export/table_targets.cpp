@@ -34,7 +34,9 @@ ExportResult makeMerl(std::string_view suffix, const HalfDifferenceGrid& grid, c
   ExportResult made = tableExport(suffix, io::encodeMerl(*table), table, source, options, control.between(0.5, 1));
   if (!source.brdf->isIsotropic()) made.warnings.push_back(azimuthLoss());
   if (grid.reciprocal && !source.brdf->isReciprocal())
-    made.warnings.push_back("the material is not reciprocal: the table contains the mean of both orders of directions");
+    made.warnings.push_back(
+        "the material is not reciprocal: the table contains the mean of each value and the value "
+        "with light and viewer exchanged");
   return made;
 }
 
@@ -105,9 +107,9 @@ ExportResult makeCsv(const ExportSource& source, const ExportOptions&, const Tas
 
 ExportTarget merlTarget() {
   return {.id = "merl",
-          .label = "MERL table",
+          .label = "MERL file",
           .description = "A file in the layout of the MERL database, which research code and several renderers read.",
-          .holds = "Isotropic materials at 90 x 90 x 180 angles of half and difference vector, reciprocal.",
+          .holds = "Isotropic, reciprocal materials at 90 x 90 x 180 half-difference angles.",
           .suffixes = {".binary"},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeMerl(".binary", {}, source, options, control);
@@ -116,11 +118,11 @@ ExportTarget merlTarget() {
 
 ExportTarget merlCircleTarget() {
   return {.id = "merl-360",
-          .label = "MERL table, whole circle",
+          .label = "360-degree MERL file",
           .description =
-              "The layout of the MERL database with phi_d over the whole circle: Gonio reads it, most readers of "
-              "MERL files do not.",
-          .holds = "Isotropic materials at 90 x 90 x 360 angles; both orders of the directions.",
+              "The layout of the MERL database with phi_d from 0 to 360 degrees: Gonio reads it, most other programs "
+              "do not.",
+          .holds = "Isotropic materials at 90 x 90 x 360 half-difference angles; not necessarily reciprocal.",
           .suffixes = {"_360.binary"},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeMerl("_360.binary", circleGrid, source, options, control);
@@ -129,7 +131,7 @@ ExportTarget merlCircleTarget() {
 
 ExportTarget utiaTarget() {
   return {.id = "utia",
-          .label = "UTIA table",
+          .label = "UTIA file",
           .description = "A file in the layout of the UTIA BRDF database, for its published code and for Gonio.",
           .holds =
               "Isotropic and anisotropic materials at 288 x 288 directions: 15 degrees of polar angle by 7.5 of "
@@ -139,14 +141,15 @@ ExportTarget utiaTarget() {
 }
 
 ExportTarget csvTarget() {
-  return {.id = "csv",
-          .label = "Table of values (CSV)",
-          .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
-          .holds =
-              "Values every 15 degrees of the light's polar angle to 75, every 5 of the viewer's to 85 and every 15 "
-              "of azimuth; for anisotropic materials also every 30 of the light's azimuth.",
-          .suffixes = {".csv"},
-          .make = makeCsv};
+  return {
+      .id = "csv",
+      .label = "Table of values (CSV)",
+      .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
+      .holds =
+          "Polar angle of the light 0 to 75 degrees in steps of 15, of the viewer 0 to 85 in steps of 5, azimuth in "
+          "steps of 15; for anisotropic materials also the azimuth of the light in steps of 30.",
+      .suffixes = {".csv"},
+      .make = makeCsv};
 }
 
 }  // namespace gonio::exports

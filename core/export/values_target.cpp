@@ -121,17 +121,16 @@ ExportResult makeValues(const ExportSource& source, const ExportOptions& options
 }  // namespace
 
 ExportTarget valuesTarget() {
-  return {
-      .id = "values",
-      .label = "Values (Unreal, Unity, Arnold)",
-      .description =
-          "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
-          "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
-      .holds =
-          "An approximation by a diffuse lobe and one highlight, and for Arnold also a coat. The accuracy is that of "
-          "the worst of the three.",
-      .suffixes = {valuesSuffix},
-      .make = makeValues};
+  return {.id = "values",
+          .label = "Values (Unreal, Unity, Arnold)",
+          .description =
+              "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
+              "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
+          .holds =
+              "An approximation by a diffuse lobe and one highlight, and for Arnold also a coat. The stated accuracy "
+              "is the lowest of the three.",
+          .suffixes = {valuesSuffix},
+          .make = makeValues};
 }
 
 }  // namespace gonio::exports

@@ -77,7 +77,8 @@ void checkBlendable(std::span<const PdvFactors* const> ends) {
                   std::string(dataTransformNames[std::size_t(ends[0]->transform)]) + " and " +
                   std::string(dataTransformNames[std::size_t(end->transform)]) + "; expected the same");
     if (end->form != ends[0]->form)
-      throw Error("factors of two curves and of three cannot be blended; expected the same form");
+      throw Error(
+          "factors with two curves and factors with three cannot be blended; expected the same number of curves");
   }
 }
 

@@ -96,7 +96,7 @@ PdvFactors takeF2(const PdvFactors& target, const PdvFactors& other, FurtherTerm
 
 PdvFactors widenF2(const PdvFactors& target, double factor) {
   if (!(factor > 0) || !std::isfinite(factor))
-    throw Error("the factor that widens F2 is " + std::to_string(factor) + "; expected a positive number");
+    throw Error("the width scale of F2 is " + std::to_string(factor) + "; expected a positive number");
   PdvFactors result = target;
   for (std::vector<PdvTerm>& channel : result.channels)
     for (PdvTerm& term : channel) term.f2 = widened(target.deviationNodes, term.f2, factor);

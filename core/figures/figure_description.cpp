@@ -76,7 +76,7 @@ FigureRepresentation representationFrom(const nlohmann::json& json, const std::s
 }
 
 std::string numberFrom(const nlohmann::json& json, const std::string& where) {
-  if (!json.is_string()) throw Error(where + ": found " + describeJson(json) + ", expected the id of a number");
+  if (!json.is_string()) throw Error(where + ": found " + describeJson(json) + ", expected the name of a quantity");
   try {
     return figureNumber(json.get<std::string>()).id;
   } catch (const Error& error) {

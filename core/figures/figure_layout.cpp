@@ -95,8 +95,8 @@ void LayoutBuilder::measureColumns() {
     gridLeft_ = double(count) * lineHeight() + inside;
     cellWidth_ = (layout_.width - gridLeft_ - gap * double(columnCount() - 1)) / double(columnCount());
     if (cellWidth_ < minCellWidth)
-      throw Error("found " + std::to_string(description_.representations.size()) + " representations in " +
-                  std::to_string(int(layout_.width)) + " mm, expected fewer: an image would be narrower than " +
+      throw Error("found " + std::to_string(description_.representations.size()) + " representations in a figure " +
+                  std::to_string(int(layout_.width)) + " mm wide, expected fewer: each image would be narrower than " +
                   std::to_string(int(minCellWidth)) + " mm");
     rowLines_.clear();
     std::size_t maxLines = 0;

@@ -95,7 +95,7 @@ const FigureNumber& figureNumber(std::string_view id) {
   if (found != figureNumbers().end()) return *found;
   std::string known;
   for (const FigureNumber& number : figureNumbers()) known += (known.empty() ? "" : ", ") + number.id;
-  throw Error("found the number '" + std::string(id) + "', expected one of " + known);
+  throw Error("found the quantity '" + std::string(id) + "', expected one of " + known);
 }
 
 std::string plainText(const FigureNumber& number, double value) {

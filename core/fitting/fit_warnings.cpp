@@ -57,15 +57,15 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   std::vector<std::string> warnings;
   const auto isBlack = [](const ChannelCensus& c) { return !(c.largest > 0); };
   if (const std::string names = namesOf(channels, isBlack); !names.empty())
-    warnings.push_back("No BRDF value above 0 in " + names + ": left black.");
+    warnings.push_back("No BRDF value above 0 in " + names + ": fitted as black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
   if (double(negative) > noticeableFraction * 3 * double(valid))
     warnings.push_back(std::to_string(std::lround(100 * double(negative) / double(3 * valid))) +
                        " % of the measured values are below 0; the fit treats them as 0.");
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
   if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
-    warnings.push_back("The same value in every cell of " + names +
-                       ": a diffuse term explains it, the parameters of the highlight stay at their defaults.");
+    warnings.push_back("All cells have the same value in " + names +
+                       ": explained by a diffuse term alone; the highlight parameters keep their defaults.");
   // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
   const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
   if (const std::string names = namesOf(channels, isSpike); !names.empty())

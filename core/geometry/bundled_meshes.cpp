@@ -19,16 +19,17 @@ namespace {
 using Profile = std::vector<glm::dvec2>;
 
 void requireProfile(std::span<const glm::dvec2> profile, int segments) {
-  if (segments < 3) throw Error("revolution: found " + std::to_string(segments) + " segments, expected at least 3");
+  if (segments < 3)
+    throw Error("surface of revolution: found " + std::to_string(segments) + " segments, expected at least 3");
   if (profile.size() < 3)
-    throw Error("revolution: found " + std::to_string(profile.size()) + " points, expected at least 3");
+    throw Error("surface of revolution: found " + std::to_string(profile.size()) + " points, expected at least 3");
   for (std::size_t i = 0; i < profile.size(); ++i)
     if (!std::isfinite(profile[i].x) || !std::isfinite(profile[i].y) || profile[i].x < 0)
-      throw Error("revolution: point " + std::to_string(i) + " is (" + numberText(profile[i].x) + ", " +
+      throw Error("surface of revolution: point " + std::to_string(i) + " is (" + numberText(profile[i].x) + ", " +
                   numberText(profile[i].y) + "), expected finite numbers and a distance that is not negative");
   const bool axisToAxis = profile.front().x == 0 && profile.back().x == 0;
   if (!axisToAxis && profile.front() != profile.back())
-    throw Error("revolution: the profile is open, expected a closed profile or one from axis to axis");
+    throw Error("surface of revolution: the profile is open, expected a closed profile or one from axis to axis");
 }
 
 /// Of the polygon that the profile and the axis enclose, positive where it runs upward on the side away from the axis.
@@ -276,7 +277,7 @@ std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
     std::call_once(flags[i], [i] { made[i] = std::make_shared<const TriangleMesh>(meshes[i].second()); });
     return made[i];
   }
-  throw Error("there is no bundled mesh named '" + name + "'; the bundled meshes are " + names);
+  throw Error("found the mesh '" + name + "', expected one of " + names);
 }
 
 }  // namespace gonio

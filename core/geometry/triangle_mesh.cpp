@@ -33,7 +33,8 @@ std::string text(const glm::vec3& v) {
 void requireUsable(const MeshArrays& arrays) {
   if (arrays.positions.size() >= unused || arrays.triangles.size() >= unused / 3)
     throw Error("mesh: found " + std::to_string(arrays.positions.size()) + " vertices and " +
-                std::to_string(arrays.triangles.size()) + " triangles, more than an index can count");
+                std::to_string(arrays.triangles.size()) + " triangles, expected fewer than " + std::to_string(unused) +
+                " vertices and " + std::to_string(unused / 3) + " triangles");
   for (std::size_t i = 0; i < arrays.positions.size(); ++i)
     if (!isFinite(arrays.positions[i]))
       throw Error("mesh: vertex " + std::to_string(i) + " is at " + text(arrays.positions[i]) +
@@ -100,8 +101,9 @@ void TriangleMesh::dropDegenerate() {
   }
   const std::size_t degenerate = triangles_.size() - kept;
   if (kept == 0)
-    throw Error("mesh: found no triangle with an area (" + std::to_string(degenerate) +
-                " without), expected at least one");
+    throw Error(degenerate == 0 ? "mesh: found no triangles, expected at least one"
+                                : "mesh: found only triangles with zero area (" + std::to_string(degenerate) +
+                                      "), expected at least one with a positive area");
   triangles_.resize(kept);
   normals_.resize(3 * kept);
   dropped_ += degenerate;

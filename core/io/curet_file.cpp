@@ -27,8 +27,9 @@ const std::string expectedCuret =
 /// Of text whose first row is one of a channel's file.
 void refuseChannelFile(const TextLine& line) {
   if (words(line.text).size() == measurements + 1)
-    throw FormatMismatch("a CUReT file of one channel (a row per sample, without directions)",
-                         expectedCuret + ", of one sample: join a row of each channel with the table of directions");
+    throw FormatMismatch(
+        "a CUReT file with one channel (one row per sample, no directions)",
+        expectedCuret + ": combine the same row of the three channel files with the table of directions");
 }
 
 std::vector<std::vector<double>> rowsOf(const ByteSource& source) {

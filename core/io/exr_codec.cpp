@@ -31,7 +31,8 @@ class MemoryInput final : public Imf::IStream {
 
   bool read(char target[], int count) override {
     if (count < 0 || std::uint64_t(count) > bytes_.size() - position_)
-      throw Error("the image ends at byte " + std::to_string(bytes_.size()) + ", expected more");
+      throw Error("the image ends at byte " + std::to_string(bytes_.size()) + ", expected " + std::to_string(count) +
+                  " bytes from byte " + std::to_string(position_));
     std::memcpy(target, bytes_.data() + position_, std::size_t(count));
     position_ += std::uint64_t(count);
     return position_ < bytes_.size();

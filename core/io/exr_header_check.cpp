@@ -74,7 +74,7 @@ class Cursor {
   std::string_view text() {
     const std::string_view rest(reinterpret_cast<const char*>(bytes_.data()) + at_, bytes_.size() - at_);
     const std::size_t length = rest.find('\0');
-    if (length == rest.npos) fail("a name without an end");
+    if (length == rest.npos) fail("a name without a terminating zero");
     at_ += length + 1;
     return rest.substr(0, length);
   }
@@ -128,9 +128,11 @@ void checkValue(std::string_view type, Bytes value) {
 void checkLayout(const Layout& layout, std::size_t fileBytes) {
   const long long width = 1LL + layout.window[2] - layout.window[0], height = 1LL + layout.window[3] - layout.window[1];
   checkImageSize(width, height, fileBytes, maxPixelsPerByte);
-  if (layout.lineBufferBytes(std::uint64_t(width)) > maxLineBufferBytes)
+  const std::uint64_t lineBytes = layout.lineBufferBytes(std::uint64_t(width));
+  if (lineBytes > maxLineBufferBytes)
     throw Error("found lines of " + std::to_string(width) + " pixels with " + std::to_string(layout.channels) +
-                " channels, expected less");
+                " channels, which need a buffer of " + std::to_string(lineBytes) + " bytes, expected at most " +
+                std::to_string(maxLineBufferBytes));
 }
 
 /// One header, up to the empty name at its end. @return whether it had any attribute.

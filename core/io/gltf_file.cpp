@@ -44,7 +44,7 @@ class GltfReader {
     } else if (root_.contains("meshes")) {
       for (std::size_t i = 0; i < root_.array("meshes").size(); ++i) addMesh(i, glm::dmat4(1));
     }
-    if (arrays_.triangles.empty()) throw Error("a glTF mesh: found no triangles in its scene");
+    if (arrays_.triangles.empty()) throw Error("a glTF mesh: found no triangles in its scene, expected at least one");
     return std::move(arrays_);
   }
 
@@ -126,7 +126,8 @@ class GltfReader {
     const auto positions = vectors(attributes, "POSITION");
     const auto normals = attributes.contains("NORMAL") ? vectors(attributes, "NORMAL") : std::vector<glm::vec3>();
     const std::size_t first = arrays_.positions.size();
-    if (double(first) + double(positions.size()) > maxCount) throw Error("found too many vertices");
+    if (double(first) + double(positions.size()) > maxCount)
+      throw Error("found more than " + std::to_string(std::uint64_t(maxCount)) + " vertices, the maximum");
     for (const glm::vec3& p : positions) arrays_.positions.emplace_back(placed * glm::dvec4(p, 1));
     const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(placed)));
     const bool isMirrored = glm::determinant(glm::dmat3(placed)) < 0;
@@ -165,7 +166,8 @@ class GltfReader {
 
   std::vector<std::uint32_t> indicesOf(std::size_t number, std::size_t vertices) const {
     const Accessor accessor = accessorOf(number, "SCALAR", 1);
-    if (accessor.type == floatingPoint) throw Error("accessors[" + std::to_string(number) + "]: expected integers");
+    if (accessor.type == floatingPoint)
+      throw Error("accessors[" + std::to_string(number) + "]: found floating-point indices, expected integers");
     std::vector<std::uint32_t> indices(accessor.count);
     for (std::size_t i = 0; i < indices.size(); ++i) {
       std::memcpy(&indices[i], accessor.bytes.data() + i * accessor.stride, sizeOf(accessor.type));
@@ -188,11 +190,12 @@ class GltfReader {
   Accessor accessorOf(std::size_t number, const std::string& type, std::size_t components) const {
     const JsonObject accessor = item(root_, "accessors", number);
     if (accessor.text("type") != type) accessor.fail("type", type);
-    if (accessor.contains("sparse")) accessor.fail("sparse", "none: sparse accessors are not supported");
+    if (accessor.contains("sparse")) accessor.fail("sparse", "no sparse accessor (not supported)");
     const auto componentType = ComponentType(std::size_t(accessor.number("componentType", 0, 1e5)));
     if (componentType != unsignedByte && componentType != unsignedShort && componentType != unsignedInt &&
         componentType != floatingPoint)
-      accessor.fail("componentType", "5121, 5123, 5125 or 5126");
+      accessor.fail("componentType",
+                    "5121 (unsigned byte), 5123 (unsigned short), 5125 (unsigned int) or 5126 (float)");
     const JsonObject view = item(root_, "bufferViews", index(accessor, "bufferView"));
     const std::size_t element = components * sizeOf(componentType), count = index(accessor, "count"),
                       stride = numberOr(view, "byteStride", double(element)),
@@ -224,7 +227,7 @@ class GltfReader {
       if (comma == std::string::npos) buffer.fail("uri", "base64 data");
       return decodedBase64(buffer, std::string_view(address).substr(comma + 8));
     }
-    if (!folder_ || address.find("://") != std::string::npos) buffer.fail("uri", "a file beside this one");
+    if (!folder_ || address.find("://") != std::string::npos) buffer.fail("uri", "a file in the same folder");
     const std::filesystem::path path = *folder_ / decodedPath(address);
     return namingFile(path, [&] { return FileSource(path).readAll(maxGltfBytes); });
   }

@@ -15,7 +15,8 @@ namespace gonio::io {
 namespace {
 
 std::uint32_t uint32At(std::span<const std::byte> bytes, std::size_t at) {
-  if (at + 4 > bytes.size()) throw Error("a binary glTF file: found the end of the file");
+  if (at + 4 > bytes.size())
+    throw Error("a binary glTF file: found the end of the file, expected the header or a chunk");
   std::uint32_t value;
   std::memcpy(&value, bytes.data() + at, 4);
   return value;

@@ -98,7 +98,8 @@ ScatteredSamples readGoniophotometer(const ByteSource& source) {
     throw FormatMismatch("the quantity '" + header.quantity + "'", "reflection: BSDF, BRDF or DSF");
   const bool fromBelow = *header.theta > 90;
   const Direction light = directionOf(*header.theta, *header.phi, fromBelow);
-  if (!(light.z > horizonTolerance)) header.incidentLine->fail("an incident direction that is not on the horizon");
+  if (!(light.z > horizonTolerance))
+    header.incidentLine->fail("an incident direction that is not at 90 degrees from the normal");
   ScatteredSamples samples;
   samples.description = header.sample;
   std::size_t columns = 0;

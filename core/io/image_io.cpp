@@ -80,8 +80,8 @@ Image decodeHdr(std::span<const std::byte> bytes) {
   const std::unique_ptr<float, decltype(&stbi_image_free)> pixels(
       stbi_loadf_from_callbacks(&hdrCallbacks, &stream, &width, &height, &channels, 3), stbi_image_free);
   if (stream.endedEarly)
-    throw Error("the Radiance HDR image ends at byte " + std::to_string(bytes.size()) + ", expected more");
-  if (!pixels) throw Error(std::string("found a broken Radiance HDR image (") + stbi_failure_reason() + ")");
+    throw Error("the Radiance HDR image ends at byte " + std::to_string(bytes.size()) + ", before its last line");
+  if (!pixels) throw Error(std::string("found a corrupt Radiance HDR image (") + stbi_failure_reason() + ")");
   Image image(width, height);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(glm::vec3));
   return image;

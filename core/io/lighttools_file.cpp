@@ -76,7 +76,8 @@ void addBlock(const BlockHeader& block, const ScatterHeader& header, std::span<c
     return;
   }
   if (blocks.plane.value_or(block.plane) != block.plane)
-    throw FormatMismatch("blocks of several planes of incidence (POI)", "one: an isotropic material");
+    throw FormatMismatch("blocks of several planes of incidence (POI)",
+                         "one plane of incidence (isotropic materials only)");
   blocks.plane = block.plane;
   if (block.wavelength) blocks.wavelengths.insert(*block.wavelength);
   blocks.byIncident[block.incident].add(std::min(block.channel, header.channels() - 1), values);
@@ -146,14 +147,14 @@ IncidenceFile readLightTools(const ByteSource& source) {
   readLightToolsHeader(words, header);
   const Blocks blocks = readBlocks(words, header);
   if (blocks.byIncident.empty())
-    throw FormatMismatch(std::to_string(blocks.leftOut) + " blocks of transmission or of the back",
+    throw FormatMismatch(std::to_string(blocks.leftOut) + " blocks with transmission or back-side data only",
                          "reflection: blocks with Side Front and ScatterType BRDF");
   IncidenceFile file;
   file.brdf = std::make_shared<const IncidenceTableBrdf>(lightToolsTable(header, blocks));
   if (blocks.leftOut > 0)
-    file.notes.push_back(std::to_string(blocks.leftOut) + " blocks of transmission or of the back were left out");
+    file.notes.push_back(std::to_string(blocks.leftOut) + " blocks with transmission or back-side data were ignored");
   if (blocks.wavelengths.size() > 1)
-    file.notes.push_back("mean of " + std::to_string(blocks.wavelengths.size()) + " wavelengths");
+    file.notes.push_back("values are the mean of " + std::to_string(blocks.wavelengths.size()) + " wavelengths");
   return file;
 }
 

@@ -83,7 +83,7 @@ class BlockReader {
   throw Error("value " + std::to_string(index) + " (" + std::array{"red", "green", "blue"}[index / grid.size()] +
               ", theta_h " + std::to_string(cell / (phi * td)) + ", theta_d " + std::to_string(cell / phi % td) +
               ", phi_d " + std::to_string(cell % phi) + ") is " + std::to_string(value) +
-              ", expected a finite number of float range");
+              ", expected a finite number in the range of single precision");
 }
 
 }  // namespace
@@ -138,10 +138,11 @@ std::vector<std::byte> encodeMerl(const TabulatedBrdf& table) {
   const HalfDifferenceGrid& grid = table.grid();
   const std::array<std::int32_t, 3> counts{grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
   if (grid.reciprocal == isWholeCircle(grid))
-    throw Error(
-        std::string("a MERL file of ") + gridName(counts) + " cells is read as " +
-        (grid.reciprocal ? "non-reciprocal, but this table is reciprocal" : "reciprocal, but this table is not") +
-        "; expected 4 phi_d samples per theta_d sample if and only if the table is not reciprocal");
+    throw Error("a MERL file with " + gridName(counts) + " cells would be read as " +
+                (grid.reciprocal
+                     ? "non-reciprocal, because it has 4 phi_d samples per theta_d sample; expected a different "
+                       "number for a reciprocal table"
+                     : "reciprocal; expected 4 phi_d samples per theta_d sample for a non-reciprocal table"));
   const std::size_t cells = grid.size();
   std::vector<std::byte> bytes(merlHeaderBytes + 3 * cells * sizeof(double));
   std::memcpy(bytes.data(), counts.data(), merlHeaderBytes);

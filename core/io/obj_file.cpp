@@ -87,7 +87,7 @@ float number(std::string_view word) {
   // Too small a number is 0 there, too large a one infinite.
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(digits).c_str(), nullptr);
   if (!std::isfinite(static_cast<float>(value)))
-    throw Error("found " + quoted(word) + ", expected a finite number of single precision");
+    throw Error("found " + quoted(word) + ", expected a finite number in the range of single precision");
   return static_cast<float>(value);
 }
 
@@ -101,7 +101,7 @@ std::uint32_t index(std::string_view word, std::string_view what, std::size_t be
   long long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::invalid_argument || end != word.data() + word.size())
-    throw Error("found " + quoted(word) + ", expected the number of a " + std::string(what));
+    throw Error("found " + quoted(word) + ", expected the index of a " + std::string(what));
   const long long counted = value < 0 ? value + static_cast<long long>(before) : value - 1;
   if (error == std::errc::result_out_of_range || counted < 0 || counted >= static_cast<long long>(total))
     throw Error("found " + std::string(what) + " " + quoted(word) + ", but there are only " + std::to_string(total) +

@@ -141,7 +141,7 @@ class PlyNumbers {
   double take() {
     if (encoding_ == PlyEncoding::text) return word();
     std::array<char, sizeof(T)> bytes;
-    if (rest_.size() < bytes.size()) throw Error("found the end of the file");
+    if (rest_.size() < bytes.size()) throw Error("found the end of the file, expected another number");
     std::ranges::copy(rest_.substr(0, bytes.size()), bytes.begin());
     rest_.remove_prefix(bytes.size());
     if ((encoding_ == PlyEncoding::littleEndian) != (std::endian::native == std::endian::little))
@@ -153,7 +153,7 @@ class PlyNumbers {
     constexpr std::string_view spaces = " \t\r\n";
     rest_.remove_prefix(std::min(rest_.find_first_not_of(spaces), rest_.size()));
     const std::string_view found = rest_.substr(0, rest_.find_first_of(spaces));
-    if (found.empty()) throw Error("found the end of the file");
+    if (found.empty()) throw Error("found the end of the file, expected another number");
     rest_.remove_prefix(found.size());
     const std::optional<double> value = finiteNumber(found);
     if (!value) throw Error("found '" + std::string(found.substr(0, 40)) + "', expected a finite number");
@@ -173,7 +173,7 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       for (std::uint64_t i = 0; i < element.count; ++i) readRow(element, i);
     }
-    if (arrays_.triangles.empty()) throw Error("a PLY mesh: found no faces");
+    if (arrays_.triangles.empty()) throw Error("a PLY mesh: found no faces, expected at least one");
     if (!normals_.empty())
       for (const TriangleIndices& triangle : arrays_.triangles)
         for (int c = 0; c < 3; ++c) arrays_.normals.push_back(normals_[triangle[c]]);
@@ -199,14 +199,15 @@ class PlyReader {
   std::uint64_t listLength(const PlyProperty& property) {
     const double length = numbers_.next(*property.countType);
     if (!(length >= 0 && length <= 1e9 && length == std::floor(length)))
-      throw Error("found a list of " + std::to_string(length) + " numbers");
+      throw Error("found a list of " + std::to_string(length) +
+                  " numbers, expected a whole number from 0 to 1000000000");
     return std::uint64_t(length);
   }
 
   void readVertex(const PlyElement& element) {
     const int x = element.indexOf({"x"}), y = element.indexOf({"y"}), z = element.indexOf({"z"});
     const int nx = element.indexOf({"nx"}), ny = element.indexOf({"ny"}), nz = element.indexOf({"nz"});
-    if (x < 0 || y < 0 || z < 0) throw Error("found no properties x, y and z");
+    if (x < 0 || y < 0 || z < 0) throw Error("found a vertex element without x, y and z, expected all three");
     std::vector<float> values(element.properties.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       const PlyProperty& property = element.properties[i];
@@ -233,7 +234,8 @@ class PlyReader {
                     std::to_string(arrays_.positions.size()) + " before it, counted from 0");
       corners_.push_back(std::uint32_t(index));
       places_.push_back(arrays_.positions[corners_.back()]);
-      if (!std::isfinite(glm::dot(places_.back(), glm::vec3(1)))) throw Error("found a vertex that is not finite");
+      if (!std::isfinite(glm::dot(places_.back(), glm::vec3(1))))
+        throw Error("found a vertex with a coordinate that is not finite");
     }
     for (const TriangleIndices& triangle : cutPolygon(places_))
       arrays_.triangles.push_back({corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});

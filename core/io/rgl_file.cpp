@@ -28,7 +28,8 @@ glm::u64vec2 gridSize(const TensorFile& file, std::string_view name, std::size_t
   const Tensor& tensor = file.floatField(name, dimensions);
   const std::uint64_t height = tensor.shape[dimensions - 2], width = tensor.shape[dimensions - 1];
   if (height < 2 || width < 2)
-    throw FormatMismatch("'" + std::string(name) + "' " + tensor.describe(), "last sizes of at least 2");
+    throw FormatMismatch("'" + std::string(name) + "' " + tensor.describe(),
+                         "at least 2 values along each of the last two dimensions");
   return {width, height};
 }
 
@@ -104,7 +105,8 @@ int reductionOf(const std::vector<float>& phis) {
   const double range = double(phis.back()) - phis.front();
   const double reduction = std::rint(2 * pi / range);
   if (reduction != 1 && reduction != 2 && reduction != 4)
-    throw FormatMismatch("incident azimuths over " + std::to_string(degrees(range)) + " degrees", "90, 180 or 360");
+    throw FormatMismatch("incident azimuths over " + std::to_string(degrees(range)) + " degrees",
+                         "90, 180 or 360 degrees");
   return int(reduction);
 }
 

@@ -19,10 +19,10 @@ ScratchFile::ScratchFile(const std::filesystem::path& folder, std::uint64_t byte
   if (!unknown && space.available < bytes)
     throw Error(folder.string() + ": a temporary file of " + std::to_string(bytes / 1'000'000) +
                 " MB is needed here, and the folder has " + std::to_string(space.available / 1'000'000) +
-                " MB of free space; TMPDIR in the environment chooses another folder");
+                " MB of free space; set the environment variable TMPDIR to use another folder");
   std::string name = (folder / "gonio.XXXXXX").string();
   descriptor_ = ::mkstemp(name.data());
-  if (descriptor_ < 0) fail("cannot be made");
+  if (descriptor_ < 0) fail("cannot be created");
   ::unlink(name.c_str());
 }
 

@@ -25,7 +25,7 @@ class TensorCursor {
 
   std::span<const std::byte> take(std::uint64_t count, const char* what) {
     if (count > bytes_.size() - position_)
-      throw FormatMismatch("a directory that is truncated at byte " + std::to_string(position_), what);
+      throw FormatMismatch("a field table that ends at byte " + std::to_string(position_), what);
     const auto taken = bytes_.subspan(position_, count);
     position_ += count;
     return taken;
@@ -86,10 +86,10 @@ Tensor readField(TensorCursor& cursor, std::span<const std::byte> file, const st
 void expectTensorFile(const ByteSource& source) {
   std::byte start[tensorHeaderBytes];
   if (source.size() < tensorHeaderBytes)
-    throw FormatMismatch(std::to_string(source.size()) + " bytes", "the signature 'tensor_file' and a directory");
+    throw FormatMismatch(std::to_string(source.size()) + " bytes", "the signature 'tensor_file' and a table of fields");
   source.readAt(0, start);
   if (std::memcmp(start, tensorMagic.data(), tensorMagic.size()) != 0)
-    throw FormatMismatch("other bytes at the start", "the signature 'tensor_file'");
+    throw FormatMismatch("no signature at the start", "the signature 'tensor_file'");
   if (start[tensorMagic.size()] != std::byte{1} || start[tensorMagic.size() + 1] != std::byte{0})
     throw FormatMismatch("tensor_file version " + std::to_string(int(start[tensorMagic.size()])) + "." +
                              std::to_string(int(start[tensorMagic.size() + 1])),

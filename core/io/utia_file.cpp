@@ -41,7 +41,7 @@ void expectValues(const ByteSource& source) {
   std::array<double, side> row{};
   source.readAt(0, std::as_writable_bytes(std::span(row)));
   if (std::ranges::any_of(row, [](double value) { return !(std::abs(value) <= maxValue); }))
-    throw FormatMismatch(std::to_string(binBytes) + " bytes that are not values of a BRDF", expectedUtia);
+    throw FormatMismatch(std::to_string(binBytes) + " bytes that are not BRDF values", expectedUtia);
 }
 
 Image readPicture(const ByteSource& source) {

@@ -54,8 +54,8 @@ std::size_t WordReader::count(const char* what) {
 std::vector<double> WordReader::numbers(std::size_t numbers, const char* what) {
   const std::size_t most = lines_.bytesLeft() / minBytesOfNumber + words_.size() + 1;
   if (numbers > most)
-    throw Error("line " + std::to_string(lines_.number()) + ": found text for at most " + std::to_string(most) +
-                " numbers, expected " + std::to_string(numbers) + " (" + what + ")");
+    throw Error("line " + std::to_string(lines_.number()) + ": the rest of the file has room for at most " +
+                std::to_string(most) + " numbers, expected " + std::to_string(numbers) + " (" + what + ")");
   std::vector<double> result(numbers);
   for (double& value : result) value = number(what);
   return result;

@@ -91,8 +91,8 @@ IncidenceFile readZemax(const ByteSource& source) {
   IncidenceFile file;
   file.brdf = std::make_shared<const IncidenceTableBrdf>(zemaxTable(header, blocks));
   if (header.rotations.size() > 1)
-    file.notes.push_back("mean of " + std::to_string(header.rotations.size()) +
-                         " sample rotations: the material is shown as isotropic");
+    file.notes.push_back("values are the mean of " + std::to_string(header.rotations.size()) +
+                         " sample rotations; the material is treated as isotropic");
   return file;
 }
 

@@ -85,7 +85,7 @@ MappedCells mappingOf(const Sizes& sizes, io::ContainerReader& file) {
   mapping.reference.resize(sizes.cells);
   file.values(mapping.reference, "reference");
   for (const float reference : mapping.reference)
-    if (reference < 0) file.fail("found a negative reference");
+    if (reference < 0) file.fail("found a negative reference value (median of the training set), expected 0 or more");
   return mapping;
 }
 
@@ -93,7 +93,7 @@ MappedCells mappingOf(const Sizes& sizes, io::ContainerReader& file) {
 Eigen::VectorXf basisColumn(const Sizes& sizes, const std::string& name, io::ContainerReader& file) {
   const auto cells = Eigen::Index(sizes.cells);
   const auto scale = file.number<float>();
-  if (!std::isfinite(scale)) file.fail("found a scale that is not finite, of " + name);
+  if (!std::isfinite(scale)) file.fail("the scale of " + name + " is not finite, expected a finite number");
   Eigen::VectorXf column(cells);
   if (sizes.precision == BasisPrecision::half) {
     HalfVector half(cells);

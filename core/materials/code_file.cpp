@@ -39,7 +39,7 @@ HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
   return {.thetaHCount = nodes(),
           .thetaDCount = nodes(),
           .phiDCount = nodes(),
-          .reciprocal = takeNumber<std::uint16_t>(file, "the fold of phi_d", 0, 1) == 1};
+          .reciprocal = takeNumber<std::uint16_t>(file, "the range of phi_d (0: 360 degrees, 1: folded)", 0, 1) == 1};
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void setCode(const CodeFile& file, Material& material) {
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
   material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
                                 std::string(dataTransformNames[std::size_t(code.transform)]) +
-                                (code.scaled ? "" : ", as published (without the scale)");
+                                (code.scaled ? "" : ", as published (without cell scaling)");
 }
 
 }  // namespace gonio::materials

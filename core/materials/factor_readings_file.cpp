@@ -38,7 +38,7 @@ std::string rowOf(const PlannedSample& sample, acquisition::FactorCurve curve) {
 acquisition::FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
   const auto found = std::ranges::find(factorCurveNames, name);
   if (found == factorCurveNames.end())
-    throw Error(io::lineText(row) + ": found '" + name + "' for curve, expected along or across");
+    throw Error(io::lineText(row) + ": found '" + name + "' in the column curve, expected along or across");
   return acquisition::FactorCurve(found - factorCurveNames.begin());
 }
 

@@ -43,10 +43,11 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
   material.brdf = std::move(rgl.brdf);
   material.source.description = std::move(rgl.description);
   material.source.grid = std::move(rgl.grid);
-  if (rgl.isSpectral) material.source.notes.push_back("spectra are shown under D65 for the CIE 1931 observer");
+  if (rgl.isSpectral)
+    material.source.notes.push_back("spectra are converted to colours under D65 with the CIE 1931 observer");
   if (rgl.negativeCount > 0)
     material.source.notes.push_back(std::to_string(rgl.negativeCount) +
-                                    " negative values (colours outside the sRGB gamut)");
+                                    " negative values (colours outside the sRGB gamut) are preserved");
 }
 
 void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
@@ -109,7 +110,7 @@ constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsd
 constexpr std::array formats{
     MaterialFormat{.id = FormatId::merl,
                    .name = "MERL",
-                   .label = "MERL table",
+                   .label = "MERL file",
                    .suffixes = merlSuffixes,
                    .hasCommonSuffix = false,
                    .isMeasurement = true,
@@ -119,7 +120,7 @@ constexpr std::array formats{
                    .write = io::encodeMerl},
     MaterialFormat{.id = FormatId::rgl,
                    .name = "RGL",
-                   .label = "RGL material",
+                   .label = "RGL file",
                    .suffixes = bsdfSuffixes,
                    .hasCommonSuffix = false,
                    .isMeasurement = true,
@@ -129,7 +130,7 @@ constexpr std::array formats{
                    .write = nullptr},
     MaterialFormat{.id = FormatId::utia,
                    .name = "UTIA",
-                   .label = "UTIA material",
+                   .label = "UTIA file",
                    .suffixes = utiaSuffixes,
                    .hasCommonSuffix = true,
                    .isMeasurement = true,
@@ -159,7 +160,7 @@ constexpr std::array formats{
                    .write = nullptr},
     MaterialFormat{.id = FormatId::astm,
                    .name = "ASTM",
-                   .label = "ASTM E1392 points",
+                   .label = "ASTM E1392 samples",
                    .suffixes = astmSuffixes,
                    .hasCommonSuffix = false,
                    .isMeasurement = false,
@@ -169,7 +170,7 @@ constexpr std::array formats{
                    .write = nullptr},
     MaterialFormat{.id = FormatId::goniophotometer,
                    .name = "pgII",
-                   .label = "pgII points",
+                   .label = "pgII samples",
                    .suffixes = goniophotometerSuffixes,
                    .hasCommonSuffix = true,
                    .isMeasurement = false,
@@ -179,7 +180,7 @@ constexpr std::array formats{
                    .write = nullptr},
     MaterialFormat{.id = FormatId::curet,
                    .name = "CUReT",
-                   .label = "CUReT points",
+                   .label = "CUReT samples",
                    .suffixes = curetSuffixes,
                    .hasCommonSuffix = true,
                    .isMeasurement = false,
@@ -263,7 +264,7 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
 const MaterialFormat& writableFormat(const std::filesystem::path& path) {
   if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
   throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
-              suffixText(isWritable, "or") + ", the formats that can be written");
+              suffixText(isWritable, "or") + ", the suffixes of the formats that Gonio writes");
 }
 
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {

@@ -14,7 +14,7 @@ extern const std::byte* const gonioMeasuredFiles[];
 namespace gonio::materials {
 
 std::string MeasuredMaterial::description() const {
-  return "RGL, measured: " + io::TensorFile(io::MemorySource(file)).text("description");
+  return "measurement from the RGL database: " + io::TensorFile(io::MemorySource(file)).text("description");
 }
 
 std::string MeasuredMaterial::sha256() const { return io::sha256Hex(io::MemorySource(file)); }

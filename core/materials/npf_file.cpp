@@ -72,12 +72,12 @@ std::size_t rowCount(const io::ByteSource& source) {
 /// The row of each name.
 std::map<std::string, std::size_t, std::less<>> namedRows(std::string_view rowNames, std::size_t rows) {
   std::map<std::string, std::size_t, std::less<>> result;
-  const io::CsvText names = namingFile("the names of the rows", [&] { return io::readCsvText(rowNames); });
+  const io::CsvText names = namingFile("npf_row_order.csv", [&] { return io::readCsvText(rowNames); });
   const std::size_t rowColumn = names.neededColumn("row"), materialColumn = names.neededColumn("material");
   for (const io::CsvText::Row& line : names.rows) {
     const int row = names.integer(line, rowColumn);
     if (row < 0 || std::size_t(row) >= rows)
-      throw Error("the names of the rows, " + io::lineText(line) + ": found row " + std::to_string(row) +
+      throw Error("npf_row_order.csv, " + io::lineText(line) + ": found row " + std::to_string(row) +
                   ", expected 0 to " + std::to_string(rows - 1));
     result.emplace(line.fields[materialColumn], std::size_t(row));
   }
@@ -154,7 +154,8 @@ Material readNpfRow(const std::filesystem::path& path) {
     const std::size_t number = rowOf(parts.row, parts.table, rowCount(source));
     const NpfRow row(source, number);
     const NonparametricFactors factors = factorsOf(row);
-    if (factors == NonparametricFactors()) throw Error("row " + std::to_string(number) + " has no material");
+    if (factors == NonparametricFactors())
+      throw Error("row " + std::to_string(number) + " is empty, expected the factors of a material");
     Material material;
     material.name = numberOf(parts.row) ? parts.table.stem().string() + "-" + parts.row : parts.row;
     material.source = {.path = std::filesystem::absolute(path).lexically_normal(),

@@ -76,14 +76,14 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
       fail(file, what, std::to_string(header[at]),
            std::to_string(low) + (low == high ? "" : " to " + std::to_string(high)));
   };
-  check("the form", formAt, 0, 1);
+  if (header[formAt] > 1) fail(file, "the form", std::to_string(header[formAt]), "0 (two curves) or 1 (three curves)");
   check("the transform", transformAt, 0, std::uint32_t(dataTransformNames.size()) - 1);
   check("the count of nodes of theta_R", thetaAt, 2, maxFactorNodes);
   check("the count of nodes of |Dp|", deviationAt, 2, maxFactorNodes);
   const bool isFlat = header[formAt] == 0;
   check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : maxFactorNodes);
   check("the count of terms", termsAt, 1, std::uint32_t(maxPdvTerms));
-  if (!std::isfinite(highest)) fail(file, "the maximum", "not finite", "a number");
+  if (!std::isfinite(highest)) fail(file, "the maximum transformed BRDF value", "not finite", "a finite number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
   file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));
 }

@@ -77,9 +77,10 @@ void checkOrder(const io::CsvText& csv, const SamplingPlan& plan) {
     const std::string found = io::lineText(csv.rows[i]) + ": found the order " + std::to_string(order);
     if (order < 1 || std::size_t(order) > lines.size())
       throw Error(found + ", expected 1 to " + std::to_string(lines.size()) +
-                  ", the number of samples; without this column, a new order is computed");
+                  ", the number of samples; remove the column to have the order computed");
     std::size_t& line = lines[std::size_t(order) - 1];
-    if (line != 0) throw Error(found + " again, first in line " + std::to_string(line));
+    if (line != 0)
+      throw Error(found + " a second time (first in line " + std::to_string(line) + "), expected each order once");
     line = csv.rows[i].line;
   }
 }
@@ -137,8 +138,8 @@ SamplingPlan parsePlan(std::string_view text) {
     if (sample.index < 1)
       throw Error(io::lineText(row) + ": found the index " + std::to_string(sample.index) + ", expected 1 or more");
     if (const auto [first, isNew] = lines.emplace(sample.index, row.line); !isNew)
-      throw Error(io::lineText(row) + ": found the index " + std::to_string(sample.index) + " again, first in line " +
-                  std::to_string(first->second));
+      throw Error(io::lineText(row) + ": found the index " + std::to_string(sample.index) +
+                  " a second time (first in line " + std::to_string(first->second) + "), expected each index once");
     const auto& a =
         angles.emplace_back(std::array{polarDegrees(csv, row, columns[0]), azimuthDegrees(csv, row, columns[1]),
                                        polarDegrees(csv, row, columns[2]), azimuthDegrees(csv, row, columns[3])});

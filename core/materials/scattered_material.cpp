@@ -82,21 +82,21 @@ std::string factorText(double logarithm) { return io::decimalText(std::exp(std::
 void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points, std::size_t nodes,
               const acquisition::Reconstruction& reconstruction, std::vector<std::string>& notes) {
   const auto count = [](std::size_t number) { return std::to_string(number); };
-  notes.push_back("measured at individual directions: " + count(points.used) + " points at " + count(nodes) +
-                  " nodes are used; all other values are reconstructed from principal components of the bundled "
-                  "materials, isotropic and reciprocal");
+  notes.push_back("measured at individual directions: " + count(points.used) + " samples at " + count(nodes) +
+                  " grid nodes are used; all other values are reconstructed from principal components of the bundled "
+                  "materials, assuming an isotropic, reciprocal material");
   const std::size_t leftOut = samples.values.size() - points.used;
   if (leftOut > 0)
-    notes.push_back(count(leftOut) + " points were left out: " + count(points.outside) +
-                    " too close to the horizon, the others at neighbouring nodes");
+    notes.push_back(count(leftOut) + " samples were left out: " + count(points.outside) +
+                    " too close to the horizon, the others to limit the number of nodes");
   if (samples.belowHorizonCount > 0)
-    notes.push_back(count(samples.belowHorizonCount) + " points at or below the horizon were left out");
+    notes.push_back(count(samples.belowHorizonCount) + " samples at or below the horizon were left out");
   if (samples.negativeCount > 0) notes.push_back(count(samples.negativeCount) + " negative values were set to 0");
   if (std::isfinite(reconstruction.leaveOneOutError))
     notes.push_back("leave-one-out error: a measured value is predicted from the others within a factor of " +
                     factorText(reconstruction.leaveOneOutError) + " (root mean square)");
   else
-    notes.push_back("leave-one-out error: unknown, because the points do not predict each other");
+    notes.push_back("leave-one-out error: unknown, because the samples do not predict each other");
 }
 
 /// The reconstruction without values that neither a bundled material has at a node nor the measurement anywhere: what
@@ -124,7 +124,7 @@ void setScattered(const io::ScatteredSamples& samples, const TaskControl& contro
   GatheredPoints points = gather(samples, mapping);
   if (points.nodes.empty())
     throw Error("found " + std::to_string(samples.values.size()) +
-                " points, expected at least one away from the horizon");
+                " samples, expected at least one away from the horizon");
   const Measured measured = measuredAt(points, mapping.grid, !samples.deviations.empty());
   const acquisition::Reconstruction reconstruction = acquisition::reconstruct(
       basis->components, measured.plan, measured.values, {.uncertainty = false}, control.between(0.6, 0.9));

@@ -41,10 +41,10 @@ dictionary::Sizes checkpointSizes(const io::ContainerReader& file, const json& n
 }
 
 std::vector<double> errorsOf(const io::ContainerReader& file, const json& errors) {
-  if (!errors.is_array()) file.fail("found " + describeJson(errors) + ", expected a list of errors");
+  if (!errors.is_array()) file.fail("found " + describeJson(errors) + ", expected a list of training errors");
   std::vector<double> list;
   for (const json& error : errors) {
-    if (!error.is_number()) file.fail("found " + describeJson(error) + ", expected an error");
+    if (!error.is_number()) file.fail("found " + describeJson(error) + ", expected a number");
     list.push_back(error.get<double>());
   }
   return list;
@@ -54,7 +54,7 @@ TrainingState stateOf(io::ContainerReader file, const std::string& training) {
   const json description = file.description();
   const JsonObject root(description, "");
   if (root.text("training") != training)
-    throw Error("the checkpoint belongs to another training; found " + root.text("training") + ", expected " +
+    throw Error("the checkpoint belongs to a different training run; found " + root.text("training") + ", expected " +
                 training);
   TrainingState state;
   state.subspace.bases = take(file, checkpointSizes(file, root.array("sizes")));

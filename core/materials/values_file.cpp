@@ -70,10 +70,10 @@ std::vector<const io::CsvText::Row*> rowsOf(const io::CsvText& csv, const Sampli
     const int index = csv.integer(row, column);
     const auto found = byIndex.find(index);
     if (found == byIndex.end())
-      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + ", which the plan does not have");
+      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + ", expected an index of the plan");
     if (found->second)
-      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + " again, first in " +
-                  io::lineText(*found->second));
+      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + " a second time (first in " +
+                  io::lineText(*found->second) + "), expected each index once");
     found->second = &row;
   }
   std::vector<const io::CsvText::Row*> rows;

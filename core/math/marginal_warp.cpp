@@ -66,7 +66,7 @@ MarginalWarp::MarginalWarp(SliceStack<float> density, const std::string& name, E
   const auto negative = std::ranges::find_if(density_.values, [](float value) { return value < 0; });
   if (negative != density_.values.end())
     throw Error("value " + std::to_string(negative - density_.values.begin()) + " of '" + name + "' is " +
-                std::to_string(*negative) + ", expected a density, which is nowhere negative");
+                std::to_string(*negative) + ", expected a density of 0 or more");
   marginal_.resize(slices * height);
   std::vector<double> rows(width * height), marginal(height);
   for (std::size_t slice = 0; slice < slices; ++slice) {
@@ -81,7 +81,8 @@ MarginalWarp::MarginalWarp(SliceStack<float> density, const std::string& name, E
       marginal[row] = row == 0 ? 0 : marginal[row - 1] + 0.5 * (rows[row * width - 1] + rows[(row + 1) * width - 1]);
     }
     const double total = marginal[height - 1];
-    if (!(total > 0)) throw Error("slice " + std::to_string(slice) + " of '" + name + "' is 0, expected a density");
+    if (!(total > 0))
+      throw Error("slice " + std::to_string(slice) + " of '" + name + "' is 0 everywhere, expected a positive total");
     for (std::size_t i = 0; i < width * height; ++i) {
       values[i] = float(values[i] / total);
       conditional_.values[slice * width * height + i] = float(rows[i] / total);

@@ -14,86 +14,95 @@ namespace {
 constexpr std::string_view bieronPeers =
     "Bieron and Peers 2020, An Adaptive BRDF Fitting Metric, Computer Graphics Forum 39(4)";
 constexpr std::string_view lavoue =
-    "Lavoue et al. 2021, Perceptual Quality of BRDF Approximations: Dataset and Metrics (there a mean over angles, not "
+    "Lavoué et al. 2021, Perceptual Quality of BRDF Approximations: Dataset and Metrics (there a mean over angles, not "
     "solid angles, and optionally of cube roots)";
 
 // clang-format off
 constexpr std::array records{
     MetricRecord{
-        .metric = BrdfMetric::log, .id = "log", .alias = "loew-e2", .name = "Logarithm",
-        .formula = "sqrt <d^2>, d of ln(1 + rho cos theta_i)", .unit = "",
-        .reference = "Loew et al. 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces, E2",
+        .metric = BrdfMetric::log, .id = "log", .alias = "loew-e2", .name = "Log error",
+        .formula = "sqrt mean(d^2), d: difference of ln(1 + rho cos theta_i)", .unit = "",
+        .reference = "Löw et al. 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces, E2",
         .factor = MetricFactor::cosI, .domain = MetricDomain::log, .power = MetricPower::square},
     MetricRecord{
         .metric = BrdfMetric::cosineL2, .id = "cosine-l2", .alias = "loew-e1", .name = "Cosine-weighted L2",
-        .formula = "sqrt <d^2>, d of rho cos theta_i", .unit = "1/sr",
+        .formula = "sqrt mean(d^2), d: difference of rho cos theta_i", .unit = "1/sr",
         .reference = "Ngan et al. 2005, Experimental Analysis of BRDF Models; weighted by solid angles it is also E1 "
-                     "of Loew et al. 2012 and the second distance of Lavoue et al. 2021",
+                     "of Löw et al. 2012 and the second distance of Lavoué et al. 2021",
         .factor = MetricFactor::cosI, .domain = MetricDomain::linear, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::cubeRoot, .id = "cube-root", .alias = "", .name = "Cube root",
-        .formula = "sqrt <d^2>, d of (rho cos theta_i)^(1/3)", .unit = "sr^(-1/3)",
+        .metric = BrdfMetric::cubeRoot, .id = "cube-root", .alias = "", .name = "Cube-root error",
+        .formula = "sqrt mean(d^2), d: difference of (rho cos theta_i)^(1/3)", .unit = "sr^(-1/3)",
         .reference = bieronPeers,
         .factor = MetricFactor::cosI, .domain = MetricDomain::cubeRoot, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::meanAbsoluteLog, .id = "mean-absolute-log", .alias = "", .name = "Mean absolute logarithm",
-        .formula = "<|d|>, d of ln(1 + rho cos theta_i)", .unit = "",
+        .metric = BrdfMetric::meanAbsoluteLog, .id = "mean-absolute-log", .alias = "",
+        .name = "Mean absolute log error",
+        .formula = "mean(|d|), d: difference of ln(1 + rho cos theta_i)", .unit = "",
         .reference = "Sztrajman et al. 2021, Neural BRDF Representation and Importance Sampling",
         .factor = MetricFactor::cosI, .domain = MetricDomain::log, .power = MetricPower::absolute, .isRoot = false},
     MetricRecord{
-        .metric = BrdfMetric::bieronPeersLog, .id = "bieron-peers-log", .alias = "", .name = "Logarithm, projected",
-        .formula = "sqrt <d^2 cos theta_o>, d of ln(1 + rho cos theta_i)", .unit = "",
+        .metric = BrdfMetric::bieronPeersLog, .id = "bieron-peers-log", .alias = "",
+        .name = "Log error, projected solid angle",
+        .formula = "sqrt mean(d^2 cos theta_o), d: difference of ln(1 + rho cos theta_i)", .unit = "",
         .reference = bieronPeers,
         .factor = MetricFactor::cosI, .domain = MetricDomain::log, .power = MetricPower::square,
         .weight = MetricWeight::cosO},
     MetricRecord{
         .metric = BrdfMetric::gamma, .id = "gamma", .alias = "", .name = "Gamma",
-        .formula = "sqrt <d^2>, d of (rho cos theta_i)^(1/g), g from 1 to 3", .unit = "sr^(-1/g)",
+        .formula = "sqrt mean(d^2), d: difference of (rho cos theta_i)^(1/g), g from 1 to 3", .unit = "sr^(-1/g)",
         .reference = bieronPeers,
         .factor = MetricFactor::cosI, .domain = MetricDomain::gamma, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::logRelative, .id = "log-relative", .alias = "lavoue-log-rms", .name = "Relative logarithm",
-        .formula = "sqrt <d^2>, d of ln(rho max(cos theta_i cos theta_o, e) + e), e = 0.001", .unit = "",
+        .metric = BrdfMetric::logRelative, .id = "log-relative", .alias = "lavoue-log-rms",
+        .name = "Relative log error",
+        .formula = "sqrt mean(d^2), d: difference of ln(rho max(cos theta_i cos theta_o, e) + e), e = 0.001",
+        .unit = "",
         .reference = "Nielsen et al. 2015, On Optimal, Minimal BRDF Sampling for Reflectance Acquisition; the ninth "
-                     "distance of Lavoue et al. 2021",
+                     "distance of Lavoué et al. 2021",
         .factor = MetricFactor::cosines, .domain = MetricDomain::logRelative, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::rms, .id = "rms", .alias = "", .name = "Root mean square",
-        .formula = "sqrt <d^2>, d of rho", .unit = "1/sr", .reference = lavoue,
+        .metric = BrdfMetric::rms, .id = "rms", .alias = "", .name = "RMS error",
+        .formula = "sqrt mean(d^2), d: difference of rho", .unit = "1/sr", .reference = lavoue,
         .factor = MetricFactor::one, .domain = MetricDomain::linear, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::cosineCubeRoot, .id = "cosine-cube-root", .alias = "", .name = "Cosine-weighted, cube root",
-        .formula = "sqrt <|d|^(2/3)>, d of rho cos theta_i", .unit = "sr^(-1/3)",
+        .metric = BrdfMetric::cosineCubeRoot, .id = "cosine-cube-root", .alias = "",
+        .name = "Cosine-weighted, cube root",
+        .formula = "sqrt mean(|d|^(2/3)), d: difference of rho cos theta_i", .unit = "sr^(-1/3)",
         .reference = "Fores et al. 2012, Toward a Perceptually Based Metric for BRDF Modeling; the third distance of "
-                     "Lavoue et al. 2021",
+                     "Lavoué et al. 2021",
         .factor = MetricFactor::cosI, .domain = MetricDomain::linear, .power = MetricPower::twoThirds},
     MetricRecord{
-        .metric = BrdfMetric::projectedRms, .id = "projected-rms", .alias = "", .name = "Root mean square, projected",
-        .formula = "sqrt <d^2 cos theta_o>, d of rho", .unit = "1/sr", .reference = lavoue,
+        .metric = BrdfMetric::projectedRms, .id = "projected-rms", .alias = "",
+        .name = "RMS error, projected solid angle",
+        .formula = "sqrt mean(d^2 cos theta_o), d: difference of rho", .unit = "1/sr", .reference = lavoue,
         .factor = MetricFactor::one, .domain = MetricDomain::linear, .power = MetricPower::square,
         .weight = MetricWeight::cosO},
     MetricRecord{
-        .metric = BrdfMetric::meanAbsolute, .id = "mean-absolute", .alias = "", .name = "Mean absolute",
-        .formula = "<|d|>, d of rho", .unit = "1/sr", .reference = lavoue,
+        .metric = BrdfMetric::meanAbsolute, .id = "mean-absolute", .alias = "", .name = "Mean absolute error",
+        .formula = "mean(|d|), d: difference of rho", .unit = "1/sr", .reference = lavoue,
         .factor = MetricFactor::one, .domain = MetricDomain::linear, .power = MetricPower::absolute, .isRoot = false},
     MetricRecord{
-        .metric = BrdfMetric::cosinesCubeRoot, .id = "cosines-cube-root", .alias = "", .name = "Both cosines, cube root",
-        .formula = "<|d|^(2/3)>, d of rho max(cos theta_i cos theta_o, e), e = 0.001", .unit = "sr^(-2/3)",
+        .metric = BrdfMetric::cosinesCubeRoot, .id = "cosines-cube-root", .alias = "",
+        .name = "Both cosines, cube root",
+        .formula = "mean(|d|^(2/3)), d: difference of rho max(cos theta_i cos theta_o, e), e = 0.001",
+        .unit = "sr^(-2/3)",
         .reference = "Sun et al. 2018, Connecting Measured BRDFs to Analytic BRDFs by Data-Driven Diffuse-Specular "
-                     "Separation; the seventh distance of Lavoue et al. 2021",
+                     "Separation; the seventh distance of Lavoué et al. 2021",
         .factor = MetricFactor::cosines, .domain = MetricDomain::linear, .power = MetricPower::twoThirds,
         .isRoot = false},
     MetricRecord{
         .metric = BrdfMetric::meanAbsoluteLogRelative, .id = "mean-absolute-log-relative", .alias = "",
-        .name = "Mean absolute relative logarithm",
-        .formula = "<|d|>, d of ln(rho max(cos theta_i cos theta_o, e) + e), e = 0.001", .unit = "",
+        .name = "Mean absolute relative log error",
+        .formula = "mean(|d|), d: difference of ln(rho max(cos theta_i cos theta_o, e) + e), e = 0.001", .unit = "",
         .reference = lavoue,
         .factor = MetricFactor::cosines, .domain = MetricDomain::logRelative, .power = MetricPower::absolute,
         .isRoot = false},
     MetricRecord{
         .metric = BrdfMetric::lab, .id = "lab", .alias = "", .name = "CIE L*a*b*",
-        .formula = "sqrt <Delta E^2 cos theta_i cos theta_o>, Delta E 1976 of pi rho", .unit = "Delta E",
-        .reference = "After the sixth distance of Lavoue et al. 2021; white is the perfect diffuser, D65",
+        .formula = "sqrt mean(Delta E^2 cos theta_i cos theta_o), Delta E: CIE 1976 colour difference of pi rho",
+        .unit = "Delta E",
+        .reference = "After the sixth distance of Lavoué et al. 2021; white is the perfect diffuser, D65",
         .factor = MetricFactor::one, .domain = MetricDomain::lab, .power = MetricPower::square,
         .weight = MetricWeight::cosines, .minimisable = false},
 };
@@ -131,7 +140,7 @@ BrdfMetric metricByName(std::string_view name) {
     if (record.id == name || (!record.alias.empty() && record.alias == name)) return record.metric;
     known += (known.empty() ? "" : ", ") + std::string(record.id);
   }
-  throw Error("there is no metric named '" + std::string(name) + "'; the metrics are " + known);
+  throw Error("found the metric '" + std::string(name) + "', expected one of " + known);
 }
 
 }  // namespace gonio::metrics

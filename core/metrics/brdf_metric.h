@@ -61,8 +61,7 @@ struct MetricRecord {
   std::string_view id;       ///< in JSON, on the command line and in lists
   std::string_view alias;    ///< another name of the same metric in the literature, or ""
   std::string_view name;     ///< for display
-  std::string_view formula;  ///< "d of E": difference of the expression E between the materials; <> is the weighted
-                             ///< mean
+  std::string_view formula;  ///< in ASCII; differences are between the materials, means are weighted
   std::string_view unit;     ///< of the error; "" for a number without unit
   std::string_view reference;
   MetricFactor factor;

@@ -15,7 +15,7 @@ struct ImageMetricRecord {
   std::string_view id;       ///< in JSON and in Python
   std::string_view name;     ///< for display
   std::string_view domain;   ///< the values of the pictures that it compares
-  std::string_view formula;  ///< r and t are the values of reference and test, <> the mean over pixels and channels
+  std::string_view formula;  ///< in ASCII; means are over pixels and channels
   std::string_view reference;
   /// Computes the metric of linear pictures. @throws Error if the sizes differ.
   double (*compute)(const Image& reference, const Image& test);

@@ -11,7 +11,7 @@
 namespace gonio::models {
 
 inline constexpr std::string_view abcReference =
-    "Loew, Kronander, Ynnerman and Unger 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces";
+    "Löw, Kronander, Ynnerman and Unger 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces";
 
 /// (1 + B x)^-C, x >= 0; finite for large B.
 inline double abcLobe(double x, double b, double c) { return std::exp(-c * std::log1p(b * x)); }

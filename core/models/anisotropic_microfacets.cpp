@@ -35,8 +35,8 @@ constexpr std::array<ParameterSpec, 9> parametersOf(std::string_view distributio
           rotationParameter(),
           normalReflectanceParameter(),
           choiceParameter("masking", "Masking", "G",
-                          "Combination of the shadowing of the light and the masking of the viewer.",
-                          "G1(i) G1(o), or 1 / (1 + Lambda(i) + Lambda(o))",
+                          "How shadowing and masking combine: independent, or correlated by height (more accurate).",
+                          "separable: G1(i) G1(o); height-correlated: 1 / (1 + Lambda(i) + Lambda(o))",
                           "Heitz 2014, Understanding the Masking-Shadowing Function, eq. 98-99", maskingChoices),
           fresnelParameter(FresnelChoice::dielectric),
           edgeTintParameter()};

@@ -32,7 +32,7 @@ constexpr ParameterSpec parameters[] = {
     edgeTintParameter(),
     choiceParameter("diffuse-term", "Diffuse term", "R_d",
                     "Light that the diffuse term receives: only what the highlight leaves, or all (fits of Ngan et al. "
-                    "2005 and Loew et al. 2012).",
+                    "2005 and Löw et al. 2012).",
                     "coupled: 28 k_d / (23 pi) (1 - F_0)(1 - (1 - cos theta_i / 2)^5)(1 - (1 - cos theta_o / 2)^5); "
                     "lambert: k_d / pi",
                     ashikhmin2000, diffuseTerms),
@@ -41,9 +41,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec ashikhminShirleySpec = {
     .id = "ashikhmin-shirley", .name = "Ashikhmin-Shirley",
-    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a diffuse term that receives only the "
-                   "light that the highlight leaves. Reciprocal; the albedo of the highlight never exceeds k_s and "
-                   "falls toward grazing angles.",
+    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a diffuse term that "
+                   "receives only the light that the highlight leaves. Reciprocal; the albedo of the highlight never "
+                   "exceeds k_s and falls towards grazing angles.",
     .formula = "R_d + k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "
                "(cos theta_d max(cos theta_i, cos theta_o)), e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)",
     .reference = ashikhmin2000, .parameters = parameters,

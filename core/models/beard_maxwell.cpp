@@ -25,7 +25,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "volume", .label = "Volume", .symbol = "k_v", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 0.1,
      .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-     .description = "Light scattered once below the surface: brighter toward grazing angles than the diffuse part.",
+     .description = "Light scattered once below the surface: brighter towards grazing angles than the diffuse term.",
      .formula = "2 k_v / (pi (cos theta_i + cos theta_o))", .reference = westlundMeyer,
      .role = ParameterRole::body},
     specularParameter(1, "k_s D F SO / (4 cos theta_i cos theta_o)", westlundMeyer),

@@ -23,13 +23,13 @@ constexpr ParameterSpec parameters[] = {
     choiceParameter("normalisation", "Normalisation", "N",
                     "Scales the highlight with its sharpness so that its energy stays constant.",
                     "half-vector: (n + 2) / (8 pi); unit-albedo: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))); none: 1",
-                    "Schueler 2011, The Blinn-Phong Normalization Zoo", normalisations),
+                    "Schüler 2011, The Blinn-Phong Normalization Zoo", normalisations),
 };
 
 constexpr ModelSpec blinnPhongSpec = {
     .id = "blinn-phong", .name = "Blinn-Phong",
     .description = "A cosine lobe about the half vector; simple and fast. Reciprocal. With normalisation 'none' its "
-                   "energy depends on the exponent and exceeds 1 for broad lobes; it darkens toward grazing angles.",
+                   "energy depends on the exponent and exceeds 1 for broad lobes; it darkens towards grazing angles.",
     .formula = "k_d / pi + k_s N cos^n theta_h", .reference = blinn, .parameters = parameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on

@@ -13,8 +13,8 @@ namespace gonio::models {
 namespace {
 
 constexpr std::string_view guenther =
-    "Guenther, Chen, Goesele, Wald and Seidel 2005, Efficient Acquisition and Realistic Rendering of Car Paint; Rump, "
-    "Mueller, Sarlette, Koch and Klein 2008, Photo-realistic Rendering of Metallic Car Paint from Image-Based "
+    "Günther, Chen, Goesele, Wald and Seidel 2005, Efficient Acquisition and Realistic Rendering of Car Paint; Rump, "
+    "Müller, Sarlette, Koch and Klein 2008, Photo-realistic Rendering of Metallic Car Paint from Image-Based "
     "Measurements";
 constexpr std::string_view lobeFormula = "k D F G / (N cos theta_i cos theta_o)";
 constexpr std::string_view normalisations[] = {"walter", "rump"};
@@ -56,9 +56,10 @@ constexpr ParameterSpec parameters[] = {
     widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Width of the clear coat's highlight."),
     reflectanceParameter("coat-f0", "Coat reflectance", "F_1", 0.04,
                          "Reflectance of the clear coat at normal incidence; lacquer is near 0.04."),
-    strengthParameter("flakes", "Flakes", "k_2", 0.3, ParameterRole::highlight, "Strength and tint of the glow of flakes that lie flat."),
-    widthParameter("flakes-roughness", "Flakes roughness", "m_2", 0.15, "How far the flat flakes tilt."),
-    reflectanceParameter("flakes-f0", "Flakes reflectance", "F_2", 0.5,
+    strengthParameter("flakes", "Flakes", "k_2", 0.3, ParameterRole::highlight,
+                      "Strength and tint of the glow of flakes that lie flat."),
+    widthParameter("flakes-roughness", "Flake roughness", "m_2", 0.15, "How far the flat flakes tilt."),
+    reflectanceParameter("flakes-f0", "Flake reflectance", "F_2", 0.5,
                          "Reflectance of the flat flakes at normal incidence."),
     strengthParameter("haze", "Haze", "k_3", 0.2, ParameterRole::highlight,
         "Strength and tint of the wide glow of disordered flakes."),

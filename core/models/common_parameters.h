@@ -38,7 +38,7 @@ constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_
 }
 
 constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
-  return {.id = "f0", .label = "Normal reflectance", .symbol = "F_0", .unit = "",
+  return {.id = "f0", .label = "Reflectance F0", .symbol = "F_0", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = defaultValue,
           .group = ParameterGroup::fresnel,
           .description = "Reflectance of the surface at normal incidence; metals are high, plastics near 0.04.",
@@ -62,9 +62,9 @@ constexpr ParameterSpec edgeTintParameter() {
   return {.id = "edge-tint", .label = "Edge tint", .symbol = "g", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.5,
           .group = ParameterGroup::fresnel,
-          .description = "How early the reflectance of a metal rises toward grazing angles; 0 is a dielectric.",
+          .description = "How early the reflectance of a metal rises towards grazing angles; 0 is a dielectric.",
           .formula = "eta = g (1 - F_0) / (1 + F_0) + (1 - g) (1 + sqrt F_0) / (1 - sqrt F_0), "
-                     "k^2 = (F_0 (eta + 1)^2 - (eta - 1)^2) / (1 - F_0)",
+                     "k^2 = (F_0 (eta + 1)^2 - (eta - 1)^2) / (1 - F_0), k: extinction coefficient",
           .reference = "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",
           .activeWith = "fresnel", .activeChoice = int(FresnelChoice::conductor)};
 }
@@ -83,9 +83,10 @@ constexpr ParameterSpec choiceParameter(std::string_view id, std::string_view la
 /// Choice of the Fresnel term. @param ofSource the term in the model's source, used as default.
 constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
   return choiceParameter("fresnel", "Fresnel", "F",
-                         "Fresnel term, the rise of the reflectance toward grazing angles: exact for glass and "
+                         "Fresnel term, the rise of the reflectance towards grazing angles: exact for glass and "
                          "plastic, exact for a metal, or Schlick's approximation.",
-                         "dielectric: exact, k = 0; conductor: exact, eta + i k; schlick: F_0 + (1 - F_0)(1 - cos theta_d)^5",
+                         "dielectric: exact, k = 0; conductor: exact, eta + i k; "
+                         "schlick: F_0 + (1 - F_0)(1 - cos theta_d)^5",
                          "Cook and Torrance 1982; Born and Wolf, Principles of Optics, 14.2; Schlick 1994",
                          fresnelChoices, int(ofSource));
 }

@@ -17,7 +17,7 @@ constexpr std::string_view normalisations[] = {"walter", "ngan", "original-1982"
 enum Index { diffuse, specular, roughness, normalReflectance, normalisation, fresnelTerm, edgeTint };
 
 // clang-format off
-// Published fits of the roughness reach 2.1 (Loew et al. 2012).
+// Published fits of the roughness reach 2.1 (Löw et al. 2012).
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     specularParameter(1, "k_s D F G / (N cos theta_i cos theta_o)", cookTorrance1982),

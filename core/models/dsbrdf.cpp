@@ -53,22 +53,24 @@ constexpr ParameterSpec gamma(std::string_view id, std::string_view label, std::
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
-    strength("strength-1", "Lobe 1", "s_1", 1, "Peak and tint of the first lobe at normal incidence."),
-    kappa("kappa-1-0", "Lobe 1, 0 degrees", "kappa_1(0)", "Large values give the first lobe a sharp tip and a wide foot."),
-    kappa("kappa-1-45", "Lobe 1, 45 degrees", "kappa_1(45)", "Kappa at 45 degrees of incidence; above the value at "
-                                                             "normal incidence the lobe is brighter there."),
-    kappa("kappa-1-90", "Lobe 1, grazing", "kappa_1(90)", "Kappa of the first lobe at grazing incidence: its rise "
-                                                          "toward the edge."),
-    gamma("gamma-1-0", "Sharpness 1, 0 degrees", "gamma_1(0)", 200, "How narrow the first lobe is at normal incidence."),
-    gamma("gamma-1-90", "Sharpness 1, grazing", "gamma_1(90)", 200, "How narrow the first lobe is at grazing light."),
-    strength("strength-2", "Lobe 2", "s_2", 0.05, "Peak and tint of the second lobe at normal incidence."),
-    kappa("kappa-2-0", "Lobe 2, 0 degrees", "kappa_2(0)", "Large values give the second lobe a sharp tip and a wide foot."),
-    kappa("kappa-2-45", "Lobe 2, 45 degrees", "kappa_2(45)", "Kappa at 45 degrees of incidence; above the value at "
-                                                             "normal incidence the lobe is brighter there."),
-    kappa("kappa-2-90", "Lobe 2, grazing", "kappa_2(90)", "Kappa of the second lobe at grazing incidence: its rise "
-                                                          "toward the edge."),
-    gamma("gamma-2-0", "Sharpness 2, 0 degrees", "gamma_2(0)", 5, "How narrow the second lobe is at normal incidence."),
-    gamma("gamma-2-90", "Sharpness 2, grazing", "gamma_2(90)", 5, "How narrow the second lobe is at grazing light."),
+    strength("strength-1", "Lobe 1 strength", "s_1", 1, "Peak and tint of the first lobe at normal incidence."),
+    kappa("kappa-1-0", "Kappa 1 at 0°", "kappa_1(0)",
+          "Large values give the first lobe a sharp tip and a wide foot."),
+    kappa("kappa-1-45", "Kappa 1 at 45°", "kappa_1(45)",
+          "Kappa at a difference angle of 45 degrees; if it is larger than at 0 degrees, the lobe is brighter there."),
+    kappa("kappa-1-90", "Kappa 1 at 90°", "kappa_1(90)",
+          "Kappa of the first lobe at grazing incidence; controls how much the lobe brightens there."),
+    gamma("gamma-1-0", "Sharpness 1 at 0°", "gamma_1(0)", 200, "How narrow the first lobe is at normal incidence."),
+    gamma("gamma-1-90", "Sharpness 1 at 90°", "gamma_1(90)", 200, "How narrow the first lobe is at grazing incidence."),
+    strength("strength-2", "Lobe 2 strength", "s_2", 0.05, "Peak and tint of the second lobe at normal incidence."),
+    kappa("kappa-2-0", "Kappa 2 at 0°", "kappa_2(0)",
+          "Large values give the second lobe a sharp tip and a wide foot."),
+    kappa("kappa-2-45", "Kappa 2 at 45°", "kappa_2(45)",
+          "Kappa at a difference angle of 45 degrees; if it is larger than at 0 degrees, the lobe is brighter there."),
+    kappa("kappa-2-90", "Kappa 2 at 90°", "kappa_2(90)",
+          "Kappa of the second lobe at grazing incidence; controls how much the lobe brightens there."),
+    gamma("gamma-2-0", "Sharpness 2 at 0°", "gamma_2(0)", 5, "How narrow the second lobe is at normal incidence."),
+    gamma("gamma-2-90", "Sharpness 2 at 90°", "gamma_2(90)", 5, "How narrow the second lobe is at grazing incidence."),
 };
 
 constexpr ModelSpec dsbrdfSpec = {

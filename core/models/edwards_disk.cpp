@@ -25,7 +25,7 @@ constexpr ModelSpec edwardsDiskSpec = {
     .id = "edwards-disk", .name = "Edwards halfway disk",
     .description = "A highlight on the disk of projected halfway vectors, from the mirror point to the rim: its "
                    "albedo is exactly k_s at every angle; with an exponent of 0 it is Lambertian. Not reciprocal: "
-                   "the distance to the rim depends on the viewer alone.",
+                   "the distance to the rim is measured from the viewer's mirror point.",
     .formula = "k_d / pi + k_s (n + 1) / pi (1 - |Dp|^2 / L^2)^n, Dp = i_xy + o_xy, "
                "L the distance from the mirror point -o_xy to the rim along Dp",
     .reference = edwards2006, .parameters = parameters,

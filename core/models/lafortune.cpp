@@ -26,8 +26,8 @@ constexpr ParameterSpec parameters[] = {
     specularParameter(0.1, "k_s N (C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
     {.id = "c-xy", .label = "C xy", .symbol = "C_xy", .unit = "",
      .softMin = -1, .softMax = 1, .hardMin = -1, .hardMax = 1, .defaultValue = -0.577,
-     .description = "Direction of the highlight: at -C_z the mirror direction; more negative values lean it toward the "
-                    "horizon, positive values back toward the light.",
+     .description = "Direction of the highlight: at -C_z the mirror direction; more negative values lean it towards "
+                    "the horizon, positive values back towards the light.",
      .formula = "C_xy (i_x o_x + i_y o_y)", .reference = lafortune1997},
     {.id = "c-z", .label = "C z", .symbol = "C_z", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.577,

@@ -22,7 +22,7 @@ constexpr std::string_view lobeFormula =
     "(F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o), s = (1 - cos theta_d)^5";
 constexpr std::string_view widthFormula = "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)";
 constexpr std::string_view sheenSources =
-    "Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF, eq. 2; Neubelt and Pettineo 2013, Crafting a "
+    "Estévez and Kulla 2017, Production Friendly Microfacet Sheen BRDF, eq. 2; Neubelt and Pettineo 2013, Crafting a "
     "Next-Gen Material Pipeline for The Order: 1886";
 constexpr std::string_view sheenFormula =
     "k_sh (2 + 1 / alpha) sin^(1 / alpha) theta_h / (8 pi (cos theta_i + cos theta_o - cos theta_i cos theta_o))";
@@ -68,55 +68,59 @@ constexpr ParameterSpec ofLobe(ParameterSpec spec, std::string_view formula, std
 }
 constexpr ParameterSpec switchParameter(std::string_view id, std::string_view label, std::string_view symbol, bool on,
                                         std::string_view description) {
-  return choiceParameter(id, label, symbol, description, "off: the lobe is black; a fit leaves its parameters out",
-                         sources, switches, on ? 1 : 0);
+  return choiceParameter(id, label, symbol, description,
+                         "off: the lobe is black, and a fit does not change its parameters", sources,
+                         switches, on ? 1 : 0);
 }
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     reflectanceParameter("base", "Base", "F_0,1", 0.05, ParameterRole::highlight,
                          "Strength and colour of the widest lobe at normal incidence: the gloss of a matte surface."),
-    reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge,
-                         "Strength and colour of this lobe toward grazing angles."),
-    widthParameter("base-roughness", "Base, roughness", "alpha_1", 0.5, "Width of the widest lobe."),
+    reflectanceParameter("base-edge", "Base edge colour", "F_90,1", 0.05, ParameterRole::edge,
+                         "Strength and colour of this lobe towards grazing angles."),
+    widthParameter("base-roughness", "Base roughness", "alpha_1", 0.5, "Width of the widest lobe."),
     reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05, ParameterRole::highlight,
                          "Strength and colour of the middle lobe at normal incidence: metal flakes, brushed metal.",
                          "flakes-lobe"),
-    reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge,
-                         "Strength and colour of this lobe toward grazing angles.", "flakes-lobe"),
-    widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe.", "flakes-lobe"),
+    reflectanceParameter("flakes-edge", "Flake edge colour", "F_90,2", 0.05, ParameterRole::edge,
+                         "Strength and colour of this lobe towards grazing angles.", "flakes-lobe"),
+    widthParameter("flakes-roughness", "Flake roughness", "alpha_2", 0.2, "Width of the middle lobe.", "flakes-lobe"),
     reflectanceParameter("coat", "Coat", "F_0,3", 0.05, ParameterRole::coat,
                          "Strength and colour of the sharpest lobe at normal incidence: a clear coat, a polish.",
                          "coat-lobe"),
-    reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge,
-                         "Strength and colour of this lobe toward grazing angles.", "coat-lobe"),
-    widthParameter("coat-roughness", "Coat, roughness", "alpha_3", 0.05, "Width of the sharpest lobe.", "coat-lobe"),
+    reflectanceParameter("coat-edge", "Coat edge colour", "F_90,3", 0.5, ParameterRole::coatEdge,
+                         "Strength and colour of this lobe towards grazing angles.", "coat-lobe"),
+    widthParameter("coat-roughness", "Coat roughness", "alpha_3", 0.05, "Width of the sharpest lobe.", "coat-lobe"),
     ofLobe(reflectanceParameter("sheen", "Sheen", "k_sh", 0, ParameterRole::highlight,
-                                "Strength and colour of the glow of fibres toward the edge.", "sheen-lobe"),
+                                "Strength and colour of the glow of fibres towards the edge.", "sheen-lobe"),
            sheenFormula, sheenSources),
-    ofLobe(withRole(widthParameter("sheen-roughness", "Sheen, roughness", "alpha_sh", 0.3,
+    ofLobe(withRole(widthParameter("sheen-roughness", "Sheen roughness", "alpha_sh", 0.3,
                                    "Small values leave a thin rim, large ones cover the whole surface.", "sheen-lobe"),
                     ParameterRole::other),
            sheenFormula, sheenSources),
     ofLobe(reflectanceParameter("retro", "Retroreflection", "k_r", 0, ParameterRole::highlight,
-                                "Strength and colour of the reflection back toward the light.",
+                                "Strength and colour of the reflection back towards the light.",
                                 "retro-lobe"),
            retroFormula, retroSources),
-    ofLobe(widthParameter("retro-roughness", "Retroreflection, roughness", "alpha_r", 0.3,
+    ofLobe(widthParameter("retro-roughness", "Retroreflection roughness", "alpha_r", 0.3,
                           "Width of the lobe about the direction of the light.", "retro-lobe"),
            retroFormula, retroSources),
-    switchParameter("flakes-lobe", "Flakes lobe", "n_2", true, "Adds the middle lobe."),
-    switchParameter("coat-lobe", "Coat lobe", "n_3", true, "Adds the sharpest lobe."),
-    switchParameter("sheen-lobe", "Sheen lobe", "n_sh", false, "Adds the lobe of fibres."),
-    switchParameter("retro-lobe", "Retroreflective lobe", "n_r", false, "Adds the retroreflective lobe."),
+    switchParameter("flakes-lobe", "Flake lobe", "n_2", true,
+                    "Adds the lobe of medium width, for metal flakes or brushed metal."),
+    switchParameter("coat-lobe", "Coat lobe", "n_3", true, "Adds the sharpest lobe, for a clear coat or a polish."),
+    switchParameter("sheen-lobe", "Sheen lobe", "n_sh", false,
+                    "Adds the glow of fibres at the edge, for cloth."),
+    switchParameter("retro-lobe", "Retroreflective lobe", "n_r", false,
+                    "Adds reflection back towards the light, for road signs and safety fabric."),
 };
 
 constexpr ModelSpec layeredSpec = {
     .id = "layered", .name = "Layered lobes",
     .description = "A diffuse term and one to three GGX lobes from wide to sharp, each with separate colours at "
-                   "normal and grazing incidence; a sheen and a retroreflective lobe where they are switched on. A fit uses "
-                   "as many lobes as lower its error. Fits most measured materials more closely than one lobe. Reciprocal; "
-                   "nothing bounds the energy.",
+                   "normal and grazing incidence; a sheen and a retroreflective lobe where they are switched on. A fit "
+                   "adds a lobe only if it lowers the error. Fits most measured materials more closely than one "
+                   "lobe. Reciprocal; nothing bounds the energy.",
     .formula = "k_d / pi + the sum over the lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
     .reference = sources,
     .parameters = parameters};

@@ -62,8 +62,8 @@ ParameterValues defaultParameters(const ModelSpec& spec) {
 
 std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters) {
   if (parameters.values.size() != spec.parameters.size())
-    throw Error("model " + std::string(spec.id) + ": " + std::to_string(parameters.values.size()) +
-                " parameter values given, " + std::to_string(spec.parameters.size()) + " expected");
+    throw Error("model " + std::string(spec.id) + ": found " + std::to_string(parameters.values.size()) +
+                " parameter values, expected " + std::to_string(spec.parameters.size()));
   std::vector<ClampedParameter> clamped;
   for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
     const ParameterSpec& parameter = spec.parameters[i];

@@ -25,7 +25,7 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec modifiedPhongSpec = {
     .id = "modified-phong", .name = "Modified Phong",
     .description = "Phong's lobe with normalised energy: the albedo of the highlight is k_s at normal incidence and "
-                   "less elsewhere, where part of the lobe lies below the horizon. Reciprocal; darkens toward grazing "
+                   "less elsewhere, where part of the lobe lies below the horizon. Reciprocal; darkens towards grazing "
                    "angles.",
     .formula = "k_d / pi + k_s (n + 2) / (2 pi) max(0, cos alpha)^n, k_d + k_s <= 1",
     .reference = lafortuneWillems, .parameters = parameters,

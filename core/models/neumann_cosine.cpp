@@ -32,11 +32,11 @@ constexpr std::array<ParameterSpec, 4> parametersOf(std::string_view specularFor
 
 constexpr auto blinnParameters = parametersOf(
     "k_s N cos^n theta_h / max(cos theta_i, cos theta_o)", "cos^n theta_h",
-    "energy: (n + 1) / (8 pi) (derived: bounds the albedo by k_s); none: 1");
+    "energy: (n + 1) / (8 pi) (derived here: bounds the albedo by k_s); none: 1");
 
 constexpr auto phongParameters = parametersOf(
     "k_s N max(0, cos alpha)^n / max(cos theta_i, cos theta_o)", "max(0, cos alpha)^n",
-    "energy: (n + 1) / (2 pi) (derived: bounds the albedo by k_s); none: 1");
+    "energy: (n + 1) / (2 pi) (derived here: bounds the albedo by k_s); none: 1");
 
 constexpr ModelSpec blinnSpec = {
     .id = "neumann-blinn", .name = "Neumann-Neumann (Blinn)",

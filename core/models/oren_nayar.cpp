@@ -27,8 +27,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec orenNayarSpec = {
     .id = "oren-nayar", .name = "Oren-Nayar",
-    .description = "A matte surface of V-cavities with matte walls, in the qualitative form; brighter toward the light "
-                   "than Lambert. Reciprocal; gains up to 1.5 % of energy at grazing angles where sigma is about 0.2.",
+    .description = "A matte surface of V-cavities with matte walls, in the qualitative form; brighter towards the "
+                   "light than Lambert. Reciprocal; gains up to 1.5 % of energy at grazing angles where sigma is about "
+                   "0.2.",
     .formula = "k_d / pi (A + B max(0, cos(phi_i - phi_o)) sin(max(theta_i, theta_o)) tan(min(theta_i, theta_o)))",
     .reference = orenNayar1994, .parameters = parameters};
 // clang-format on

@@ -42,17 +42,19 @@ constexpr ParameterSpec denominator(std::string_view id, std::string_view label,
 constexpr ParameterSpec parameters[] = {
     numerator("p-0", "Peak", "p_0", 10, 1, "Value of the highlight with light and viewer in the same direction."),
     numerator("p-x", "Diffuse", "p_x", 1000, 6, "Value away from the highlight, times q_x."),
-    numerator("p-y", "Peak rise", "p_y", 10, 0, "How much the highlight increases toward grazing light."),
-    numerator("p-xx", "Diffuse, far", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
-    numerator("p-xy", "Diffuse rise", "p_xy", 1000, 0, "How much the diffuse part increases toward grazing light."),
-    numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0, "How much the highlight gains at extreme grazing light."),
+    numerator("p-y", "Peak rise", "p_y", 10, 0, "How much the highlight increases towards grazing angles."),
+    numerator("p-xx", "Diffuse tail", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
+    numerator("p-xy", "Diffuse rise", "p_xy", 1000, 0,
+              "How much the diffuse term increases towards grazing angles."),
+    numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0,
+              "How much the highlight increases very close to grazing incidence."),
     denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large values are "
                                                       "glossy."),
-    denominator("q-y", "Fall with incidence", "q_y", 10, 0.01, "How much all values decrease toward grazing light."),
+    denominator("q-y", "Incidence falloff", "q_y", 10, 0.01, "How much all values decrease towards grazing angles."),
     denominator("q-xx", "Falloff", "q_xx", 1e10, 0.01, "Where the highlight begins to fall off twice as steeply."),
-    denominator("q-xy", "Narrowing", "q_xy", 1e6, 0.01, "How much the highlight narrows toward grazing light."),
-    denominator("q-yy", "Fall with incidence, grazing", "q_yy", 10, 0.01,
-                "How much all values decrease at extreme grazing light."),
+    denominator("q-xy", "Narrowing", "q_xy", 1e6, 0.01, "How much the highlight narrows towards grazing angles."),
+    denominator("q-yy", "Grazing falloff", "q_yy", 10, 0.01,
+                "How much all values decrease very close to grazing incidence."),
 };
 
 constexpr ModelSpec rationalSpec = {

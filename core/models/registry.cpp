@@ -58,7 +58,7 @@ const Model& findModel(std::string_view id) {
     if (model->spec().id == id) return *model;
     known += (known.empty() ? "" : ", ") + std::string(model->spec().id);
   }
-  throw Error("there is no model named '" + std::string(id) + "'; the models are " + known);
+  throw Error("found the model '" + std::string(id) + "', expected one of " + known);
 }
 
 }  // namespace gonio::models

@@ -40,8 +40,8 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec torranceSparrowSpec = {
     .id = "torrance-sparrow", .name = "Torrance-Sparrow",
     .description = "Facets with a Gaussian distribution of tilt angles and V-cavity masking: the first microfacet "
-                   "model. Reciprocal; conserves energy with normalisation 'unit-area', with 'original-1967' the "
-                   "strength is free.",
+                   "model. Reciprocal; conserves energy with normalisation 'unit-area'; with 'original-1967' the "
+                   "strength is arbitrary.",
     .formula = "k_d / pi + k_s D F G / (4 cos theta_i cos theta_o)", .reference = torranceSparrow1967,
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on

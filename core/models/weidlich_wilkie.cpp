@@ -52,7 +52,7 @@ constexpr ParameterSpec parameters[] = {
      .scale = ParameterScale::logarithmic, .group = ParameterGroup::layer,
      .description = "Width of the highlight on the coat.", .formula = beckmannFormula,
      .reference = weidlichWilkie2007, .role = ParameterRole::width},
-    {.id = "coat-index", .label = "Coat index", .symbol = "eta", .unit = "",
+    {.id = "coat-index", .label = "Coat index of refraction", .symbol = "eta", .unit = "",
      .softMin = 1, .softMax = 2.5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
      .group = ParameterGroup::layer,
      .description = "Index of refraction of the coat: sets how much it refracts and reflects; 1 is no coat.",
@@ -60,7 +60,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "absorption", .label = "Absorption", .symbol = "sigma d", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 100, .defaultValue = 0.1,
      .group = ParameterGroup::layer, .perChannel = true,
-     .description = "Optical depth of the coat: deepens the colour of the base, especially toward grazing angles.",
+     .description = "Optical depth of the coat: deepens the colour of the base, especially towards grazing angles.",
      .formula = "a = exp(-sigma d (1 / cos theta_i' + 1 / cos theta_o'))",
      .reference = "Bouguer 1729, Lambert 1760, Beer 1852; Weidlich and Wilkie 2007"},
     fresnelParameter(FresnelChoice::conductor),
@@ -69,9 +69,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec weidlichWilkieSpec = {
     .id = "weidlich-wilkie", .name = "Weidlich-Wilkie",
-    .description = "A rough clear coat that absorbs, over a base with a matte and a glossy part. Reciprocal. Leaves out "
-                   "light that bounces between the layers; a white matte base gains energy at grazing angles (1.16 at "
-                   "75 degrees).",
+    .description = "A rough clear coat that absorbs, over a base with a matte and a glossy part. Reciprocal. Omits "
+                   "interreflection between the layers; a white matte base gains energy at grazing angles (albedo "
+                   "1.16 at 75 degrees).",
     .formula = layersFormula, .reference = weidlichWilkie2007, .parameters = parameters};
 // clang-format on
 

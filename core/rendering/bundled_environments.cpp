@@ -176,8 +176,7 @@ std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name
   const std::vector<std::string>& names = bundledEnvironmentNames();
   const auto at = std::ranges::find(names, name);
   if (at == names.end())
-    throw Error("there is no bundled environment named '" + name + "'; the bundled environments are " +
-                bundledEnvironmentList());
+    throw Error("found the environment '" + name + "', expected one of " + bundledEnvironmentList());
   return environmentAt(std::size_t(at - names.begin()));
 }
 

@@ -44,7 +44,7 @@ EffectDecision emittedLightDecision(const Scene& scene) {
         support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
       return {true, true, "the front of " + object.name + " faces the camera"};
   }
-  return {false, false, "no source faces the camera"};
+  return {false, false, "no area light faces the camera"};
 }
 
 /// Fills in the facts of a scene and decides; forces come after it.
@@ -200,22 +200,22 @@ void Analysis::decideInterreflection() {
   for (std::size_t object = 0; object < scene_.objects.size() && pair.empty(); ++object)
     if (!plan.visible[object].empty()) {
       const std::size_t other = plan.visible[object].front();
-      pair = other == object ? scene_.objects[object].name + " sees itself"
-                             : scene_.objects[object].name + " sees " + scene_.objects[other].name;
+      pair = other == object ? "parts of " + scene_.objects[object].name + " are visible from each other"
+                             : scene_.objects[other].name + " is visible from " + scene_.objects[object].name;
     }
   const auto lit = [&](std::size_t object) { return isLit(object); };
   bool anyLit = false;
   for (std::size_t object = 0; object < scene_.objects.size(); ++object) anyLit = anyLit || lit(object);
   plan.reflections = anyLit ? 1 : 0;
   if (!anyLit) return decide(Effect::interreflection, false, "no light falls on a reflecting surface");
-  if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface sees another");
+  if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface is visible from another");
   std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
   if (plan.reflections == 1)
     return decide(Effect::interreflection, false,
                   pair + ", but further reflections add at most " + percent(plan.remainder) +
                       " of the brightest first reflection");
   const std::string rest = std::isfinite(plan.remainder)
-                               ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
+                               ? "reflections after the " + ordinal(plan.reflections) + " add at most " +
                                      percent(plan.remainder) + " of the brightest first reflection"
                                : "reflections do not die out; limited to " + std::to_string(plan.reflections);
   decide(Effect::interreflection, true, pair + "; " + rest);

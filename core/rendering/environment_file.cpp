@@ -13,8 +13,8 @@ std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrP
     if (nameOrPath == bundled) return bundledEnvironment(nameOrPath);
   const std::filesystem::path path = folder / nameOrPath;
   if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
-    throw Error(path.string() + ": found neither an environment of this name (" + bundledEnvironmentList() +
-                ") nor a file");
+    throw Error(path.string() + ": found neither a bundled environment (" + bundledEnvironmentList() +
+                ") nor a file with this name");
   // A map's errors name it, by its path here.
   return std::make_shared<const EnvironmentMap>(io::readImage(path), path.string());
 }

@@ -112,7 +112,7 @@ Scene SceneReader::read() {
   const nlohmann::json none = nlohmann::json::array();
   const auto each = [&](const char* key, auto read) {
     const nlohmann::json& list = root_.contains(key) ? root_.array(key) : none;
-    if (list.size() > maxObjects) root_.fail(key, "at most 256");
+    if (list.size() > maxObjects) root_.fail(key, "at most " + std::to_string(maxObjects) + " entries");
     for (std::size_t i = 0; i < list.size(); ++i)
       read(JsonObject(list[i], std::string(key) + "[" + std::to_string(i) + "]"));
   };
@@ -126,7 +126,8 @@ Scene SceneReader::read() {
 Shape SceneReader::meshOf(const JsonObject& object) const {
   object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "material", "radiance"});
   const std::string name = object.text("mesh");
-  if (io::isMeshFile(name) && !folder_) object.fail("mesh", "the name of a bundled mesh: files are not opened here");
+  if (io::isMeshFile(name) && !folder_)
+    object.fail("mesh", "the name of a bundled mesh (a scene read from text cannot refer to files)");
   std::shared_ptr<const TriangleMesh> mesh =
       io::isMeshFile(name) ? std::make_shared<const TriangleMesh>(io::readMesh(*folder_ / name)) : bundledMesh(name);
   return placedMesh(std::move(mesh), numberOr(object, "scale", smallest, largest, 1),
@@ -153,7 +154,8 @@ Shape SceneReader::shapeOf(const JsonObject& object) const {
 void SceneReader::readObject(const JsonObject& object) {
   SceneObject result{.name = object.text("name"), .shape = shapeOf(object)};
   if (object.contains("radiance")) {
-    if (!std::holds_alternative<Rectangle>(result.shape)) object.fail("radiance", "none: only rectangles emit light");
+    if (!std::holds_alternative<Rectangle>(result.shape))
+      object.fail("radiance", "no radiance (only rectangles emit light)");
     result.radiance = triple(object, "radiance", 0);
   }
   const char* expected = "a material number from 0, \"each\", or {\"diffuse\": [r, g, b]}";
@@ -173,7 +175,7 @@ void SceneReader::readObject(const JsonObject& object) {
   }
   if (material != "each") return scene_.objects.push_back(std::move(result));
   auto* sphere = std::get_if<Sphere>(&result.shape);
-  if (!sphere) object.fail("material", "\"each\" only for a sphere");
+  if (!sphere) object.fail("material", "a material other than \"each\" (only a sphere can use \"each\")");
   const double spacing = numberOr(object, "spacing", 0, largest, 2.3 * sphere->radius);
   const Direction middle = sphere->centre;
   for (int i = 0; i < materials_; ++i) {
@@ -203,7 +205,7 @@ void SceneReader::readEnvironment(const JsonObject& environment) {
   environment.expectOnly({"picture", "rotation", "shown", "blurred"});
   const std::string picture = environment.text("picture");
   if (!folder_ && std::ranges::find(bundledEnvironmentNames(), picture) == bundledEnvironmentNames().end())
-    environment.fail("picture", "the name of a bundled environment: files are not opened here");
+    environment.fail("picture", "the name of a bundled environment (a scene read from text cannot refer to files)");
   scene_.environment = openEnvironment(picture, folder_.value_or(""));
   scene_.environmentRotation = radians(numberOr(environment, "rotation", -360, 360, 0));
   scene_.showEnvironment = environment.contains("shown") && environment.flag("shown");
@@ -284,7 +286,7 @@ Scene openScene(const std::string& nameOrPath, int materials) {
   } else if (std::error_code unreadable; std::filesystem::exists(nameOrPath, unreadable)) {
     scene = sceneOfFile(nameOrPath, materials);
   } else {
-    throw Error(nameOrPath + ": found neither a scene of this name (" + namesText() + ") nor a file");
+    throw Error(nameOrPath + ": found neither a bundled scene (" + namesText() + ") nor a file with this name");
   }
   scene.source = nameOrPath;
   return scene;

@@ -20,16 +20,17 @@ namespace {
 struct FamilyRecord {
   std::string_view id, name;
 };
-constexpr std::array<FamilyRecord, representationFamilyCount> families{{{"table", "measured table"},
-                                                                        {"fits", "parametric fit"},
-                                                                        {"factors", "PDV factors"},
-                                                                        {"codes", "dictionary code"},
-                                                                        {"components", "principal components"},
-                                                                        {"nonparametric", "non-parametric factors"},
-                                                                        {"baselines", "baselines"},
-                                                                        {"published", "as published"},
-                                                                        {"alternatives", "alternative algorithms"},
-                                                                        {"neural", "neural BRDF"}}};
+constexpr std::array<FamilyRecord, representationFamilyCount> families{
+    {{"table", "measured table"},
+     {"fits", "parametric fit"},
+     {"factors", "PDV factors"},
+     {"codes", "dictionary code"},
+     {"components", "principal components"},
+     {"nonparametric", "non-parametric factors"},
+     {"baselines", "baselines"},
+     {"published", "as published"},
+     {"alternatives", "alternative fits of factors and codes"},
+     {"neural", "neural BRDF"}}};
 
 using factorization::Baseline;
 using List = std::vector<Representation>;
@@ -107,8 +108,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       return addCounted(list, {family, "code-published", "Dictionary code, as published"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::alternatives:
-      addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint"}, choice.terms, "term");
-      addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint"}, choice.terms, "term");
+      addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint fit"}, choice.terms, "term");
+      addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint fit"}, choice.terms, "term");
       return addCounted(list, {family, "code-basis-pursuit", "Dictionary code by basis pursuit"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::neural:
@@ -145,7 +146,7 @@ RepresentationFamily familyById(std::string_view id) {
   if (found != families.end()) return RepresentationFamily(found - families.begin());
   std::string known;
   for (const FamilyRecord& family : families) known += (known.empty() ? "" : ", ") + std::string(family.id);
-  throw Error("found the representations '" + std::string(id) + "', expected one of " + known);
+  throw Error("found the family of representations '" + std::string(id) + "', expected one of " + known);
 }
 
 std::vector<RepresentationFamily> familiesWithoutTraining() {

@@ -67,7 +67,8 @@ BuiltRepresentation fromComponents(const Basis& basis, const Representation& rep
                                    const TaskControl& control) {
   const int count = int(representation.budget);
   if (count > basis.count())
-    throw Error(representation.fullLabel() + ": the training set gives only " + std::to_string(basis.count()));
+    throw Error(representation.fullLabel() + ": the training set has only " + std::to_string(basis.count()) +
+                " principal components");
   const auto start = Clock::now();
   const auto encoded = dictionary::encode(basis, table, count, control);
   const double seconds = secondsSince(start);
@@ -165,7 +166,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const PdvFactorization& all = factorizations_.at(representation.id);
   if (terms > all.factors.terms())
     throw Error(representation.fullLabel() + ": more terms than the " + std::to_string(all.factors.terms()) +
-                " that were planned");
+                " that were factored");
   const PdvFactors factors = all.factors.truncated(terms);
   return {.brdf = makePdvBrdf(factors),
           .nodes = nullptr,
@@ -198,13 +199,13 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
 
 BuiltRepresentation RepresentationBuilder::components(const Representation& representation,
                                                       const TaskControl& control) const {
-  if (!options_.components) throw Error("principal components: none were learned");
+  if (!options_.components) throw Error("principal components: none were learned, expected a training set");
   return fromComponents(*options_.components, representation, *subject_.table, control);
 }
 
 BuiltRepresentation RepresentationBuilder::separated(const Representation& representation,
                                                      const TaskControl& control) const {
-  if (!options_.separated) throw Error("diffuse and specular components: none were learned");
+  if (!options_.separated) throw Error("diffuse and specular components: none were learned, expected a training set");
   return fromComponents(*options_.separated, representation, *subject_.table, control);
 }
 

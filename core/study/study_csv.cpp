@@ -14,7 +14,7 @@ std::string picturesText(int width, int height, int samples) {
 
 plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
                          const std::string& pictures) {
-  plots::CsvTable table{.comments = {title, "pictures and frames: " + pictures}, .columns = {}};
+  plots::CsvTable table{.comments = {title, "images and frame times: " + pictures}, .columns = {}};
   for (const std::string& line : machineLines(machine)) table.comments.push_back(line);
   const auto texts = [&](const char* name, const auto& text) {
     plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});
@@ -49,7 +49,7 @@ plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummar
                            std::span<const std::string> materials, const MachineFacts& machine,
                            const std::string& pictures) {
   std::vector<StudyRecord> medians;
-  plots::CsvColumn count{"materials", {}}, least{"least rendered SNR [dB]", {}}, most{"largest rendered SNR [dB]", {}},
+  plots::CsvColumn count{"materials", {}}, least{"min rendered SNR [dB]", {}}, most{"max rendered SNR [dB]", {}},
       worst{"worst material", {}};
   for (const StudySummary& summary : summaries) {
     medians.push_back(summary.median);

@@ -132,7 +132,7 @@ class Metric:
     name: str
     """Display name."""
     formula: str
-    """Formula: x is rho cos theta_i, d the difference of the two BRDFs, <> the weighted mean over the cells and channels."""
+    """Formula: rho is a BRDF value, d a difference of the two BRDFs, mean a weighted mean over cells and channels."""
     unit: str
     """Unit of the error; "" for a number without unit."""
     reference: str

@@ -23,7 +23,7 @@ struct PublishedSet {
   std::vector<PublishedFit> fits;
 };
 
-/// The sets of Ngan et al. 2005, Loew et al. 2012 and Bagher et al. 2012 whose model is registered.
+/// The sets of Ngan et al. 2005, Löw et al. 2012 and Bagher et al. 2012 whose model is registered.
 /// @param folder of the tables (../shared/data/tables). @throws Error naming a file that cannot be read.
 std::vector<PublishedSet> readPublishedSets(const std::string& folder);
 

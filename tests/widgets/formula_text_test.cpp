@@ -6,6 +6,7 @@
 #include <QTextDocument>
 
 #include "core/metrics/brdf_metric.h"
+#include "core/metrics/image_errors.h"
 #include "core/models/model.h"
 #include "tests/support/test_program.h"
 
@@ -35,10 +36,14 @@ class FormulaTextTest : public QObject {
                               << "<i>k</i> ≤ 1, <i>m</i> ≥ 2";
     QTest::newRow("mean") << "<|d|^(2/3)>"
                           << "⟨|<i>d</i>|<sup>2/3</sup>⟩";
+    QTest::newRow("word") << "sqrt mean(d^2), d: difference of rho"
+                          << "√mean(<i>d</i><sup>2</sup>), <i>d</i>: difference of ρ";
     QTest::newRow("product") << "cos theta_d = h . i"
                              << "cos θ<sub><i>d</i></sub> = <i>h</i> · <i>i</i>";
     QTest::newRow("difference") << "Delta E of Dp"
                                 << "Δ<i>E</i> of Δp";
+    QTest::newRow("capitals") << "Gamma(p), Lambda(o), Omega, psi"
+                              << "Γ(<i>p</i>), Λ(<i>o</i>), Ω, ψ";
     QTest::newRow("markup") << "a & b"
                             << "<i>a</i> &amp; <i>b</i>";
     QTest::newRow("nothing") << ""
@@ -60,7 +65,7 @@ class FormulaTextTest : public QObject {
       QTextDocument page;
       page.setHtml(formulaHtml(formula));
       const QString text = page.toPlainText();
-      for (const char* sign : {"_", "^", "<", ">", "alpha", "theta", "sqrt", "pi "})
+      for (const char* sign : {"_", "^", "<", ">", "alpha", "theta", "sqrt", "pi ", "Lambda", "Omega"})
         QVERIFY2(!text.contains(sign), qPrintable(text + " contains " + sign));
     };
     for (const models::Model* model : models::allModels()) {
@@ -71,6 +76,7 @@ class FormulaTextTest : public QObject {
       }
     }
     for (const metrics::MetricRecord& record : metrics::metricRecords()) check(record.formula);
+    for (const metrics::ImageMetricRecord& record : metrics::imageMetricRecords()) check(record.formula);
   }
 };
 

@@ -12,9 +12,10 @@ namespace {
 /// Symbols that are written in letters.
 const QHash<QString, QString>& symbols() {
   static const QHash<QString, QString> table{
-      {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"Delta", "Δ"}, {"epsilon", "ε"}, {"eta", "η"},
-      {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},    {"pi", "π"},      {"rho", "ρ"},
-      {"sigma", "σ"}, {"tau", "τ"},   {"phi", "φ"},    {"omega", "ω"}, {"Dp", "Δp"},   {"sum", "Σ"}};
+      {"alpha", "α"}, {"beta", "β"},   {"gamma", "γ"}, {"delta", "δ"},  {"Delta", "Δ"}, {"epsilon", "ε"},
+      {"eta", "η"},   {"theta", "θ"},  {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},
+      {"pi", "π"},    {"rho", "ρ"},    {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},   {"psi", "ψ"},
+      {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"Omega", "Ω"}, {"omega", "ω"},  {"Dp", "Δp"},   {"sum", "Σ"}};
   return table;
 }
 

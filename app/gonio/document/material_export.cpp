@@ -31,13 +31,13 @@ bool isTable(MaterialForm form) { return exports::formatOf(form) == materials::F
 QString formFilter(MaterialForm form) {
   switch (form) {
     case MaterialForm::rgl:
-      return MaterialExportText::tr("RGL material (*.bsdf)");
+      return MaterialExportText::tr("RGL file (*.bsdf)");
     case MaterialForm::utia:
-      return MaterialExportText::tr("UTIA material (*.bin)");
+      return MaterialExportText::tr("UTIA file (*.bin)");
     case MaterialForm::foldedTable:
-      return MaterialExportText::tr("MERL table, 90 × 90 × 180 (*.binary)");
+      return MaterialExportText::tr("MERL file, 90 × 90 × 180 (*.binary)");
     default:
-      return MaterialExportText::tr("MERL table, φd 0 to 360°, 90 × 90 × 360 (*.binary)");
+      return MaterialExportText::tr("360-degree MERL file, 90 × 90 × 360 (*.binary)");
   }
 }
 

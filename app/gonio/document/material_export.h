@@ -10,7 +10,7 @@
 
 namespace gonio::app {
 
-/// File filter of a form for dialogs, e.g. "RGL material (*.bsdf)".
+/// File filter of a form for dialogs, e.g. "RGL file (*.bsdf)".
 QString formFilter(exports::MaterialForm form);
 
 /// Content that a written file cannot represent; empty: none.

@@ -27,7 +27,7 @@ QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
   return result;
 }
 
-/// "MERL table (*.binary)" for each format.
+/// "MERL file (*.binary)" for each format.
 QStringList filters(bool (*isWanted)(const materials::MaterialFormat&)) {
   QStringList result;
   for (const materials::MaterialFormat& format : materials::materialFormats())

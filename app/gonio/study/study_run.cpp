@@ -113,7 +113,7 @@ QString StudyRun::csv() const {
 void StudyRun::writeSvg(const QString& path, const study::StudyAxes& axes) const {
   const study::StudyAxes panels[] = {axes};
   std::vector<std::string> notes = machine();
-  notes.push_back("pictures and frames: " + pictures());
+  notes.push_back("images and frame times: " + pictures());
   io::writeFileAtomically(path.toStdString(), study::studySvg(title(), m_model.records(), panels, notes));
 }
 

@@ -193,7 +193,7 @@ class FigureDialogTest : public QObject {
     figure.width = figures::FigureWidth::oneColumn;
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
-    QVERIFY(dialog->view().page().message().contains("found 12 representations in 84 mm"));
+    QVERIFY(dialog->view().page().message().contains("found 12 representations in a figure 84 mm wide"));
     QVERIFY(!dialog->view().measureButton().isEnabled());
     figure.width = figures::FigureWidth::twoColumns;
     dialog->setDescription(figure);

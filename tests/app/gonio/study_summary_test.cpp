@@ -85,7 +85,7 @@ class StudySummaryTest : public QObject {
     for (std::size_t material = 0; material < 3; ++material) QVERIFY(model.missing(material).empty());
     const QStringList lines = editor.window->csv().split('\n', Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), 5 + 1 + 4);
-    QVERIFY(lines[5].endsWith("materials,least rendered SNR [dB],largest rendered SNR [dB],worst material"));
+    QVERIFY(lines[5].endsWith("materials,min rendered SNR [dB],max rendered SNR [dB],worst material"));
     QVERIFY2(lines[6 + lambertFit].endsWith(",glossy"), qPrintable(lines[6 + lambertFit]));
     // Worse below, whatever the column.
     QAbstractItemModel& sorted = *editor.window->table().model();

@@ -85,7 +85,7 @@ class GoniotoolFigureTest : public QObject {
     fails({"--materials", plastic_, "--representations", "code", "--out", out}, 1, "no budget");
     fails(good + QStringList{"--out", folder_.path("none.eps")}, 1, "'.eps', expected .pdf, .svg or .png");
     fails(good + QStringList{"--out", out, "--csv", out}, 2, "two outputs have the same name");
-    fails(good + QStringList{"--numbers", "psnr", "--out", out}, 1, "numbers[0]: found the number 'psnr'");
+    fails(good + QStringList{"--numbers", "psnr", "--out", out}, 1, "numbers[0]: found the quantity 'psnr'");
     fails(good + QStringList{"--out", folder_.path("absent/a.pdf")}, 1, "absent/a.pdf");
     folder_.writeText("wrong.json", R"({"format": "gonio figure", "version": 1, "materials": []})");
     fails({folder_.path("wrong.json"), "--out", out}, 1, "wrong.json: materials: found");

@@ -115,7 +115,8 @@ class FigureLayoutTest : public QObject {
       layOutFigure(figureOf(12, FigureWidth::oneColumn, false, false), texts(), halfWidth);
       QFAIL("accepted");
     } catch (const Error& error) {
-      QVERIFY(std::string(error.what()).find("12 representations in 84 mm, expected fewer") != std::string::npos);
+      QVERIFY(std::string(error.what()).find("12 representations in a figure 84 mm wide, expected fewer") !=
+              std::string::npos);
     }
     layOutFigure(figureOf(12, FigureWidth::twoColumns, false, false), texts(), halfWidth);
   }

@@ -111,8 +111,8 @@ class ObjFileTest : public QObject {
     const std::pair<std::string, std::string> cases[] = {
         {good + "\nv 1 nan 0\n", "line 6: found 'nan', expected a finite number"},
         {good + "v 1 2 inf\n", "line 5: found 'inf', expected a finite"},
-        {good + "v 1 2 1e39\n", "line 5: found '1e39', expected a finite number of single"},
-        {good + "v 1 2 1e999\n", "line 5: found '1e999', expected a finite number of single"},
+        {good + "v 1 2 1e39\n", "line 5: found '1e39', expected a finite number in the range"},
+        {good + "v 1 2 1e999\n", "line 5: found '1e999', expected a finite number in the range"},
         {good + "v 1 2 3x\n", "line 5: found '3x', expected a number"},
         {good + "v 1 2\n", "line 5: found the end of the line, expected three numbers"},
         {good + "vn 0 zero 0\n", "line 5: found 'zero', expected a number"},
@@ -122,14 +122,14 @@ class ObjFileTest : public QObject {
         {good + "f 1 2 99999999999999999999\n", "line 5: found vertex '99999999999999999999', but there are only 3"},
         {good + "f 1 2 4294967297\n", "line 5: found vertex '4294967297', but there are only 3"},
         {good + "f 1//1 2//2 3//1\n", "line 5: found normal '2', but there are only 1"},
-        {good + "f 1 two 3\n", "line 5: found 'two', expected the number of a vertex"},
-        {good + "f 1.5 2 3\n", "line 5: found '1.5', expected the number of a vertex"},
+        {good + "f 1 two 3\n", "line 5: found 'two', expected the index of a vertex"},
+        {good + "f 1.5 2 3\n", "line 5: found '1.5', expected the index of a vertex"},
         {good + "f \\\n1 2\n", "line 5: found a face of 2 corners, expected three or more"},
         {good, "found no faces (3 vertices), expected lines such as 'f 1 2 3'"},
         {"", "found no faces (0 vertices)"},
         {"\x89PNG\r\n\x1a\n", "found no faces (0 vertices)"},
         {"Dear all,\n\nthe mesh follows.\n", "found no faces (0 vertices)"},
-        {good + "f 1 1 2\n", "found no triangle with an area (1 without)"}};
+        {good + "f 1 1 2\n", "found only triangles with zero area (1)"}};
     for (const auto& [text, expected] : cases) {
       const std::string found = refusal(text);
       QVERIFY2(test::contains(found, expected), (found + "\n, expected " + expected).c_str());

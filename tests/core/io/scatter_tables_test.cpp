@@ -139,7 +139,7 @@ class ScatterTablesTest : public QObject {
                    "found the scatter type 'BTDF'; expected reflection");
     const std::string blocks = textOf(lightToolsFile(isotropic, smallAboutNormal));
     VERIFY_REFUSED(lightTools, replaced(blocks, "ScatterType BRDF", "ScatterType BTDF"),
-                   "found 1 blocks of transmission or of the back; expected reflection");
+                   "found 1 blocks with transmission or back-side data only; expected reflection");
     VERIFY_REFUSED(lightTools, replaced(blocks, "Side Front", "Side Back"), "expected reflection");
     const std::string back = "Side Back\nTIS 0\n1 1 1 1 1 1 1 1\nDataEnd";
     QVERIFY(contains(lightTools(replaced(blocks, "DataEnd", back)).notes.at(0), "1 blocks"));

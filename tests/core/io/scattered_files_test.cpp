@@ -143,7 +143,8 @@ class ScatteredFilesTest : public QObject {
     VERIFY_REFUSED(pgii, start + "10 0 1\n10 0 1 1 1\n", "line 4");
     VERIFY_REFUSED(pgii, start + "10 0\n", "line 3");
     VERIFY_REFUSED(pgii, "#format: theta phi DSF\n#incident_angle 0 0\n89.9999 0 1e308\n", "a finite BRDF");
-    VERIFY_REFUSED(pgii, "#format: theta phi BSDF\n#incident_angle 90 0\n10 0 1\n", "not on the horizon");
+    VERIFY_REFUSED(pgii, "#format: theta phi BSDF\n#incident_angle 90 0\n10 0 1\n",
+                   "not at 90 degrees from the normal");
   }
 
   void curetRoundTrip() {
@@ -166,7 +167,7 @@ class ScatteredFilesTest : public QObject {
     }
     const ScatteredSamples grey = curet(rows);
     QVERIFY(grey.values[3] == Rgb(0.5) && isClose(grey.directions[3].wi, fromSpherical(radians(10), radians(90))));
-    VERIFY_REFUSED(curet, channel + "\n", "a CUReT file of one channel");
+    VERIFY_REFUSED(curet, channel + "\n", "a CUReT file with one channel");
     VERIFY_REFUSED(curet, rows + "10 90 20 180 0.5\n", "found 206 rows");
     VERIFY_REFUSED(curet, "10 90 20 180 0.5 1\n" + rows, "line 1");
     VERIFY_REFUSED(curet, rows + "10 90 20 180 nan\n", "line 206");

@@ -162,7 +162,7 @@ class UtiaFileTest : public QObject {
     QVERIFY(contains(readError(Bytes(bytes.begin(), bytes.end() - 1)), "found 1990655 bytes; expected 1990656"));
     QVERIFY(contains(sniffError({}), "found 0 bytes"));
     std::fill(bytes.begin(), bytes.begin() + 16, std::byte('t'));
-    QVERIFY(contains(sniffError(bytes), "not values of a BRDF"));
+    QVERIFY(contains(sniffError(bytes), "not BRDF values"));
     std::vector<Rgb> values = utiaValues(multilinear);
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e300}) {
       values[3 * 288 + 5].y = bad;

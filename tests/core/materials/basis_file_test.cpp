@@ -131,7 +131,7 @@ class BasisFileTest : public QObject {
     bad = good;
     const float infinite = INFINITY;
     std::memcpy(bad.data() + last - 4, &infinite, 4);
-    QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));
+    QVERIFY(test::contains(errorOf(bad), "is not finite, expected a finite number"));
     const std::size_t numbers = good.size() - 4 * (2 * cells + 4) - 4 * 8 * (1 + 18), leftOut = 2 * cells + 4;
     bad = good;
     const double negative = -1;
@@ -140,12 +140,12 @@ class BasisFileTest : public QObject {
     bad = good;
     const float below = -1;
     std::memcpy(bad.data() + numbers - leftOut - 8 * cells, &below, 4);
-    QVERIFY(test::contains(errorOf(bad), "a negative reference"));
+    QVERIFY(test::contains(errorOf(bad), "a negative reference value"));
     bad = good;
     // What is left out stands before the singular values: its scale, then 2 bytes per cell.
     bad = good;
     std::memcpy(bad.data() + numbers - leftOut, &infinite, 4);
-    QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));
+    QVERIFY(test::contains(errorOf(bad), "is not finite, expected a finite number"));
     for (const float scale : {-1.0f, 1e30f}) {
       std::memcpy(bad.data() + numbers - leftOut, &scale, 4);
       QVERIFY(test::contains(errorOf(bad), "a residual standard deviation that is negative or too large"));

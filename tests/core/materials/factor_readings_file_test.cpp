@@ -78,7 +78,8 @@ class FactorReadingsFileTest : public QObject {
     const auto row = [](const char* name, const std::string& text, const char* error) {
       QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(error);
     };
-    row("curve", with("4,across", "4,sideways"), "line 5: found 'sideways' for curve, expected along or across");
+    row("curve", with("4,across", "4,sideways"),
+        "line 5: found 'sideways' in the column curve, expected along or across");
     row("no curves", with("index,curve", "index,kind"), "curve");
     row("angle", with("20,180,60", "95,180,60"), "line 5: found 95 for theta_i");
     row("value", with("1,0.9,0.8\n3", "-1,0.9,0.8\n3"), "line 3: found -1 for r");

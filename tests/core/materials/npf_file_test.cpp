@@ -78,7 +78,7 @@ class NpfFileTest : public QObject {
     QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), "npf_row_order.csv"));
     const std::string names = "row,material\n7,a\n";
     test::writeFile("npf/npf_row_order.csv", std::as_bytes(std::span(names)));
-    QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), path.string() + ": the names of the rows, line 2"));
+    QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), path.string() + ": npf_row_order.csv, line 2"));
   }
 
   /// "FILE#NAME" and "FILE#NUMBER" are materials; a number needs no names.
@@ -103,7 +103,7 @@ class NpfFileTest : public QObject {
     QVERIFY(test::contains(test::errorOf([&] { readMaterial(row("3")); }), "found row 3, expected 0 to 2"));
     QVERIFY(test::contains(test::errorOf([&] { readMaterial(row("third")); }), "one of the 1 names"));
     const auto empty = test::writeFile("npf-rows/empty.bin", test::Bytes(6144));
-    QVERIFY(test::contains(test::errorOf([&] { readMaterial(empty.string() + "#0"); }), "row 0 has no material"));
+    QVERIFY(test::contains(test::errorOf([&] { readMaterial(empty.string() + "#0"); }), "row 0 is empty"));
     QVERIFY(!isNpfRow("missing.bin#1") && !isNpfRow(path));
   }
 

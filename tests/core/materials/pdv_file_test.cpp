@@ -72,12 +72,13 @@ class PdvFileTest : public QObject {
     };
     QVERIFY(contains(errorWith(0, 2u), "the version is 2, expected 1"));
     QVERIFY(contains(errorWith(0, 2u), "changed.pdv"));
-    QVERIFY(contains(errorWith(1, 7u), "the form is 7"));
+    QVERIFY(contains(errorWith(1, 7u), "the form is 7, expected 0 (two curves) or 1"));
     QVERIFY(contains(errorWith(2, 99u), "the transform is 99"));
     QVERIFY(contains(errorWith(3, 0xffffffffu), "nodes of theta_R is 4294967295"));
     QVERIFY(contains(errorWith(6, 0u), "the count of terms is 0, expected 1 to 20"));
     QVERIFY(contains(errorWith(6, 3u), "the size of the file"));
-    QVERIFY(contains(errorWith(7, std::numeric_limits<float>::infinity()), "the maximum is not finite"));
+    QVERIFY(contains(errorWith(7, std::numeric_limits<float>::infinity()),
+                     "the maximum transformed BRDF value is not finite"));
     QVERIFY(contains(errorWith(8, 0.5f), "the first node of theta_R"));
     QVERIFY(contains(errorWith(9, -1.0f), "node 1 of theta_R"));
     QVERIFY(contains(errorWith(30, std::nanf("")), "number 22 is not finite"));

@@ -99,7 +99,7 @@ class PlanFileTest : public QObject {
     const std::string ordered = "index,theta_i,phi_i,theta_o,phi_o,order\n";
     QCOMPARE(parsePlan(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n").samples[0].order, 2);
     VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n3,50,0,40,180,2\n",
-                      "line 4: found the order 2 again, first in line 2");
+                      "line 4: found the order 2 a second time (first in line 2)");
     VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,1\n2,50,0,50,180,3\n", "line 3: found the order 3, expected 1 to 2");
     VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,0\n2,50,0,50,180,1\n", "line 2: found the order 0, expected 1 to 2");
   }
@@ -145,7 +145,8 @@ class PlanFileTest : public QObject {
     VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o,phi_o,phi_o\n", "line 1: found two columns 'phi_o'");
     VERIFY_PLAN_ERROR(names + "1,10,0,20\n", "line 2: found 4 columns, expected 5");
     VERIFY_PLAN_ERROR(names + "1,10,0,20,0,5\n", "line 2: found 6 columns, expected 5");
-    VERIFY_PLAN_ERROR(names + "\n1,10,0,20,0\n1,11,0,20,0\n", "line 4: found the index 1 again, first in line 3");
+    VERIFY_PLAN_ERROR(names + "\n1,10,0,20,0\n1,11,0,20,0\n",
+                      "line 4: found the index 1 a second time (first in line 3)");
     VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o,phi_o\r\n\r\n1,2,3,4,x\r\n", "line 3: ");
     VERIFY_PLAN_ERROR(names + "0,10,0,20,0\n", "line 2: found the index 0");
     VERIFY_PLAN_ERROR(names + "1.5,10,0,20,0\n", "line 2: found '1.5' for index, expected a whole number");

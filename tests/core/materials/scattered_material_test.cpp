@@ -103,8 +103,8 @@ class ScatteredMaterialTest : public QObject {
     samples.add({fromSpherical(0.2, 0), fromSpherical(0.9, 1)}, Rgb(0.2, -1, 0.2));
     samples.add({fromSpherical(1.6, 0), fromSpherical(0.5, 2)}, Rgb(1));
     const materials::Material material = materialOf(samples);
-    QVERIFY(contains(noteWith(material, "nodes"), "3 points at 2 nodes are used"));
-    QVERIFY(contains(noteWith(material, "at or below the horizon"), "1 points"));
+    QVERIFY(contains(noteWith(material, "nodes"), "3 samples at 2 grid nodes are used"));
+    QVERIFY(contains(noteWith(material, "at or below the horizon"), "1 samples"));
     QVERIFY(contains(noteWith(material, "negative"), "1 negative values were set to 0"));
     ScatteredSamples mean;
     mean.add(pair, Rgb(0.2));
@@ -126,8 +126,8 @@ class ScatteredMaterialTest : public QObject {
   void manyPointsAreThinnedEvenly() {
     ScatteredSamples samples = measured(pairsAboutTheHighlight(20000, 4));
     const materials::Material material = materialOf(samples);
-    QVERIFY(contains(noteWith(material, "nodes are used"), "at 8192 nodes"));
-    QVERIFY(contains(noteWith(material, "left out"), "the others at neighbouring nodes"));
+    QVERIFY(contains(noteWith(material, "nodes are used"), "at 8192 grid nodes"));
+    QVERIFY(contains(noteWith(material, "left out"), "the others to limit the number of nodes"));
     QVERIFY(logError(*material.brdf, pairsAboutTheHighlight(500, 5)) < 0.2);
   }
 

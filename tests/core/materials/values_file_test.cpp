@@ -82,8 +82,8 @@ class ValuesFileTest : public QObject {
     QVERIFY(valuesError(names + good).empty());
     VERIFY_VALUES_ERROR(names, "found no row for index 2, 5, 7");
     VERIFY_VALUES_ERROR(names + "2,1,1,1\n7,1,1,1\n", "found no row for index 5, expected one for each sample");
-    VERIFY_VALUES_ERROR(names + good + "5,1,1,1\n", "line 5: found the index 5 again, first in line 3");
-    VERIFY_VALUES_ERROR(names + good + "3,1,1,1\n", "line 5: found the index 3, which the plan does not have");
+    VERIFY_VALUES_ERROR(names + good + "5,1,1,1\n", "line 5: found the index 5 a second time (first in line 3)");
+    VERIFY_VALUES_ERROR(names + good + "3,1,1,1\n", "line 5: found the index 3, expected an index of the plan");
     VERIFY_VALUES_ERROR(names + "2,1,1,1\n5,1,-0.5,1\n7,1,1,1\n",
                         "line 3: found -0.5 for g, expected a number, 0 or more");
     for (const char* bad : {"nan", "inf", "-inf", "1e999", "abc", "", "0x1p3", "1.2.3", "1 2"})

@@ -226,7 +226,7 @@ class AnalyticModelsTest : public QObject {
     }
   }
 
-  /// The extremes of Ngan et al. 2005 and Loew et al. 2012 over 100 materials.
+  /// The extremes of Ngan et al. 2005 and Löw et al. 2012 over 100 materials.
   void hardRangesAdmitPublishedFits() {
     const auto admits = [](const Model& model, std::string_view id, double low, double high) {
       const ParameterSpec& p = model.spec().parameters[model.spec().find(id).value()];

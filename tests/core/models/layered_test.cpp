@@ -29,7 +29,7 @@ double at(const ParameterValues& p, const Direction& wi, const Direction& wo) {
 class LayeredTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Estevez and Kulla 2017, eq. 2, over 4 (cos + cos - cos cos).
+  /// Estévez and Kulla 2017, eq. 2, over 4 (cos + cos - cos cos).
   void sheenHasItsClosedForm() {
     ParameterValues p = black();
     p.values[index("sheen")] = Rgb(0.7);

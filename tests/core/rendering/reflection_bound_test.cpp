@@ -121,7 +121,7 @@ class ReflectionBoundTest : public QObject {
     }
   }
 
-  /// Ward-Duer gains energy at grazing angles: the bound says so.
+  /// Ward-Dür gains energy at grazing angles: the bound says so.
   void wardDuerGains() {
     const models::Model& model = models::findModel("ward-duer");
     const auto brdf = model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}));

@@ -80,9 +80,9 @@ std::vector<Wrong> wrongMembers() {
       {"/objects/0/centre", {1, "x", 2}, "objects[0].centre: found a list of 3, expected three numbers"},
       {"/objects/0/material", -1, "objects[0].material: found the number -1, expected a material number"},
       {"/objects/0/material", "all", "objects[0].material: found the string \"all\", expected a material number"},
-      {"/objects/0/radiance", {1, 1, 1}, "objects[0].radiance: found a list of 3, expected none: only rectangles"},
+      {"/objects/0/radiance", {1, 1, 1}, "objects[0].radiance: found a list of 3, expected no radiance (only"},
       {"/objects/1/material", "each",
-       "objects[1].material: found the string \"each\", expected \"each\" only for a sphere"},
+       "objects[1].material: found the string \"each\", expected a material other than \"each\""},
       {"/objects/1/material/diffuse", {1, 2, 0}, "objects[1].material.diffuse: found a list of 3, expected a refl"},
       {"/objects/1/material/diffuse", {1, -1, 0}, "objects[1].material.diffuse: found a list of 3, expected three"},
       {"/objects/1/material/gloss", 1, "objects[1].material.gloss: unknown member, expected one of"},
@@ -221,7 +221,7 @@ class SceneFileTest : public QObject {
       QVERIFY_THROWS_EXCEPTION(Error, parseScene(text, 1));
     nlohmann::json many = scene();
     for (int i = 0; i < 300; ++i) many["objects"].push_back(many["objects"][0]);
-    QVERIFY(errorOf(many).find("objects: found a list of 304, expected at most 256") != std::string::npos);
+    QVERIFY(errorOf(many).find("objects: found a list of 304, expected at most 256 entries") != std::string::npos);
     nlohmann::json huge = scene();
     huge["objects"][0]["material"] = 18446744073709551615u;
     QVERIFY(errorOf(huge).empty());
@@ -239,7 +239,7 @@ class SceneFileTest : public QObject {
     json["objects"][3] = {{"name", "block"}, {"shape", "mesh"}, {"mesh", "block.obj"}, {"fit", true}};
     json["environment"] = {{"picture", "dawn.exr"}};
     QVERIFY(errorOf(json, folder).empty());
-    QVERIFY(errorOf(json).find("files are not opened here") != std::string::npos);
+    QVERIFY(errorOf(json).find("cannot refer to files") != std::string::npos);
     std::ofstream(folder / "morning.json") << json.dump();
     const Scene read = openScene((folder / "morning.json").string());
     QCOMPARE(read.name, std::string("morning"));
@@ -290,7 +290,7 @@ class SceneFileTest : public QObject {
         QFAIL("no such scene");
       } catch (const Error& error) {
         const std::string text = error.what();
-        QVERIFY(text.find("neither a scene of this name (sphere, sphere-distant-light, ") != std::string::npos);
+        QVERIFY(text.find("neither a bundled scene (sphere, sphere-distant-light, ") != std::string::npos);
         QVERIFY(text.find("torus) nor a file") != std::string::npos);
       }
     // Named once.
