@@ -94,7 +94,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
-            " bytes, transform " + nameOf(encoded.code.transform) + (encoded.code.scaled ? "" : " without the scale") +
+            " bytes, transform " + nameOf(encoded.code.transform) + (encoded.code.scaled ? "" : " of unscaled cells") +
             ", dictionaries " + dictionaries.dump() + ", BRDF SNR " + number(snr) + " dB" +
             (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
             " s\n" + text + errorsText(errors));
@@ -103,7 +103,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
 
 int encodeByMethod(const EncodeArguments& options, const CLI::App& command, const Tool& tool) {
   if ((options.method == componentsMethod) != !options.basis.empty())
-    throw UsageError("encode: --method components and --basis belong together");
+    throw UsageError("encode: --method components and --basis must be given together");
   if (options.method != componentsMethod) return encode(options, tool);
   for (const char* of :
        {"--dictionary", "--error", "--bytes", "--rendered-snr", "--transform", "--gamma", "--single", "--as-published"})
@@ -143,7 +143,7 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1.0, 200.0));
   command
       ->add_option("--transform", options->transform,
-                   "Transform: log-plus or cosine-log (the one with the smaller error)")
+                   "Transform: log-plus or cosine-log (the one with the smaller gamma error)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
   command->add_option("--gamma", options->encoding.gamma, "Exponent of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
@@ -157,7 +157,7 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
   command->add_flag("--as-published", options->asPublished,
-                    "Published method: no scale of the cells, one projection, a gamma error without weights");
+                    "Published method: unscaled cells, a single projection, unweighted gamma error");
   command->add_option("--out", options->out,
                       "Code file to write (" + suffixOf(materials::FormatId::code) + "); with --method components " +
                           outputHelp("the material that they represent"));

@@ -214,7 +214,7 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
                      "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
   command
       .add_option("--numbers", options.numbers,
-                  "Numbers under the images: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
+                  "Numbers below the images: rendered-snr, a metric, bytes, encoding-time, evaluation-time, "
                   "frame-time (rendered-snr,bytes)")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");

@@ -41,9 +41,10 @@ std::vector<std::string> namesOf(const std::array<std::string_view, count>& name
 /// The options of --factors.
 void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsArguments>& options) {
   command
-      .add_option("--factors", options->axes,
-                  "Instead of a plan, read two curves over these axes and predict the material: projected-deviation, "
-                  "symmetric-deviation, half-difference or half-out")
+      .add_option(
+          "--factors", options->axes,
+          "Instead of a plan, measure two curves over these axes and predict the material: projected-deviation, "
+          "symmetric-deviation, half-difference or half-out")
       ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
   command
       .add_option("--fixed-angle", options->fixedDegrees,
@@ -53,17 +54,17 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
       ->check(CLI::Range(2, 2000));
   command.add_option("--distances", options->distances, "Readings across the mirror direction (90)")
       ->check(CLI::Range(2, 2000));
-  command.add_option("--max-polar", options->maxPolarDegrees, "Max polar angle of both arms, degrees (89)")
+  command.add_option("--max-polar", options->maxPolarDegrees, "Max. polar angle of both arms, degrees (89)")
       ->check(CLI::Range(0.1, 89.9));
-  command.add_option("--min-separation", options->minSeparationDegrees, "Min angle between the arms, degrees (2)")
+  command.add_option("--min-separation", options->minSeparationDegrees, "Min. angle between the arms, degrees (2)")
       ->check(CLI::Range(0.0, 180.0));
   command.add_option("--values", options->values, "CSV file of the readings of both curves, instead of a simulation");
   command.add_option("--predict", options->predict,
                      outputHelp("File to write: the predicted material") + ", or its factors (.pdv)");
   command
-      .add_option(
-          "--bound", options->bound,
-          "Limits of the prediction: readings (the nearest readings, and the exchanged pair) or none (readings)")
+      .add_option("--bound", options->bound,
+                  "Limit of the prediction: readings (the nearest readings, and the prediction with light and viewer "
+                  "exchanged) or none (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 
@@ -95,7 +96,7 @@ void addMeasure(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp);
   command->add_option("--plan", options->plan, "CSV file of a plan (from goniotool plan)");
   command->add_option("--out", options->out,
-                      "CSV file to write: index, r, g, b, 1/sr; with --factors also the directions");
+                      "CSV file to write: index, then r, g, b in 1/sr; with --factors also the directions");
   addFactorsOptions(*command, factors);
   command->add_option("--noise", options->noise.relative, "Relative standard deviation of a reading (0)")
       ->check(CLI::Range(0.0, 100.0));
@@ -105,7 +106,7 @@ void addMeasure(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--misalignment", options->misalignmentDegrees,
-                   "Standard deviation of the direction of each arm about each of two axes, degrees (0)")
+                   "Standard deviation of the pointing error of each arm, about each of two axes, degrees (0)")
       ->check(CLI::Range(0.0, 90.0));
   command->add_option("--seed", options->noise.seed, "Seed of the random errors (1)");
   command->callback([=, &tool] { tool.run = [=, &tool] { return measureBy(*command, *options, *factors, tool); }; });

@@ -167,7 +167,7 @@ void addRender(CLI::App& app, Tool& tool) {
   command->add_flag("--everything", options->everything, "Simulate all effects, to verify the plan");
   command
       ->add_option("--remainder", options->remainder,
-                   "Max. light that omitted reflections may add, relative to the brightest first reflection (1/512)")
+                   "Max. contribution of omitted reflections, relative to the brightest first reflection (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png");

@@ -37,7 +37,7 @@ void write(const fs::path& folder, const std::string& stem, Json head, std::span
                {"machine", machineJson(facts.machine)},
                {"records", recordsAsJson}});
   std::vector<std::string> notes = machineLines(facts.machine);
-  notes.push_back("pictures and frames: " + facts.pictures);
+  notes.push_back("images and frames: " + facts.pictures);
   const std::vector<StudyAxes> axes =
       facts.timed() ? allCostAxes() : std::vector<StudyAxes>{{.cost = Cost::bytes, .quality = {}}};
   const std::string json = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -101,11 +101,11 @@ Json summaryJson(std::span<const StudySummary> summaries) {
 
 std::string recordsText(std::span<const StudyRecord> records) {
   char line[200];
-  std::snprintf(line, sizeof line, "  %-52s %9s %11s %9s %9s %9s\n", "representation", "SNR, dB", "value, ns",
-                "frame, ms", "bytes", "encode, s");
+  std::snprintf(line, sizeof line, "  %-52s %9s %11s %9s %9s %11s\n", "representation", "SNR, dB", "eval., ns",
+                "frame, ms", "bytes", "encoding, s");
   std::string text = line;
   for (const StudyRecord& record : records) {
-    std::snprintf(line, sizeof line, "  %-52s %9s %11s %9s %9s %9s\n", record.representation.fullLabel().c_str(),
+    std::snprintf(line, sizeof line, "  %-52s %9s %11s %9s %9s %11s\n", record.representation.fullLabel().c_str(),
                   cell(record.renderedSnr, "%.2f").c_str(), cell(record.evaluation.median, "%.1f").c_str(),
                   cell(record.frameMilliseconds, "%.2f").c_str(), shortNumber(double(record.bytes)).c_str(),
                   cell(record.encodeSeconds, "%.3g").c_str());

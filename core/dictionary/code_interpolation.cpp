@@ -28,7 +28,7 @@ void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::spa
                   std::string(dataTransformNames[std::size_t(codes.front().transform)]) + " and " +
                   std::string(dataTransformNames[std::size_t(code.transform)]) + ": encode one of them again");
     if (code.scaled != codes.front().scaled)
-      throw Error("interpolation: found a code with and one without the scale of the cells: encode one of them again");
+      throw Error("interpolation: found a code of scaled and one of unscaled cells: encode one of them again");
   }
 }
 

@@ -98,7 +98,7 @@ void setCode(const CodeFile& file, Material& material) {
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
   material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
                                 std::string(dataTransformNames[std::size_t(code.transform)]) +
-                                (code.scaled ? "" : ", as published (without the scale)");
+                                (code.scaled ? "" : ", as published (unscaled cells)");
 }
 
 }  // namespace gonio::materials

@@ -14,7 +14,7 @@ std::string picturesText(int width, int height, int samples) {
 
 plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
                          const std::string& pictures) {
-  plots::CsvTable table{.comments = {title, "pictures and frames: " + pictures}, .columns = {}};
+  plots::CsvTable table{.comments = {title, "images and frames: " + pictures}, .columns = {}};
   for (const std::string& line : machineLines(machine)) table.comments.push_back(line);
   const auto texts = [&](const char* name, const auto& text) {
     plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});

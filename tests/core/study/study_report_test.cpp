@@ -92,7 +92,7 @@ class StudyReportTest : public QObject {
     const QString text = QString::fromStdString(toCsv(studyCsv("material: a", records, machine, "scene")));
     const QStringList lines = text.split('\n', Qt::SkipEmptyParts).filter(QRegularExpression("^[^#]"));
     QCOMPARE(lines.size(), qsizetype(records.size()) + 1);
-    QVERIFY(text.startsWith("# material: a\n# pictures and frames: scene\n# Abacus <10"));
+    QVERIFY(text.startsWith("# material: a\n# images and frames: scene\n# Abacus <10"));
     QVERIFY(text.contains("# 2026-11-21T22:00:00Z\n"));
     QVERIFY(lines[1].startsWith("table,table-nearest,\"Table, nearest cell\",0,,20412000,0,20,19,22,2,30,"));
     QVERIFY(lines[2].contains(",inf,"));
