@@ -87,7 +87,7 @@ class PlotExportTest : public QObject {
   void csvHoldsTheShownNumbers() {
     const auto plot = polarPlot();
     const QByteArray csv = plotAsCsv(*plot);
-    QVERIFY(csv.contains("luminance of f cos theta_o, 1/sr"));
+    QVERIFY(csv.contains("luminance of rho cos theta_o, 1/sr"));
     QVERIFY(csv.contains("theta_i = 30 degrees"));
     const QList<QByteArray> lines = dataLines(csv);
     QCOMPARE(lines.first(), QByteArray("theta_o [degrees],measured [1/sr],edited [1/sr]"));

@@ -13,14 +13,15 @@ AlbedoPlot::AlbedoPlot(QWidget* parent) : CurveChart(tr("Albedo"), parent) {
 
 ChartAxes AlbedoPlot::axes() const {
   const QString channel = channelName(settings().channel);
-  return {tr("θo [°] of the viewer"),
-          tr("%1 of ∫ f cos θi dωi").arg(channel),
-          0,
-          90,
-          "theta_o",
-          "no unit",
-          QString(),
-          channelForCsv(settings().channel) + " of the integral of f cos theta_i over the light's hemisphere, no unit"};
+  return {
+      tr("θo [°] of the viewer"),
+      tr("%1 of ∫ ρ cos θi dωi").arg(channel),
+      0,
+      90,
+      "theta_o",
+      "no unit",
+      QString(),
+      channelForCsv(settings().channel) + " of the integral of rho cos theta_i over the light's hemisphere, no unit"};
 }
 
 }  // namespace gonio::widgets

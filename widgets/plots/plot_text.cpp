@@ -29,9 +29,9 @@ QString channelName(plots::Channel channel) {
 }
 
 QString cosineName(plots::CosineFactor cosine) {
-  return cosine == plots::CosineFactor::none       ? PlotsText::tr("f")
-         : cosine == plots::CosineFactor::incident ? PlotsText::tr("f cos θi")
-                                                   : PlotsText::tr("f cos θo");
+  return cosine == plots::CosineFactor::none       ? PlotsText::tr("ρ")
+         : cosine == plots::CosineFactor::incident ? PlotsText::tr("ρ cos θi")
+                                                   : PlotsText::tr("ρ cos θo");
 }
 
 QString valueTitle(const PlotSettings& settings) {
@@ -59,14 +59,14 @@ std::string channelForCsv(plots::Channel channel) {
 }
 
 std::string valueForCsv(const PlotSettings& settings) {
-  static constexpr const char* values[] = {"f (without the cosine)", "f cos theta_i", "f cos theta_o"};
+  static constexpr const char* values[] = {"rho (without the cosine)", "rho cos theta_i", "rho cos theta_o"};
   return channelForCsv(settings.channel) + " of " + values[int(settings.cosine)] + ", 1/sr";
 }
 
 std::string conventionForCsv() {
   return "convention: unit directions, both away from the surface, z = normal; theta_i of the direction to the light, "
-         "theta_o to the viewer, theta_h of their half vector, theta_d between half vector and light; f is the BRDF, "
-         "linear RGB (sRGB primaries); luminance by ITU-R BT.709";
+         "theta_o to the viewer, theta_h of their half vector, theta_d between half vector and light; rho is the BRDF "
+         "value, linear RGB (sRGB primaries); luminance by ITU-R BT.709";
 }
 
 std::string angleForCsv(const std::string& name, double radians) {

@@ -13,9 +13,9 @@
 namespace gonio::widgets {
 
 QString channelName(plots::Channel channel);
-/// "f", "f cos θi", "f cos θo".
+/// "ρ", "ρ cos θi", "ρ cos θo".
 QString cosineName(plots::CosineFactor cosine);
-/// Title of an axis of values: "Luminance of f cos θi [1/sr]".
+/// Title of an axis of values: "Luminance of ρ cos θi [1/sr]".
 QString valueTitle(const PlotSettings& settings);
 /// "θh", "θd", "θo".
 QString axisName(plots::SectionAxis axis);
@@ -26,7 +26,7 @@ QString stateText(plots::PointState state);
 
 /// Plain ASCII for CSV files, e.g. "luminance".
 std::string channelForCsv(plots::Channel channel);
-/// "luminance of f cos theta_i".
+/// "luminance of rho cos theta_i".
 std::string valueForCsv(const PlotSettings& settings);
 /// The project's convention for directions and values, on one line.
 std::string conventionForCsv();
