@@ -110,8 +110,8 @@ QString FitRankingModel::csv() const {
   using R = const study::RankedFit&;
   texts("model", [](R ranked) { return ranked.fit.model->spec().id; });
   numbers("rendered SNR [dB]", [](R ranked) { return ranked.renderedSnr; });
-  numbers("fitted numbers", [](R ranked) { return ranked.parameterCount; });
-  numbers("time of the fit [s]", [](R ranked) { return ranked.fit.seconds; });
+  numbers("parameters", [](R ranked) { return ranked.parameterCount; });
+  numbers("time [s]", [](R ranked) { return ranked.fit.seconds; });
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < records.size(); ++i) {
     const std::string unit = records[i].unit.empty() ? "" : " [" + std::string(records[i].unit) + "]";
@@ -196,22 +196,22 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
     const QString unit = widgets::fromView(record.unit);
     const QString titles[] = {tr("Model"),
                               tr("Plot"),
-                              unit.isEmpty() ? tr("Error") : tr("Error, %1").arg(unit),
-                              tr("Rendered SNR, dB"),
+                              unit.isEmpty() ? tr("Error") : tr("Error [%1]").arg(unit),
+                              tr("Rendered SNR [dB]"),
                               tr("Parameters"),
-                              tr("Time, s"),
+                              tr("Time [s]"),
                               tr("Warnings")};
     return titles[section];
   }
   if (role == Qt::ToolTipRole) {
-    const QString tips[] = {
-        tr("The model, rendered with its fitted parameters"),
-        tr("Ticked fits are shown in the plots in addition to the one in use"),
-        tr("<p>%1: %2. Smaller is better.</p>").arg(widgets::fromView(record.name), widgets::formulaHtml(record.formula)),
-        tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
-        tr("Number of values that the fit determines"),
-        tr("Time of the fit, seconds"),
-        tr("Warnings of the fit about the measurement")};
+    const QString tips[] = {tr("The model, rendered with its fitted parameters"),
+                            tr("Ticked fits are shown in the plots in addition to the one in use"),
+                            tr("<p>%1: %2. Smaller is better.</p>")
+                                .arg(widgets::fromView(record.name), widgets::formulaHtml(record.formula)),
+                            tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
+                            tr("Number of values that the fit determines"),
+                            tr("Time of the fit, seconds"),
+                            tr("Warnings of the fit about the measurement")};
     return tips[section];
   }
   return {};
