@@ -79,8 +79,8 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     if (e < result.errorsAfter.size()) {
       entry["errorBeforeSweep"] = result.errorsBefore[e];
       entry["errorAfterSweep"] = result.errorsAfter[e];
-      text += "; of whole tables " + number(result.errorsBefore[e]) + ", after the last sweep " +
-              number(result.errorsAfter[e]);
+      text += "; for whole tables " + number(result.errorsBefore[e]) + " before the last sweep, " +
+              number(result.errorsAfter[e]) + " after it";
     }
     ensembles.push_back(entry);
     text += "\n";
@@ -99,12 +99,12 @@ int train(const DictionaryArguments& options, const Tool& tool) {
          {"scaled", result.ensemble.scaled},
          {"seconds", result.seconds},
          {"out", options.out}},
-        std::string(result.complete ? "" : "stopped: the best so far\n") +
-            std::to_string(result.ensemble.dictionaries.size()) + " dictionaries of " +
+        std::string(result.complete ? "" : "stopped early: wrote the best dictionaries so far\n") +
+            std::to_string(result.ensemble.dictionaries.size()) + " dictionaries from " +
             std::to_string(materials.names.size()) + " materials, " + std::to_string(result.ensemble.bytes()) +
             " bytes, orthonormal to " + number(orthonormality) + ", " + number(result.seconds) + " s\nsubspace " +
             std::to_string(ranks[0]) + " x " + std::to_string(ranks[1]) + " x " + std::to_string(ranks[2]) +
-            ", leaves out " + number(result.state.subspace.loss) + " of the energy\n" + text);
+            ", omits " + number(result.state.subspace.loss) + " of the energy\n" + text);
   return 0;
 }
 
@@ -155,7 +155,7 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--subspace-loss", training.subspaceLoss,
-                   "Max. fraction of the energy that the shared subspace may omit (3e-5)")
+                   "Max. fraction of the energy that the common subspace of all dictionaries omits (3e-5)")
       ->check(CLI::Range(0.0, 0.5));
   command->add_flag(
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },

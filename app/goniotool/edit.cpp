@@ -195,7 +195,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
   if (!isOwnForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
-  if (options.model.empty()) throw UsageError("edit: give the model to fit and edit with --model");
+  if (options.model.empty()) throw UsageError("edit: --model is missing; it names the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
   // Wrong assignments are reported before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());

@@ -104,7 +104,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
 
 int encodeByMethod(const EncodeArguments& options, const CLI::App& command, const Tool& tool) {
   if ((options.method == componentsMethod) != !options.basis.empty())
-    throw UsageError("encode: --method components and --basis belong together");
+    throw UsageError("encode: --method components and --basis must be given together");
   if (options.method != componentsMethod) return encode(options, tool);
   for (const char* of :
        {"--dictionary", "--error", "--bytes", "--rendered-snr", "--transform", "--gamma", "--single", "--as-published"})
@@ -146,7 +146,7 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1.0, 200.0));
   command
       ->add_option("--transform", options->transform,
-                   "Transform: log-plus or cosine-log (the one with the smaller error)")
+                   "Transform: log-plus or cosine-log (the one with the smaller gamma error)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
   command->add_option("--gamma", options->encoding.gamma, "Gamma of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));

@@ -58,7 +58,8 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   options.samples = arguments.samples;
   if (arguments.size == 0) return options;
   if (!target.choosesSize)
-    throw UsageError("export: --theta-count and --size are for .bsdf files, expected --for mitsuba or pbrt");
+    throw UsageError("export: --theta-count and --size are for .bsdf files: found --for " + arguments.target +
+                     ", expected mitsuba or pbrt");
   options.size = {arguments.thetaCount, arguments.size};
   return options;
 }

@@ -100,8 +100,8 @@ void checkOptions(const FactorArguments& options) {
     throw UsageError("factor: --as-published sets --transform, --weights and --deviations; leave these out");
   if (options.joint && options.swaps())
     throw UsageError(
-        "factor: --joint fits all terms together, --swap-f1 and --swap-f2 replace curves of the first one; "
-        "leave out one of them");
+        "factor: --joint cannot be used with --swap-f1 or --swap-f2: it fits all terms together, they replace curves "
+        "of the first");
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
   if (!options.decode.empty()) materials::writableFormat(options.decode);
@@ -139,9 +139,9 @@ int factor(const FactorArguments& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
-        std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) + " bytes, residual " +
-            (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", " +
-            qualityText(quality, result.seconds));
+        std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) +
+            " bytes, relative residual " + (result.residuals.empty() ? "unknown" : number(result.residuals.back())) +
+            ", " + qualityText(quality, result.seconds));
   return 0;
 }
 

@@ -30,7 +30,7 @@ void addQuality(Json& json, const FactorQuality& quality) {
 
 std::string qualityText(const FactorQuality& quality, double seconds) {
   return "BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) + " dB, " +
-         number(seconds) + " s, " + number(quality.evaluationNs) + " ns per value\n" + errorsText(quality.errors);
+         number(seconds) + " s, " + number(quality.evaluationNs) + " ns per evaluation\n" + errorsText(quality.errors);
 }
 
 }  // namespace gonio::tool

@@ -130,7 +130,8 @@ void checkGamma(const FitArguments& options) {
 
 int fit(const FitArguments& options, const Tool& tool) {
   if (options.model.empty() == !options.all) throw UsageError("fit: give one model with --model, or all with --all");
-  if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
+  if (options.all && !options.out.empty())
+    throw UsageError("fit: --out writes one fitted model and cannot be used with --all; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort needs --all");
   checkGamma(options);
   if (!options.out.empty()) materials::writableFormat(options.out);

@@ -37,7 +37,7 @@ materials::FactorReadings readingsOf(const MeasureFactorsArguments& options,
 
 /// Without readings: the directions alone.
 int writeDirections(const MeasureFactorsArguments& options, const Tool& tool) {
-  if (options.out.empty()) throw UsageError("measure: --factors needs MATERIAL, --values or --out");
+  if (options.out.empty()) throw UsageError("measure: --factors needs at least one of MATERIAL, --values and --out");
   if (!options.predict.empty()) throw UsageError("measure: --predict needs MATERIAL or --values");
   const FactorPlan plan = planOf(options);
   materials::writeFactorReadings(plan, {}, options.out);
@@ -84,7 +84,7 @@ Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) 
 
 void checkOutputsOf(const MeasureFactorsArguments& options) {
   if (!options.values.empty() && !options.out.empty())
-    throw UsageError("measure: --values are readings already; leave out --out");
+    throw UsageError("measure: --values and --out cannot be used together: the readings are already in a file");
   if (!options.predict.empty() && !materials::hasSuffixOf(materials::FormatId::pdv, options.predict))
     materials::writableFormat(options.predict);
 }

@@ -105,8 +105,7 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
                      std::to_string(found.components) + " components, ridge " + number(found.ridge) + ", " +
                      number(seconds) + " s\n";
   if (std::isfinite(found.leaveOneOutError))
-    text += "leave-one-out error: a sample is predicted from the others to within " + number(found.leaveOneOutError) +
-            " of its mapped value (root mean square)\n";
+    text += "leave-one-out error of a mapped value: " + number(found.leaveOneOutError) + " (root mean square)\n";
   if (!found.deviation.empty()) {
     const double median = medianOf(found.deviation);
     json["medianDeviation"] = median;

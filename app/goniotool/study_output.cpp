@@ -64,8 +64,8 @@ void StudyOutput::choose(const StudiedMaterial& material) {
   Json chosen(nullptr);
   if (representation) chosen = {{"representation", representation->id}, {"budget", representation->budget}};
   chosen_.push_back({{"material", material.name}, {"best", chosen}});
-  text_ += representation ? "best within the limits: " + representation->fullLabel() + "\n"
-                          : "no representation meets the limits\n";
+  text_ += representation ? "best within the budget: " + representation->fullLabel() + "\n"
+                          : "no representation meets the budget\n";
 }
 
 }  // namespace gonio::tool

@@ -32,7 +32,7 @@ ShardFile readShard(const fs::path& folder) {
       const Json json = readOrderedJson(path);
       ShardFile file{folder, {json.at("shard"), json.at("shards")}, json.at("materials"), json.at("settings").dump()};
       if (file.shard.number < 1 || file.shard.number > file.shard.count)
-        throw Error("found the shard " + file.shard.text() + ", expected a number from 1 to their count");
+        throw Error("found shard " + file.shard.text() + ", expected I/N with I from 1 to N");
       return file;
     } catch (const Json::exception& error) {
       throw Error(std::string("not a shard of a study: ") + error.what());
@@ -54,7 +54,7 @@ void checkSameStudy(const ShardFile& a, const ShardFile& b) {
   if (a.settings != b.settings) throw Error(folders + "found " + difference(a.settings, b.settings));
   if (a.stems != b.stems) throw Error(folders + "they contain different materials");
   if (a.shard.count != b.shard.count)
-    throw Error(folders + "found the shards " + a.shard.text() + " and " + b.shard.text());
+    throw Error(folders + "found shards " + a.shard.text() + " and " + b.shard.text());
 }
 
 /// By their numbers.
@@ -65,7 +65,7 @@ std::map<std::size_t, ShardFile> completeShards(const std::vector<std::string>& 
     if (!shards.empty()) checkSameStudy(shards.begin()->second, file);
     const auto [known, added] = shards.try_emplace(file.shard.number, file);
     if (!added)
-      throw Error("found the shard " + file.shard.text() + " twice: " + known->second.folder.string() + " and " +
+      throw Error("found shard " + file.shard.text() + " twice: " + known->second.folder.string() + " and " +
                   file.folder.string());
   }
   const std::size_t count = shards.begin()->second.shard.count;

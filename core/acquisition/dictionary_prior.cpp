@@ -9,6 +9,7 @@
 #include "core/dictionary/largest_coefficients.h"
 #include "core/dictionary/shared_subspace.h"
 #include "core/math/parallel.h"
+#include "core/support/number_text.h"
 
 namespace gonio::acquisition {
 
@@ -159,16 +160,26 @@ CoefficientPrior priorOf(const Dictionary& dictionary, const ProjectedSignals& s
   return prior;
 }
 
+std::string gridSizeText(const HalfDifferenceGrid& grid) {
+  return std::to_string(grid.thetaHCount) + " x " + std::to_string(grid.thetaDCount) + " x " +
+         std::to_string(grid.phiDCount) + (grid.reciprocal ? "" : " (whole circle)");
+}
+
 void checkPriorInput(const Ensemble& ensemble, const TrainingMaterials& materials,
                      const DictionaryPriorOptions& options) {
   if (materials.names.empty()) throw Error("found no training material for the prior, expected at least one");
   if (ensemble.dictionaries.empty()) throw Error("the ensemble contains no dictionaries");
-  if (!(materials.grid == ensemble.grid)) throw Error("the materials and the dictionaries have different grids");
+  if (!(materials.grid == ensemble.grid))
+    throw Error("found materials with the grid " + gridSizeText(materials.grid) +
+                ", expected that of the dictionaries, " + gridSizeText(ensemble.grid));
   if (options.transform != DataTransform::logPlus && options.transform != DataTransform::cosineLog)
     throw Error("found the transform " + std::string(dataTransformNames[std::size_t(options.transform)]) +
                 " for a dictionary prior, expected log-plus or cosine-log");
-  if (options.atoms < 1) throw Error("a prior needs 1 atom or more");
-  if (!(options.sharing > 0 && options.sharing <= 1)) throw Error("sharing must be more than 0 and at most 1");
+  if (options.atoms < 1)
+    throw Error("found " + std::to_string(options.atoms) + " atoms for a dictionary prior, expected 1 or more");
+  if (!(options.sharing > 0 && options.sharing <= 1))
+    throw Error("found the sharing " + numberText(options.sharing) +
+                " for a dictionary prior, expected a number above 0 and at most 1");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::acquisition {
 
@@ -155,7 +156,8 @@ void checkDictionaryInput(const Ensemble& ensemble, const DictionaryPrior& prior
   for (const CoefficientPrior& one : prior.dictionaries)
     if (std::ranges::any_of(one.indices, [&](std::uint32_t index) { return index >= ensemble.grid.size(); }))
       throw Error("the prior refers to an atom that the dictionaries do not contain");
-  if (!(options.noise >= 0 && std::isfinite(options.noise))) throw Error("the noise must be a number, 0 or more");
+  if (!(options.noise >= 0 && std::isfinite(options.noise)))
+    throw Error("found the noise " + numberText(options.noise) + ", expected a finite number, 0 or more");
 }
 
 }  // namespace

@@ -47,8 +47,7 @@ void sortBy(double FactorPlace::*coordinate, std::vector<Reading>& readings) {
     return b.place.*coordinate - a.place.*coordinate < samePlace;
   });
   if (same != readings.end())
-    throw Error(sampleText(*(same + 1)) + "the curve has a reading at this place already, that of sample " +
-                std::to_string(same->index));
+    throw Error(sampleText(*(same + 1)) + "same position on the curve as sample " + std::to_string(same->index));
 }
 
 /// The angle of the readings across, that of the one nearest to the mirror direction.
@@ -63,7 +62,7 @@ double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
   for (const Reading& reading : across)
     if (const double angle = angleOf(reading); std::abs(angle - fixed) > placeTolerance)
       throw Error(sampleText(reading) + "found the angle " + io::decimalText(degrees(angle), 2) +
-                  " degrees on the curve across, expected " + io::decimalText(degrees(fixed), 2) + ", that of sample " +
+                  " degrees on the curve across, expected " + io::decimalText(degrees(fixed), 2) + ", as in sample " +
                   std::to_string(across.front().index));
   return fixed;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::acquisition {
 
@@ -15,15 +16,18 @@ constexpr int maxReadings = 2'000;
 
 void checkOptions(const FactorPlanOptions& o) {
   if (!(o.largestPolarAngle > 0 && o.largestPolarAngle < halfPi))
-    throw Error("factor measurement: the max polar angle must be above 0 and below 90 degrees");
+    throw Error("factor measurement: found the maximum polar angle " + numberText(degrees(o.largestPolarAngle)) +
+                " degrees, expected above 0 and below 90");
   if (!(o.fixedAngle >= 0 && o.fixedAngle <= o.largestPolarAngle))
-    throw Error("factor measurement: the fixed angle must be from 0 degrees to the max polar angle, " +
-                std::to_string(int(std::lround(degrees(o.largestPolarAngle)))) + " degrees");
+    throw Error("factor measurement: found the fixed angle " + numberText(degrees(o.fixedAngle)) +
+                " degrees, expected from 0 to the maximum polar angle, " + numberText(degrees(o.largestPolarAngle)));
   for (const int count : {o.angles, o.distances})
     if (count < 2 || count > maxReadings)
-      throw Error("factor measurement: each curve needs 2 to " + std::to_string(maxReadings) + " readings");
+      throw Error("factor measurement: found " + std::to_string(count) + " readings of a curve, expected 2 to " +
+                  std::to_string(maxReadings));
   if (!(o.smallestSeparation >= 0 && o.smallestSeparation <= pi))
-    throw Error("factor measurement: the min separation of the arms must be from 0 to 180 degrees");
+    throw Error("factor measurement: found the minimum separation of the arms " +
+                numberText(degrees(o.smallestSeparation)) + " degrees, expected from 0 to 180");
 }
 
 /// Appends the reading at a place, or counts it as blocked.

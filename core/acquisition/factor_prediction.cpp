@@ -111,8 +111,8 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
   if (support.contradicted > many)
     support.warnings.push_back(
         "Unreliable for " + percent(support.contradicted) +
-        " of the directions: exchanging light and viewer changes the prediction by more than a "
-        "factor of 2, which contradicts the readings. Use symmetric-deviation or half-difference.");
+        " of the directions: the prediction is not reciprocal (exchanging light and viewer changes it by more than a "
+        "factor of 2). Use the axes symmetric deviation or half-difference.");
   if (support.extrapolated > many)
     support.warnings.push_back(
         "Unreliable for " + percent(support.extrapolated) +
@@ -125,7 +125,8 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
         "at the same angle and at the same distance.");
   if (isHighlightMissed(m))
     support.warnings.push_back(
-        "The highlight is narrower than the distance of the readings across it. Use more readings across.");
+        "The highlight is narrower than the spacing of the readings across it. Use more readings across the mirror "
+        "direction.");
   constexpr std::array names{"red", "green", "blue"};
   for (std::size_t c = 0; c < 3; ++c)
     if (m.unscaled[c] && m.highest[c] > 0)
@@ -146,7 +147,7 @@ void startAtZero(std::vector<double>& nodes, std::array<std::vector<double>, 3>&
 FactorBound factorBoundNamed(std::string_view name) {
   const auto found = std::ranges::find(factorBoundNames, name);
   if (found == factorBoundNames.end())
-    throw Error("bound: found '" + std::string(name) + "', expected readings or none");
+    throw Error("found the bound '" + std::string(name) + "', expected readings or none");
   return FactorBound(found - factorBoundNames.begin());
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::acquisition {
 
@@ -24,7 +25,8 @@ Direction turned(const Direction& w, const glm::dvec2& offset) {
 }
 
 void checkError(double error, const char* what) {
-  if (!(error >= 0) || !std::isfinite(error)) throw Error(std::string(what) + " must be a number, 0 or more");
+  if (!(error >= 0) || !std::isfinite(error))
+    throw Error(std::string(what) + ": found " + numberText(error) + ", expected a finite number, 0 or more");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct MeasuredValues {
 struct MeasurementNoise {
   double relative = 0;      ///< standard deviation as a fraction of the value, independent per channel
   double absolute = 0;      ///< additional standard deviation, 1/sr: the noise floor
-  double misalignment = 0;  ///< standard deviation of each arm's direction along each of two axes, rad
+  double misalignment = 0;  ///< standard deviation of each arm's pointing error about each of two axes, rad
   std::uint64_t seed = 1;
 };
 

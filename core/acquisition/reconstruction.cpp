@@ -11,6 +11,7 @@
 #include "core/acquisition/sparse_samples.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::acquisition {
 
@@ -24,9 +25,10 @@ double trainingVariance(const PrincipalComponents& basis) {
 }
 
 void checkOptions(const ReconstructionOptions& options) {
-  if (options.ridge && !(*options.ridge >= 0)) throw Error("the ridge must be a number, 0 or more");
+  if (options.ridge && !(*options.ridge >= 0))
+    throw Error("found the ridge " + numberText(*options.ridge) + ", expected a number, 0 or more");
   if (options.noise && !(*options.noise >= 0 && std::isfinite(*options.noise)))
-    throw Error("the noise must be a number, 0 or more");
+    throw Error("found the noise " + numberText(*options.noise) + ", expected a finite number, 0 or more");
   if (options.components < 0 || options.atoms < 0) throw Error("a number of components must be 0 or more");
 }
 

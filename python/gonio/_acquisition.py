@@ -333,7 +333,7 @@ def measure(material: Material, plan: Plan, noise: float = 0.0, floor: float = 0
         plan: The directions.
         noise: Standard deviation of each value as a fraction of the value.
         floor: Standard deviation of each value in the dark, 1/sr, in addition to `noise`.
-        misalignment: Standard deviation of the direction of each arm along each of two axes, rad.
+        misalignment: Standard deviation of the pointing error of each arm, about each of two axes, rad.
         seed: Seed of the random numbers. They depend on it alone: twice the noise gives twice each error.
 
     Raises:

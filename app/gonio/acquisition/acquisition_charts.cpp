@@ -43,7 +43,7 @@ void AcquisitionCharts::build() {
   m_uncertainty->setChecked(true);
   m_uncertainty->setToolTip(
       tr("Shows the uncertainty of the reconstruction in false colour: the standard deviation of ln ρ in each cell, "
-         "given the samples (0.1 is about 10 %)."));
+         "given the samples (0.1 is about 10 %)"));
   m_slice->setRange(0, HalfDifferenceGrid().phiDCount - 1);
   m_slice->setValue(HalfDifferenceGrid().phiDCount / 2);
   auto* label = new QLabel(tr("Slice φd"));

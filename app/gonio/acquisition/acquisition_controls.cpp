@@ -35,7 +35,7 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
        tr("Ridge with the published η, over the same number of components. That value suits about 400 training "
           "signals; "
           "with fewer, it smooths too much.")},
-      {tr("Ridge, as published"),
+      {tr("Ridge, published equation"),
        tr("The published equation (Tongbuasirilai 2023, eq. 5.14): η = %1, as many components as samples, and the same "
           "noise in all samples")
            .arg(acquisition::publishedRidge)},

@@ -90,17 +90,17 @@ QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orienta
   if (orientation != Qt::Horizontal) return {};
   const std::pair<QString, QString> titles[] = {
       {tr("#"), tr("Rank in the order of selection; the first samples contribute most")},
-      {tr("θi °"), tr("Polar angle of the light, degrees")},
-      {tr("φi °"), tr("Azimuth of the light, degrees")},
-      {tr("θo °"), tr("Polar angle of the viewer, degrees")},
-      {tr("φo °"), tr("Azimuth of the viewer, degrees")},
-      {tr("θh °"), tr("Half angle: between half vector and normal, degrees")},
-      {tr("θd °"), tr("Difference angle: half the angle between light and viewer, degrees")},
-      {tr("φd °"), tr("Azimuth of the light about the half vector, degrees")},
-      {tr("position"), tr("Position in a measurement order that shortens the travel of the goniometer's arms")},
-      {tr("R 1/sr"), tr("Measured BRDF value, linear red, 1/sr")},
-      {tr("G 1/sr"), tr("Measured BRDF value, linear green, 1/sr")},
-      {tr("B 1/sr"), tr("Measured BRDF value, linear blue, 1/sr")}};
+      {tr("θi [°]"), tr("Polar angle of the light, degrees")},
+      {tr("φi [°]"), tr("Azimuth of the light, degrees")},
+      {tr("θo [°]"), tr("Polar angle of the viewer, degrees")},
+      {tr("φo [°]"), tr("Azimuth of the viewer, degrees")},
+      {tr("θh [°]"), tr("Half angle: between half vector and normal, degrees")},
+      {tr("θd [°]"), tr("Difference angle: half the angle between light and viewer, degrees")},
+      {tr("φd [°]"), tr("Azimuth of the light about the half vector, degrees")},
+      {tr("Order"), tr("Position in a measurement order that shortens the travel of the goniometer's arms")},
+      {tr("R [1/sr]"), tr("Measured BRDF value, linear red, 1/sr")},
+      {tr("G [1/sr]"), tr("Measured BRDF value, linear green, 1/sr")},
+      {tr("B [1/sr]"), tr("Measured BRDF value, linear blue, 1/sr")}};
   if (role == Qt::DisplayRole) return titles[section].first;
   if (role == Qt::ToolTipRole) return titles[section].second;
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);

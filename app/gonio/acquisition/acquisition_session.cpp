@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QPointer>
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "core/materials/material.h"
 
@@ -217,7 +219,10 @@ void AcquisitionSession::openTable(Document& document, std::shared_ptr<const Tab
   m_tasks.run<LoadedMaterialPtr>(
       {tr("Opening %1").arg(name), openKey},
       [table = std::move(table), folder, name](const TaskControl& control) {
-        if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be created");
+        std::error_code cause;
+        std::filesystem::create_directories(folder.toStdString(), cause);
+        if (!std::filesystem::is_directory(folder.toStdString()))
+          throw Error(folder.toStdString() + ": the folder cannot be created: " + cause.message());
         const std::string path = freePath(folder, name).toStdString();
         materials::writeMaterial(*table, path);
         return loadMaterial(path, control);

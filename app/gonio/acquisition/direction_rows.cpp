@@ -47,8 +47,9 @@ void DirectionRows::buildSamples(QFormLayout& form) {
 void DirectionRows::buildMethod(QFormLayout& form) {
   m_method = rowBox(tr("Method that chooses the directions"));
   const std::tuple<acquisition::SelectionMethod, QString, QString> methods[] = {
-      {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, all signals"),
-       tr("Simultaneous orthogonal matching pursuit over all training signals (FROST)")},
+      {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, whole training set"),
+       tr("Simultaneous orthogonal matching pursuit over all training signals, one for each colour channel of each "
+          "material (FROST)")},
       {acquisition::SelectionMethod::simultaneousPursuitFirstColumns, tr("SOMP, as released"),
        tr("SOMP over only the first m training signals, as in the authors' released code")},
       {acquisition::SelectionMethod::conditionNumber, tr("Condition number"),
@@ -78,10 +79,10 @@ void DirectionRows::buildRig(QFormLayout& form) {
                           tr("Minimum angle between light and viewer; below it, one arm occludes the other"), 0, halfPi,
                           radians(1), QStringLiteral("°"), degrees(1));
   m_separation->setValue(usual.smallestSeparation);
-  form.addRow(tr("Max. θ"), m_maxAngle);
+  form.addRow(tr("Max. polar angle"), m_maxAngle);
   form.addRow(tr("Min. separation"), m_separation);
   m_forbidden = new widgets::ForbiddenRegionsEditor;
-  form.addRow(new QLabel(tr("Unreachable directions, degrees")));
+  form.addRow(new QLabel(tr("Forbidden regions [°]")));
   form.addRow(m_forbidden);
 }
 

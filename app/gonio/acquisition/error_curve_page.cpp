@@ -41,7 +41,7 @@ void ErrorCurvePage::showCurve() {
 
 void ErrorCurvePage::refresh() {
   m_curve->setHint(!m_session.referenceReader().reference()
-                       ? tr("The error needs a material to compare with: choose one to measure.")
+                       ? tr("No reference: choose a material under Measure to see the error of its reconstruction.")
                    : m_session.isBusy() ? tr("Working...")
                                         : tr("Press Start to measure the error for increasing numbers of samples."));
 }

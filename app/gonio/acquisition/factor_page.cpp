@@ -29,16 +29,21 @@ struct AxesText {
 
 /// In the order of acquisition::FactorAxes.
 std::array<AxesText, 4> axesTexts() {
-  return {{{FactorPage::tr("Projected deviation (θR, |Dp|)"),
-            FactorPage::tr("The published axes (Tongbuasirilai et al. 2017); θR is the angle of the viewer"),
-            FactorPage::tr("θR [°]"), FactorPage::tr("|Dp|")},
-           {FactorPage::tr("Symmetric deviation (θd, |Dp|)"),
-            FactorPage::tr("The same readings, but the prediction does not change when light and viewer are exchanged"),
-            FactorPage::tr("θd [°]"), FactorPage::tr("|Dp|")},
-           {FactorPage::tr("Half-difference (θd, θh)"), FactorPage::tr("Half-difference coordinates"),
-            FactorPage::tr("θd [°]"), FactorPage::tr("θh [rad]")},
-           {FactorPage::tr("Half-out (θo, θh)"), FactorPage::tr("Half-out coordinates"), FactorPage::tr("θo [°]"),
-            FactorPage::tr("θh [rad]")}}};
+  return {{{FactorPage::tr("Projected deviation (θR, |Δp|)"),
+            FactorPage::tr("The published axes (Tongbuasirilai et al. 2017); θR is the polar angle of the mirror "
+                           "direction, equal to that of the viewer"),
+            FactorPage::tr("θR [°]"), FactorPage::tr("|Δp|")},
+           {FactorPage::tr("Symmetric deviation (θd, |Δp|)"),
+            FactorPage::tr(
+                "Readings as for projected deviation, but the prediction is reciprocal: exchanging light and viewer "
+                "does not change it"),
+            FactorPage::tr("θd [°]"), FactorPage::tr("|Δp|")},
+           {FactorPage::tr("Half-difference (θd, θh)"),
+            FactorPage::tr("Curves over difference angle θd and half angle θh; the prediction is reciprocal"),
+            FactorPage::tr("θd [°]"), FactorPage::tr("θh [°]")},
+           {FactorPage::tr("Half-out (θo, θh)"),
+            FactorPage::tr("Curves over the angle θo of the viewer and the half angle θh"), FactorPage::tr("θo [°]"),
+            FactorPage::tr("θh [°]")}}};
 }
 
 QWidget* labelled(const QString& text, QWidget* field) {
@@ -59,7 +64,7 @@ FactorPage::FactorPage(const AcquisitionSession& session, const AcquisitionContr
       m_controls(controls),
       m_tasks(tasks),
       m_axes(new QComboBox),
-      m_bound(new QCheckBox(tr("&Limit to readings"))),
+      m_bound(new QCheckBox(tr("&Limit prediction"))),
       m_curves(new widgets::FactorCurves),
       m_view(new widgets::ReconstructionView),
       m_numbers(new QLabel),
@@ -82,16 +87,19 @@ QLayout* FactorPage::buildSettings() {
       tr("Angle and distance from the mirror direction over which the two curves run.\n"
          "The material is predicted as a product of the curves: ln(1 + ρ) = F1(angle) F2(distance)."));
   m_axes->setCurrentIndex(int(acquisition::FactorAxes::symmetricDeviation));
-  m_fixedAngle = rowField(tr("Fixed angle"), tr("Angle at which the curve across the mirror direction is read"), 0,
-                          radians(89), radians(1), QStringLiteral("°"), degrees(1));
+  m_fixedAngle =
+      rowField(tr("Fixed angle"),
+               tr("Value of the first axis (θR, θd or θo) at which the second curve, over the distance from the mirror "
+                  "direction, is measured"),
+               0, radians(89), radians(1), QStringLiteral("°"), degrees(1));
   m_fixedAngle->setValue(acquisition::FactorPlanOptions().fixedAngle);
   m_readings = rowField(tr("Readings per curve"), tr("Number of readings of each of the two curves"), leastReadings,
                         mostReadings, 1, {});
   m_readings->setValue(acquisition::FactorPlanOptions().angles);
   m_bound->setChecked(true);
-  m_bound->setToolTip(
-      tr("Limits the prediction by what the readings support: never above the nearest readings, nor above the "
-         "prediction with light and viewer exchanged.\nWithout it, the published equation is used as printed."));
+  m_bound->setToolTip(tr(
+      "Limits the prediction to the larger of the two nearest readings (at the same angle and at the same distance),\n"
+      "and to the prediction with light and viewer exchanged. If off, the published equation is used unchanged."));
   m_open->setToolTip(
       tr("Opens the predicted material as a material that can be edited, saved and exported.\n"
          "Undo restores the previous material."));
@@ -179,8 +187,10 @@ void FactorPage::showResult() {
   if (m_result) {
     const acquisition::FactorMeasurement& read = m_result->curves;
     const AxesText texts = axesTexts()[std::size_t(read.axes)];
-    curves = {{}, read.distances, read.along, read.across, texts.angle, texts.distance};
+    curves = {{}, {}, read.along, read.across, texts.angle, texts.distance};
     for (const double angle : read.angles) curves.angles.push_back(degrees(angle));
+    for (const double distance : read.distances)
+      curves.distances.push_back(acquisition::isDeviation(read.axes) ? distance : degrees(distance));
     // The curve along of such a channel is 1, which is no reading.
     for (std::size_t channel = 0; channel < 3; ++channel)
       if (read.unscaled[channel]) curves.along[channel].clear();

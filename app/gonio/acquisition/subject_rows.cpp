@@ -30,9 +30,10 @@ void SubjectRows::build(QFormLayout& form) {
   m_floor = rowField(tr("Noise floor"),
                      tr("Standard deviation of a simulated reading in the dark, in addition to the relative noise"), 0,
                      10, 1e-3, tr("1/sr"));
-  m_misalignment = rowField(tr("Misalignment"),
-                            tr("Standard deviation of the direction of each arm about each of two axes, in degrees"), 0,
-                            radians(10), radians(0.1), QStringLiteral("°"), degrees(1));
+  m_misalignment =
+      rowField(tr("Misalignment"),
+               tr("Standard deviation of the pointing error of each arm, about each of two axes, in degrees"), 0,
+               radians(10), radians(0.1), QStringLiteral("°"), degrees(1));
   form.addRow(tr("&Noise"), m_noise);
   form.addRow(tr("Noise floor"), m_floor);
   form.addRow(tr("Misali&gnment"), m_misalignment);

@@ -17,10 +17,9 @@ TrainingRows::TrainingRows(QFormLayout& form)
       m_box(rowBox(
           tr("Training set: the reconstruction uses the principal components of these materials.\n"
              "Near-measured copies are neural fits of measured materials. They cover more materials than the measured "
-             "ones "
-             "alone; preparing them takes about a minute the first time.\n"
-             "\"Materials shown in the library\": those that match the current search; they may be from a library "
-             "folder."))),
+             "ones alone; preparing them takes about a minute the first time.\n"
+             "\"Materials shown in the library\": the materials that match the current search, including those of an "
+             "open library folder."))),
       m_leaveOut(new QCheckBox(tr("Exclude the measured material"))),
       m_facts(new QLabel) {
   build(form);
@@ -36,7 +35,7 @@ void TrainingRows::build(QFormLayout& form) {
   form.addRow(tr("Materia&ls"), m_box);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
-         "lower than for a new material."));
+         "lower than for a new material"));
   m_leaveOut->setChecked(true);
   form.addRow(m_leaveOut);
   m_facts->setForegroundRole(QPalette::PlaceholderText);
@@ -105,7 +104,7 @@ void TrainingRows::setEnabled(bool enabled) {
 void TrainingRows::refresh() {
   const QStringList all = training().ids;
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
-  QString facts = count < 2 ? tr("%n materials: too few for a training set", nullptr, count)
+  QString facts = count < 2 ? tr("%n materials: a training set needs at least 2", nullptr, count)
                             : tr("%n materials, one signal for each colour channel", nullptr, count);
   if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n excluded", nullptr, left);
   m_facts->setText(facts);

@@ -144,7 +144,7 @@ void Document::setIncident(IncidentSlot slot) {
   ++m_interaction;
   EditState after = state();
   after.incident = slot;
-  addStep(std::move(after), tr("Order of directions"));
+  addStep(std::move(after), tr("Incident direction"));
   ++m_interaction;
 }
 

@@ -35,11 +35,10 @@ const Coder& coder() {
 }
 
 QString transformText(DataTransform transform) {
-  return transform == DataTransform::cosineLog ? MaterialCodeText::tr("cosine-weighted log")
-                                               : MaterialCodeText::tr("log-plus");
+  return transform == DataTransform::cosineLog ? MaterialCodeText::tr("cosine-log") : MaterialCodeText::tr("log-plus");
 }
 
-/// "0.0021; cosine-weighted log has 0.0034"
+/// "0.0021; cosine-log has 0.0034"
 QString reason(const dictionary::Encoded& encoded) {
   QStringList chosen, others;
   for (const dictionary::EncodedCandidate& candidate : encoded.candidates)
@@ -119,12 +118,12 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
       {MaterialCodeText::tr("Transform"),
        MaterialCodeText::tr("%1: y = %2")
            .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
-       MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-weighted "
-                            "log were both tried; the one with the smaller gamma error was chosen.")},
+       MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-log were both "
+                            "tried; the one with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
        MaterialCodeText::tr(
-           "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than an error "
-           "without roots,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
+           "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than a squared "
+           "error of ρ,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
        MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
                             "coefficients.\n\"Learned with\": number of coefficients per material during training.")

@@ -9,7 +9,7 @@ QString transformFormula(DataTransform transform) {
     case DataTransform::logPlus:
       return QStringLiteral("ln(1 + ρ)");
     case DataTransform::cosineLog:
-      return QStringLiteral("ln(1 + ρ cos θi cos θo)");
+      return QStringLiteral("ln(1 + ρ max(cos θi cos θo, 0.001))");
     case DataTransform::root:
       return QStringLiteral("√ρ");
     default:

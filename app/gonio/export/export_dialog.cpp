@@ -117,7 +117,7 @@ QWidget* ExportDialog::details() {
   m_withScene = new QCheckBox(tr("Also write a &scene"));
   m_withScene->setToolTip(
       tr("Adds a scene with the preview's shapes, lights, environment and camera, for Mitsuba, pbrt and Blender; a "
-         "blurred background is not exported."));
+         "blurred background is not exported"));
   auto* form = new QFormLayout;
   form->addRow(tr("&Rendered SNR ≥"), m_snr);
   form->addRow(QString(), m_withScene);

@@ -17,7 +17,7 @@ QDoubleSpinBox* exportSnrField() {
   field->setKeyboardTracking(false);
   field->setToolTip(QCoreApplication::translate("export",
                                                 "Rendered SNR that the files should reach; a higher value gives larger "
-                                                "files, and some targets cannot reach it."));
+                                                "files, and some targets cannot reach it"));
   return field;
 }
 

@@ -31,7 +31,7 @@ struct FactorColumnText {
 };
 
 QString transformedValue(DataTransform transform) {
-  if (transform == DataTransform::none) return FactorColumnText::tr("ρ in 1/sr");
+  if (transform == DataTransform::none) return FactorColumnText::tr("ρ [1/sr]");
   return FactorColumnText::tr("%1, ρ in 1/sr").arg(transformFormula(transform));
 }
 
@@ -39,7 +39,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
   switch (axis) {
     case FactorAxis::theta:
       return {.title = FactorColumnText::tr("F1: specular strength vs. angle"),
-              .label = FactorColumnText::tr("θR, angle of the mirror direction, degrees"),
+              .label = FactorColumnText::tr("θR, angle of the mirror direction [°]"),
               .symbol = FactorColumnText::tr("θR"),
               .suffix = FactorColumnText::tr("°"),
               .valueLabel = transformedValue(transform),
@@ -105,10 +105,10 @@ constexpr Button buttons[] = {
      QT_TRANSLATE_NOOP("FactorColumn", "Scales the curves of all terms by 1 / 1.1")},
     {FactorOperation::tiltUp, QT_TRANSLATE_NOOP("FactorColumn", "Tilt up"),
      QT_TRANSLATE_NOOP("FactorColumn",
-                       "Tilts the curves about their midpoint: -10 % at the left end, +10 % at the right")},
+                       "Tilts the curves about their midpoint: −10 % at the left end, +10 % at the right")},
     {FactorOperation::tiltDown, QT_TRANSLATE_NOOP("FactorColumn", "Tilt down"),
      QT_TRANSLATE_NOOP("FactorColumn",
-                       "Tilts the curves about their midpoint: +10 % at the left end, -10 % at the right")},
+                       "Tilts the curves about their midpoint: +10 % at the left end, −10 % at the right")},
     {FactorOperation::smooth, QT_TRANSLATE_NOOP("FactorColumn", "Smooth"),
      QT_TRANSLATE_NOOP("FactorColumn", "Averages neighbouring nodes of the curves")},
     {FactorOperation::reset, QT_TRANSLATE_NOOP("FactorColumn", "Reset"),

@@ -44,7 +44,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_channel(new QComboBox),
       m_form(new QComboBox),
       m_logarithmic(new QCheckBox(tr("&Logarithmic"))),
-      m_keepDetail(new QCheckBox(tr("&Keep measured detail"))),
+      m_keepDetail(new QCheckBox(tr("&Preserve measured detail"))),
       m_factorise(new QPushButton(tr("&Factorise"))),
       m_resetAll(new QPushButton(tr("&Reset All"))),
       m_save(new QPushButton(tr("&Save..."))),
@@ -123,7 +123,7 @@ void FactorCurvesPanel::connectDocument() {
     FactorEdit edit = current();
     if (!edit.original) return;
     edit.keepDetail = keep;
-    apply(edit, keep ? tr("Keep measured detail") : tr("Leave out measured detail"));
+    apply(edit, keep ? tr("Preserve measured detail") : tr("Discard measured detail"));
   });
   connect(&m_document, &Document::materialChanged, this, [this] {
     m_tasks.drop(swapKey);

@@ -16,7 +16,7 @@ class FactorTermsView::Chart : public QWidget {
  public:
   explicit Chart(const FactorTermsView& view) : m_view(view) {
     setMinimumHeight(5 * fontMetrics().height());
-    setAccessibleName(tr("Error vs. number of terms"));
+    setAccessibleName(tr("Residual vs. number of terms"));
   }
 
  protected:
@@ -36,7 +36,7 @@ class FactorTermsView::Chart : public QWidget {
                      area.bottom() - area.height() * measured.residual(terms) / highest);
     };
     painter.setPen(style.text);
-    painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, tr("Error [%] vs. terms"));
+    painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, tr("Residual [%] vs. terms"));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     for (int terms = 1; terms <= count; ++terms) {
       const bool chosen = terms == m_view.terms();
@@ -61,8 +61,9 @@ FactorTermsView::FactorTermsView(QWidget* parent)
   m_slider->setTickPosition(QSlider::TicksBelow);
   m_slider->setAccessibleName(tr("Number of terms"));
   m_slider->setToolTip(tr(
-      "Number of products of curves that are summed; more terms lower the error. The curves shown here are those\nof "
-      "the first term; the others represent its residual and follow when the highlight is widened, scaled or tilted."));
+      "Number of products of curves that are summed; more terms lower the residual. The curves shown are those\nof the "
+      "first term; the others represent its residual and change with it when the highlight is widened, scaled or "
+      "tilted."));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* label = new QLabel(tr("&Terms"));
@@ -99,7 +100,7 @@ void FactorTermsView::refresh() {
   m_slider->setEnabled(m_measured != nullptr);
   if (m_measured) {
     const auto at = std::size_t(terms() - 1);
-    m_text->setText(tr("Error %1 %, %2 kB, %3 ns per evaluation (on this machine)")
+    m_text->setText(tr("Residual %1 %, %2 kB, %3 ns per evaluation (on this machine)")
                         .arg(100 * m_measured->residual(terms()), 0, 'f', 1)
                         .arg(double(m_measured->bytes[at]) / 1000, 0, 'f', 1)
                         .arg(m_measured->nanoseconds[at], 0, 'f', 0));

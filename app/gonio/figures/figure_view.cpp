@@ -144,7 +144,8 @@ QString FigureView::restText() const {
   if (!m_failure.isEmpty()) return tr("Cannot measure the figure: %1").arg(m_failure.section('\n', 0, 0));
   if (!m_notice.isEmpty()) return m_notice;
   if (m_missing > 0)
-    return tr("%1 of %2 cells are not measured. Each takes about two seconds at the default size and samples.")
+    return tr("%1 of %2 cells are not measured. Each takes about two seconds at the default size and number of "
+              "samples.")
         .arg(m_missing)
         .arg(m_cells);
   if (m_cells == 0) return {};
@@ -157,9 +158,9 @@ QString FigureView::restText() const {
 void FigureView::refresh() {
   const bool measuring = m_maker->isMeasuring(), writing = m_tasks.isWritingFiles(), busy = measuring || writing;
   const auto task = writing ? m_tasks.topmost() : std::nullopt;
-  m_measure->setText(busy ? tr("Cancel") : tr("&Measure"));
+  m_measure->setText(writing ? tr("Cancel") : measuring ? tr("Stop") : tr("&Measure"));
   m_measure->setToolTip(writing     ? tr("Cancels saving; no file is written")
-                        : measuring ? tr("Stops the measurement; finished cells remain (Escape)")
+                        : measuring ? tr("Stops the measurement; finished cells stay (Escape)")
                                     : tr("Encodes and renders the missing cells in the background"));
   m_measure->setEnabled(busy || m_missing > 0);
   m_bar->setVisible(busy);

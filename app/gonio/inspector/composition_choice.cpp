@@ -16,10 +16,11 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_choice(new QComboBox) {
   for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
     m_choice->addItem(compositionName(composition));
-  m_choice->setItemData(int(Composition::additive), tr("measured + model(edited) - model(fitted): as published"),
+  m_choice->setItemData(int(Composition::additive),
+                        tr("measured + model(edited) − model(fitted) (Tongbuasirilai 2023, eq. 4.40)"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::logPlus),
-                        tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: nearly a ratio where values "
+                        tr("(1 + measured) (1 + model(edited)) / (1 + model(fitted)) − 1: nearly a ratio where values "
                            "are large, a difference where they are small"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::lobes),
@@ -27,8 +28,8 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
                            "anisotropic models)"),
                         Qt::ToolTipRole);
   m_choice->setToolTip(
-      tr("Method that applies the change of the model to the measurement.\nLobes preserves the character of a "
-         "highlight while it widens; additive is the published method."));
+      tr("Method that applies the change of the model to the measurement.\n\"Lobes\" preserves the measured "
+         "shape of a highlight as it widens; \"Additive\" is the published method."));
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Composition"), m_choice);

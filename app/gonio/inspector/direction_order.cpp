@@ -18,7 +18,7 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
   m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addRow(tr("&Incident"), m_choice);
+  layout->addRow(tr("&Incident direction"), m_choice);
   connect(m_choice, &QComboBox::activated, this, [this](int index) { m_document.setIncident(IncidentSlot(index)); });
   for (const auto signal : {&Document::materialChanged, &Document::editChanged, &Document::stateChanged})
     connect(&m_document, signal, this, &DirectionOrder::refresh);

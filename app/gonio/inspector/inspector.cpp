@@ -180,7 +180,7 @@ void Inspector::showModel() {
   const auto* edit = m_document.active<DifferentialEdit>();
   const models::Model* model = edit ? edit->model : nullptr;
   const fitting::FitResult* fit = edit ? m_document.fitOf(*edit) : nullptr;
-  m_model->setModel(model, fit ? fitSummary(*fit) : edit ? tr("Parameters from the document.") : QString());
+  m_model->setModel(model, fit ? fitSummary(*fit) : edit ? tr("Fitted parameters read from the document.") : QString());
   m_model->setEnabled(m_document.material() != nullptr);
   if (!model || model != m_shownModel) {
     m_noSliders = noSlidersText();
@@ -249,7 +249,7 @@ void Inspector::showEdits() {
 /// Always one line: a line that came and went would move the sliders below it.
 QString Inspector::energyText(int edit) const {
   const std::vector<editing::Energy>& energies = m_monitor->energies();
-  if (std::size_t(edit) + 1 >= energies.size()) return tr("Albedo: measuring");
+  if (std::size_t(edit) + 1 >= energies.size()) return tr("Albedo: measuring...");
   const editing::Energy before = energies[std::size_t(edit)], after = energies[std::size_t(edit) + 1];
   const auto change = [](double from, double to) {
     const QString was = QString::number(from, 'f', 3), is = QString::number(to, 'f', 3);

@@ -181,7 +181,7 @@ void RepresentationPanel::refresh() {
 
 void RepresentationPanel::save() {
   const QString suffix = formatSuffix(materials::FormatId::code);
-  Q_EMIT saveRequested({tr("Save Code"), m_document.name(), tr("Dictionary codes (*%1)").arg(suffix), suffix,
+  Q_EMIT saveRequested({tr("Save Code"), m_document.name(), tr("Sparse codes (*%1)").arg(suffix), suffix,
                         [code = m_code](const std::filesystem::path& path, const TaskControl&) {
                           materials::writeCode(code->encoded.code, code->dictionary->id, path);
                         }});

@@ -43,9 +43,9 @@ QString sourceText(const LoadedMaterial& loaded) {
 }
 
 QString errorText(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
-  return snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), sourceText(loaded))
-         : measuring ? SourceFactsText::tr("measuring its error")
-                     : SourceFactsText::tr("error not measured");
+  return snr         ? SourceFactsText::tr("rendered SNR %1 dB against %2").arg(snrText(*snr), sourceText(loaded))
+         : measuring ? SourceFactsText::tr("measuring the rendered SNR...")
+                     : SourceFactsText::tr("rendered SNR not measured");
 }
 
 /// The table that is shown, or that stands for what is shown where a method needs one.
@@ -53,9 +53,9 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   const TabulatedBrdf* own = loaded.base->asTable();
   const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
-  const QString gridExplanation = SourceFactsText::tr("Half-difference grid: theta_h, theta_d, phi_d.");
+  const QString gridExplanation = SourceFactsText::tr("Half-difference grid: θh × θd × φd.");
   const QString errorExplanation = SourceFactsText::tr(
-                                       "Rendered signal-to-noise ratio of the table against %1 in the scene %2;\n"
+                                       "Rendered SNR of the table against %1 in the scene %2;\n"
                                        "30 dB is a root mean square error of about 3 %.")
                                        .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
   if (!own)
@@ -97,9 +97,9 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
          SourceFactsText::tr(
              "The stored measurement, model or factors are evaluated and edited directly, not resampled to a table.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
-  facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
+  facts.push_back({SourceFactsText::tr("BRDF values [1/sr]"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())
-    facts.push_back({SourceFactsText::tr("Invalid"), percent(loaded.statistics.invalidShare),
+    facts.push_back({SourceFactsText::tr("Invalid cells"), percent(loaded.statistics.invalidShare),
                      SourceFactsText::tr("Cells below the horizon or not measured")});
   QStringList angles, albedo;
   for (std::size_t i = 0; i < loaded.albedo.size(); ++i) {

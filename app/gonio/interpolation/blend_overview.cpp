@@ -11,7 +11,7 @@
 namespace gonio::app {
 
 BlendOverview::BlendOverview(const BlendSpaces& spaces)
-    : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("Ren&der the Spaces"))) {
+    : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("Resume Ren&dering"))) {
   m_draw->setToolTip(tr("Resumes the cancelled preparation and rendering of the spaces"));
   const QStringList steps{"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
   static_assert(BlendSpaces::pictureCount == 7);

@@ -187,7 +187,7 @@ void InterpolationPanel::take(const QStringList& ids) {
     if (!m_ends.at(i) && !m_ends.isReading(i)) return m_ends.read(i, id);
   if (m_ends.count() == widgets::maxBlended)
     return Q_EMIT failed(tr("All %1 slots have a material").arg(widgets::maxBlended),
-                         tr("Empty a slot, or drop the material on the slot whose material it replaces."));
+                         tr("Empty a slot, or drop the material on the slot to replace."));
   m_ends.addPlace();
   m_ends.read(m_ends.count() - 1, id);
 }

@@ -191,9 +191,10 @@ void PlotControls::addValues() {
   connect(m_channel, &QComboBox::activated, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.settings.channel = Channel(index); }); });
   addLabelled({}, m_channel);
-  m_cosine =
-      comboBox(cosines, tr("Cosine"),
-               tr("Plots the BRDF f alone, or times the cosine of the light (reflected radiance) or of the viewer"));
+  m_cosine = comboBox(
+      cosines, tr("Cosine"),
+      tr("Plots the BRDF value ρ alone, or times the cosine of the light (proportional to the radiance under a "
+         "distant light) or of the viewer"));
   connect(m_cosine, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.settings.cosine = CosineFactor(index); });
   });
@@ -233,7 +234,7 @@ void PlotControls::addExportSizes(QMenu* menu) {
     action->setChecked(size == m_exportSize);
     connect(action, &QAction::triggered, this, [this, size] { m_exportSize = size; });
   }
-  menu->setToolTip(tr("PNG images have twice as many pixels."));
+  menu->setToolTip(tr("PNG images have twice this width and height in pixels"));
 }
 
 void PlotControls::setExportEnabled(bool enabled) { m_export->setEnabled(enabled); }

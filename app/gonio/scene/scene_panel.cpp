@@ -44,8 +44,8 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_scenes(new QComboBox),
       m_description(new QLabel),
       m_result(new QLabel),
-      m_measure(new QPushButton(tr("Meas&ure costs"))),
-      m_compare(new QPushButton(tr("&Compare with the reference"))),
+      m_measure(new QPushButton(tr("Meas&ure Effects"))),
+      m_compare(new QPushButton(tr("&Compare with Reference"))),
       m_neighbours(new SceneNeighbours(document, tasks)),
       m_effects(new widgets::EffectList) {
   auto* layout = new QVBoxLayout(this);
@@ -82,7 +82,8 @@ QWidget* ScenePanel::buildTop() {
   auto* label = new QLabel(tr("&Scene"));
   label->setBuddy(m_scenes);
   auto* openFile = new QPushButton(tr("&Open..."));
-  openFile->setToolTip(tr("A scene file (.json) or a mesh (%1)").arg(QString::fromStdString(io::meshSuffixList())));
+  openFile->setToolTip(
+      tr("Opens a scene file (.json) or a mesh (%1)").arg(QString::fromStdString(io::meshSuffixList())));
   m_description->setForegroundRole(QPalette::PlaceholderText);
   m_description->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile}) layout->addWidget(part);
@@ -96,7 +97,10 @@ QWidget* ScenePanel::buildBottom() {
   auto* bottom = new QWidget;
   auto* layout = new QHBoxLayout(bottom);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_measure->setToolTip(tr("Renders the scene with and without each effect, %1 × %1 pixels on the CPU").arg(costSide));
+  m_measure->setToolTip(
+      tr("Measures the time and the contribution of each effect: renders the scene with and without it, "
+         "%1 × %1 pixels on the CPU")
+          .arg(costSide));
   m_compare->setToolTip(
       tr("Measures the signal-to-noise ratio of the preview against the reference renderer with %1 samples per pixel")
           .arg(referenceSamples));
@@ -169,7 +173,7 @@ void ScenePanel::measureCosts() {
       [this](const EffectCosts& costs) {
         m_costs = costs;
         m_effects->setCosts(m_costs);
-        m_result->setText(tr("The whole image: %1 ms, %2 × %2 pixels, %3 samples, on the CPU")
+        m_result->setText(tr("Whole image: %1 ms on the CPU (%2 × %2 pixels, %3 samples per pixel)")
                               .arg(1000 * costs.seconds, 0, 'f', 0)
                               .arg(costSide)
                               .arg(costSamples));
@@ -191,7 +195,7 @@ void ScenePanel::compareWithReference() {
         return metrics::signalToNoiseRatio(film.image(), picture);
       },
       [this](double snr) {
-        m_result->setText(tr("The preview: %1 dB against the reference with %2 samples per pixel")
+        m_result->setText(tr("Preview: SNR %1 dB against the reference with %2 samples per pixel")
                               .arg(snr, 0, 'f', 1)
                               .arg(referenceSamples));
       },

@@ -81,7 +81,7 @@ void ContactSheetWindow::build() {
   m_compare = new QPushButton(tr("&Compare in the Preview"));
   m_compare->setToolTip(tr("Select two images by clicking, or with the arrow keys and Space"));
   m_save = new QPushButton(tr("&Save Image..."));
-  auto* label = new QLabel(tr("&Best"));
+  auto* label = new QLabel(tr("Show &best"));
   label->setBuddy(m_count);
   auto* top = new QHBoxLayout;
   top->addWidget(label);

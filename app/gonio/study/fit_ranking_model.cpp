@@ -110,8 +110,8 @@ QString FitRankingModel::csv() const {
   using R = const study::RankedFit&;
   texts("model", [](R ranked) { return ranked.fit.model->spec().id; });
   numbers("rendered SNR [dB]", [](R ranked) { return ranked.renderedSnr; });
-  numbers("fitted numbers", [](R ranked) { return ranked.parameterCount; });
-  numbers("time of the fit [s]", [](R ranked) { return ranked.fit.seconds; });
+  numbers("parameters", [](R ranked) { return ranked.parameterCount; });
+  numbers("time [s]", [](R ranked) { return ranked.fit.seconds; });
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < records.size(); ++i) {
     const std::string unit = records[i].unit.empty() ? "" : " [" + std::string(records[i].unit) + "]";
@@ -196,10 +196,10 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
     const QString unit = widgets::fromView(record.unit);
     const QString titles[] = {tr("Model"),
                               tr("Plot"),
-                              unit.isEmpty() ? tr("Error") : tr("Error, %1").arg(unit),
-                              tr("Rendered SNR, dB"),
+                              unit.isEmpty() ? tr("Error") : tr("Error [%1]").arg(unit),
+                              tr("Rendered SNR [dB]"),
                               tr("Parameters"),
-                              tr("Time, s"),
+                              tr("Time [s]"),
                               tr("Warnings")};
     return titles[section];
   }

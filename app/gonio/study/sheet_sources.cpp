@@ -21,18 +21,18 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
   const TabulatedBrdf* table = material.base->asTable();
   const widgets::PreviewSubject subject{
       widgets::ModelAlone{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
-  return {
-      .name = widgets::fromView(fit.model->spec().name),
-      .numbers = sheetText("%1 dB, %2 parameters").arg(comparisonValue(ranked.renderedSnr)).arg(ranked.parameterCount),
-      .snr = ranked.renderedSnr,
-      .brdf = fit.model->instantiate(fit.parameters),
-      .subject = [subject](const TaskControl&) { return subject; }};
+  return {.name = widgets::fromView(fit.model->spec().name),
+          .numbers =
+              sheetText("SNR %1 dB, %2 parameters").arg(comparisonValue(ranked.renderedSnr)).arg(ranked.parameterCount),
+          .snr = ranked.renderedSnr,
+          .brdf = fit.model->instantiate(fit.parameters),
+          .subject = [subject](const TaskControl&) { return subject; }};
 }
 
 SheetEntry studyEntry(const StudyModel::Studied& studied) {
   const study::StudyRecord& record = studied->record;
   return {.name = QString::fromStdString(record.representation.fullLabel()),
-          .numbers = sheetText("%1 dB, %2, %3 ms per frame")
+          .numbers = sheetText("SNR %1 dB, %2, %3 ms per frame")
                          .arg(comparisonValue(record.renderedSnr),
                               QLocale().formattedDataSize(qint64(record.bytes), 1, QLocale::DataSizeSIFormat),
                               QString::fromStdString(study::shortNumber(record.frameMilliseconds))),

@@ -23,10 +23,10 @@ StudyBudgetBar::StudyBudgetBar(QWidget* parent)
     : QWidget(parent), m_result(new QLabel), m_take(new QPushButton(tr("&Use This Representation"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_frame =
-      field(tr("&Frame time ≤"), tr(" ms"), 1e6, tr("Maximum frame time of the reference renderer; any: no limit"));
-  m_snr = field(tr("SN&R ≥"), tr(" dB"), 200, tr("Minimum rendered SNR; any: no limit"));
-  m_kilobytes = field(tr("Si&ze ≤"), tr(" kB"), 1e6, tr("Maximum size; any: no limit"));
+  m_frame = field(tr("&Frame time ≤"), tr(" ms"), 1e6,
+                  tr("Maximum frame time of the reference renderer; \"any\" sets no limit"));
+  m_snr = field(tr("&Rendered SNR ≥"), tr(" dB"), 200, tr("Minimum rendered SNR; \"any\" sets no limit"));
+  m_kilobytes = field(tr("Si&ze ≤"), tr(" kB"), 1e6, tr("Maximum size; \"any\" sets no limit"));
   m_result->setTextFormat(Qt::PlainText);
   m_take->setToolTip(
       tr("Uses the best representation: a fit becomes the model in use, a code is shown in the Representation "

@@ -183,9 +183,9 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   const QString unit = widgets::fromView(metric.unit);
   if (role == Qt::DisplayRole) {
     const QString titles[] = {
-        tr("Representation"), tr("SNR, dB"),   unit.isEmpty() ? tr("Error") : tr("Error, %1").arg(unit),
-        tr("Evaluation, ns"), tr("Frame, ms"), tr("Size, B"),
-        tr("Encoding, s")};
+        tr("Representation"),  tr("Rendered SNR [dB]"), unit.isEmpty() ? tr("Error") : tr("Error [%1]").arg(unit),
+        tr("Evaluation [ns]"), tr("Frame [ms]"),        tr("Size [B]"),
+        tr("Encoding [s]")};
     return titles[section];
   }
   if (role == Qt::ToolTipRole) {

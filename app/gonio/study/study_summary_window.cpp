@@ -183,7 +183,7 @@ QString StudySummaryWindow::status() const {
   QStringList lines;
   for (std::size_t i = 0; i < m_failures.size(); ++i) {
     if (!m_failures[i].isEmpty())
-      lines << tr("%1 is left out: %2")
+      lines << tr("%1 is excluded: %2")
                    .arg(QString::fromStdString(m_model.materials()[i]), m_failures[i].section('\n', 0, 0));
     else if (m_model.missing(i).empty())
       ++done;

@@ -54,7 +54,9 @@ void AnalyseMenu::addFigure(const FigureDialog::Parts& figures, QWidget* window)
 void AnalyseMenu::addComparison(ComparisonController& comparison) {
   QAction* compare = addAction(tr("&Compare"), QKeySequence(Qt::Key_C), &comparison, &ComparisonController::toggle);
   compare->setCheckable(true);
-  compare->setToolTip(tr("Compares two sides in the preview; hold \\ to see the second alone"));
+  compare->setToolTip(
+      tr("Compares two materials or states, such as measured and edited, in the preview; hold \\ to see only "
+         "the second"));
   const auto update = [&comparison, compare] { compare->setChecked(comparison.comparison().mode != CompareMode::off); };
   connect(&comparison, &ComparisonController::comparisonChanged, this, update);
   addModes(addMenu(tr("Compare &As")), comparison);

@@ -9,6 +9,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/window/command_search.h"
 #include "core/models/model.h"
 #include "widgets/parameters/formula_text.h"
@@ -49,22 +50,48 @@ QString gestures() {
              HelpPagesText::tr("move the point, go to a corner"));
 }
 
+QString formulaLine(const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); }
+
+/// The compositions of edits (core/editing/composition.h), each a row.
+QString editFormulae() {
+  const auto composition = [](const QString& name, const QString& text, const QString& formula) {
+    return QStringLiteral("<p>%1: %2</p>").arg(name, text) + formulaLine(formula);
+  };
+  return QStringLiteral("<h3>%1</h3><p>%2</p>")
+             .arg(HelpPagesText::tr("Edits of a model"),
+                  HelpPagesText::tr(
+                      "An edit changes the parameters of a model from their fitted to their edited values. "
+                      "Its composition applies this change to the measurement:")) +
+         composition(compositionName(editing::Composition::additive),
+                     HelpPagesText::tr("adds the change (Tongbuasirilai 2023, eq. 4.40)"),
+                     HelpPagesText::tr("edited = max(0, measured + strength (model(edited) − model(fitted)))")) +
+         composition(compositionName(editing::Composition::logPlus),
+                     HelpPagesText::tr("close to a ratio where values are large, to a difference where they are small"),
+                     HelpPagesText::tr("edited = max(0, measured + strength (1 + measured) (model(edited) − "
+                                       "model(fitted)) / (1 + model(fitted)))")) +
+         composition(compositionName(editing::Composition::lobes),
+                     HelpPagesText::tr("multiplies each lobe k by the ratio q of measurement and fit at the direction "
+                                       "w<sub>k</sub>, at which the fitted lobe has the same point of its profile"),
+                     HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
+                                       "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
+                                       "(model(fitted) + 0.001)"));
+}
+
 /// The model under the Factor curves dock (core/factorization/pdv_factors.h).
 QString factorFormulae() {
-  const auto formula = [](const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); };
   return QStringLiteral("<h3>%1</h3><p>%2</p>%3<p>%4</p>%5<p>%6</p>%7<p>%8</p>%9<p><i>%10</i></p>")
       .arg(HelpPagesText::tr("Factor curves (projected deviation)"),
            HelpPagesText::tr("In each colour channel the transformed BRDF value is a sum of products of curves. θR is "
                              "the angle of the mirror direction R, Δp the vector from R to the light on the unit disk, "
                              "φ its azimuth; the form with two curves has no F3."),
-           formula(HelpPagesText::tr("y = ln(1 + ρ) = Σ F1(θR) F2(|Δp|) F3(|φ|)")),
-           HelpPagesText::tr("The edited curves with the measured detail:"),
-           formula(HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
-           HelpPagesText::tr("Without the measured detail:"),
-           formula(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
-           HelpPagesText::tr("The edge of the unit disk of directions, behind the mirror direction and on the far "
-                             "side:"),
-           formula(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
+           formulaLine(HelpPagesText::tr("y = ln(1 + ρ) = Σ F1(θR) F2(|Δp|) F3(|φ|)")),
+           HelpPagesText::tr("With \"Preserve measured detail\":"),
+           formulaLine(
+               HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
+           HelpPagesText::tr("Without \"Preserve measured detail\":"),
+           formulaLine(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
+           HelpPagesText::tr("The edge of the unit disk of directions, at the near and the far horizon:"),
+           formulaLine(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
       .arg(HelpPagesText::tr(
           "Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));
 }
@@ -87,11 +114,9 @@ QString shortcutsPage(const QWidget* window) {
 QString formulaePage() {
   QString page = QStringLiteral("<h2>%1</h2><p>%2</p>")
                      .arg(HelpPagesText::tr("Formulae"),
-                          HelpPagesText::tr(
-                              "Directions point away from the surface; the normal is z. Values are linear RGB in 1/sr, "
-                              "without the cosine. An edit adds the change of the model to the measurement: edited = "
-                              "max(0, measured + model(edited) − model(fitted))."));
-  page += factorFormulae();
+                          HelpPagesText::tr("Directions point away from the surface; the normal is z. Values are "
+                                            "linear RGB in 1/sr, without the cosine."));
+  page += editFormulae() + factorFormulae();
   for (const models::Model* model : models::allModels()) {
     const models::ModelSpec& spec = model->spec();
     page += QStringLiteral("<h3>%1</h3><p>%2</p><p>%3</p><p><i>%4</i></p><table>")

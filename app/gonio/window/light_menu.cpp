@@ -37,7 +37,7 @@ void LightMenu::addOwn() {
   QAction* own =
       m_group->addAction(addAction(tr("From S&cene"), &m_environment, &EnvironmentController::useSceneEnvironment));
   own->setCheckable(true);
-  own->setToolTip(tr("Uses the light of the scene; a light chosen below stays when the scene changes."));
+  own->setToolTip(tr("Uses the light of the scene; a light chosen below stays when the scene changes"));
   connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isFromScene()); });
 }
 

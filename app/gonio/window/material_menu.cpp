@@ -72,7 +72,7 @@ void MaterialMenu::addBlends(const Parts& parts) {
   interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
   QAction* keep = addAction(tr("&Save Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                             &parts.interpolation, &InterpolationPanel::keep);
-  keep->setToolTip(tr("Opens the blend of the Interpolation dock as a material; undo restores the previous one"));
+  keep->setToolTip(tr("Opens the blend of the Interpolation panel as a material; Undo restores the previous material"));
 }
 
 void MaterialMenu::addCancel(const Parts& parts) {

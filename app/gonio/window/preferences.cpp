@@ -79,7 +79,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   m_theme->setCurrentIndex(int(preferences.theme));
   m_roughness->addItems({tr("α, as in the models"), tr("√α, as in Blender and Unreal")});
   m_roughness->setCurrentIndex(int(preferences.roughness));
-  m_roughness->setToolTip(tr("Convention for roughness in All parameters; it does not change materials"));
+  m_roughness->setToolTip(tr("Convention for roughness in the section \"All parameters\"; does not change materials"));
   m_history->setRange(1, maxHistoryMegabytes);
   m_history->setSuffix(tr(" MB"));
   m_history->setValue(preferences.historyMegabytes);

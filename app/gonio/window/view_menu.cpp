@@ -59,7 +59,8 @@ void ViewMenu::addDocks() {
 }
 
 void ViewMenu::addPicture() {
-  QAction* overlay = addAction(tr("&Overlay"), QKeySequence(Qt::CTRL | Qt::Key_B));
+  QAction* overlay = addAction(tr("Preview &Overlay"), QKeySequence(Qt::CTRL | Qt::Key_B));
+  overlay->setToolTip(tr("Shows scene, exposure, time, samples and effects of the image over the preview"));
   QAction* noise = addAction(tr("Filter &Noise"), &m_preview, &widgets::PreviewWidget::setNoiseFiltered);
   noise->setToolTip(
       tr("Smooths the image while it has few samples. Measurements, exports and difference images are never "

@@ -78,6 +78,18 @@ class AcquisitionFactorsTest : public QObject {
     QVERIFY(editor.failed.isEmpty());
   }
 
+  /// A distance that is an angle is shown in degrees.
+  void showsAnglesInDegrees() {
+    Editor editor;
+    QVERIFY(editor.open());
+    QVERIFY(editor.page.curves().content().distances == editor.page.result()->curves.distances);
+    editor.page.axesBox().setCurrentIndex(int(acquisition::FactorAxes::halfDifference));
+    Q_EMIT editor.page.axesBox().activated(0);
+    QVERIFY(editor.settle() && editor.page.result());
+    const double last = editor.page.result()->curves.distances.back();
+    QVERIFY(std::abs(editor.page.curves().content().distances.back() - last * 180 / pi) < 1e-9);
+  }
+
   void eachChangeMeasuresAgain() {
     Editor editor;
     QVERIFY(editor.open());

@@ -30,7 +30,7 @@ class FigureMakingTest : public QObject {
     QImage page = dialog->view().page().grab().toImage();
     dialog->view().measureButton().click();
     QVERIFY(maker.isMeasuring());
-    QCOMPARE(dialog->view().measureButton().text().remove('&'), QString("Cancel"));
+    QCOMPARE(dialog->view().measureButton().text().remove('&'), QString("Stop"));
     QVERIFY(editor.settled(*dialog));
     QVERIFY2(dialog->view().status().startsWith("All 4 cells are measured"), qPrintable(dialog->view().status()));
     QVERIFY(dialog->view().page().grab().toImage() != page);

@@ -76,7 +76,8 @@ class MainWindowTest : public QObject {
       QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
     for (const models::Model* model : models::allModels())
       QVERIFY(formulaePage().contains(QString::fromUtf8(model->spec().name.data())));
-    for (const char* part : {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai"})
+    for (const char* part :
+         {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai", "(1 + measured) (model(edited)", "Additive"})
       QVERIFY2(formulaePage().contains(QString::fromUtf8(part)), part);
     QVERIFY(!formulaePage().contains("%1"));
     delete window;

@@ -80,7 +80,7 @@ class StudySummaryTest : public QObject {
     const auto snr = [&](int column) { return -model.index(lambertFit, column).data(Qt::UserRole).toDouble(); };
     QVERIFY(snr(StudySummaryModel::WorstSnrColumn) + 10 < snr(StudySummaryModel::MedianSnrColumn));
     QVERIFY2(editor.window->status().contains("3 of 4 materials are measured.") &&
-                 editor.window->status().contains("broken is left out"),
+                 editor.window->status().contains("broken is excluded"),
              qPrintable(editor.window->status()));
     for (std::size_t material = 0; material < 3; ++material) QVERIFY(model.missing(material).empty());
     const QStringList lines = editor.window->csv().split('\n', Qt::SkipEmptyParts);

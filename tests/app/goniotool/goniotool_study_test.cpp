@@ -64,7 +64,7 @@ class GoniotoolStudyTest : public QObject {
     const ToolResult result = runTool(QStringList{"study", plastic_, "--out", out, "--max-frame-ms", "0"} + tiny);
     VERIFY_SUCCESS(result);
     QVERIFY(result.out.contains("PDV factors, three curves, 3 terms"));
-    QVERIFY(result.out.contains("no representation meets the limits"));
+    QVERIFY(result.out.contains("no representation meets the budget"));
     QVERIFY(!QFile::exists(out + "/summary.json"));
   }
 

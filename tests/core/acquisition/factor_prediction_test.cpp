@@ -145,8 +145,8 @@ class FactorPredictionTest : public QObject {
     const test::FunctionBrdf spike([](const Direction& wi, const Direction& wo) {
       return Rgb(0.1 + 100 * std::exp(-1e6 * std::pow(toProjectedDeviation(wi, wo).deviation, 2)));
     });
-    QVERIFY(hasWarning(measureFactors(spike, {.distances = 10}), "narrower than the distance"));
-    QVERIFY(!hasWarning(measureFactors(spike, {.distances = 2000}), "narrower than the distance"));
+    QVERIFY(hasWarning(measureFactors(spike, {.distances = 10}), "narrower than the spacing"));
+    QVERIFY(!hasWarning(measureFactors(spike, {.distances = 2000}), "narrower than the spacing"));
     const test::FunctionBrdf hole([](const Direction& wi, const Direction& wo) {
       return Rgb(0.5, toProjectedDeviation(wi, wo).deviation < 0.05 ? 0 : 0.5, 0);
     });
