@@ -8,4 +8,4 @@ float ggxDensity(vec3 h, vec2 alpha) {
   float slope = h.x * h.x * (alpha.y / alpha.x) + h.y * h.y * (alpha.x / alpha.y) + area * h.z * h.z;
   return area / (pi * slope * slope);
 }
-float ggxShadowedCosine(vec3 w, vec2 alpha) { return 0.5 * (w.z + length(vec3(alpha * w.xy, w.z))); }
+float ggxCosineOverG1(vec3 w, vec2 alpha) { return 0.5 * (w.z + length(vec3(alpha * w.xy, w.z))); }

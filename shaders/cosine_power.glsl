@@ -15,5 +15,5 @@ float halfVectorPower(SurfaceGeometry g, float n) {
   return exp(n * (g.oneMinusCosH < 0.5 ? logOnePlus(-g.oneMinusCosH) : log(g.h.z)));
 }
 
-float halfVectorUnitAlbedo(float n) { return (n + 2.0) / (8.0 * pi) * ((n + 4.0) / (n + exp2(-0.5 * n))); }
-float reflectionUnitAlbedo(float n) { return (n + 2.0) / (2.0 * pi); }
+float halfVectorNormalisation(float n) { return (n + 2.0) / (8.0 * pi) * ((n + 4.0) / (n + exp2(-0.5 * n))); }
+float reflectionNormalisation(float n) { return (n + 2.0) / (2.0 * pi); }

@@ -3,6 +3,6 @@
 // Twin of core/models/v_cavity.h: G / (cos theta_i cos theta_o).
 #include "surface_geometry.glsl"
 
-float foldedVCavity(SurfaceGeometry g) {
+float vCavityOverCosines(SurfaceGeometry g) {
   return min(1.0 / (g.cosI * g.cosO), 2.0 * g.h.z / (g.cosD * max(g.cosI, g.cosO)));
 }

@@ -13,7 +13,7 @@
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
-#include "app/gonio/library/shipped_thumbnails.h"
+#include "app/gonio/library/bundled_thumbnails.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
@@ -41,7 +41,7 @@ struct Options {
   bool models, factors;
   QString study;
   double widen;
-  QString takeF1;
+  QString withF1Of;
   QStringList blended;
   std::size_t encoded;
   QString thumbnails;
@@ -129,7 +129,7 @@ void editFactors(FactorCurvesPanel& factors, const Options& options) {
     if (factors.column(FactorAxis::deviation).editor().nodes().empty()) return;
     timer->stop();
     if (options.widen > 0) factors.widen(options.widen);
-    if (!options.takeF1.isEmpty()) factors.takeOver(FactorAxis::theta, options.takeF1);
+    if (!options.withF1Of.isEmpty()) factors.replaceCurve(FactorAxis::theta, options.withF1Of);
   });
   timer->start(checkMilliseconds);
 }
@@ -196,7 +196,7 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
     parts.inspector.representation()->setCoefficients(options.encoded);
     parts.inspector.representation()->showEncoded().setChecked(true);
   }
-  if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(parts.factors, options);
+  if (options.widen > 0 || !options.withF1Of.isEmpty()) editFactors(parts.factors, options);
   if (!options.blended.isEmpty()) {
     docks.show(QStringLiteral("interpolation"));
     interpolate(parts, options.blended);
@@ -218,7 +218,7 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
 /// Renders the pictures of the library into a folder. @return the program's exit code.
 int writeThumbnails(const QString& folder) {
   try {
-    writeShippedThumbnails(folder);
+    writeBundledThumbnails(folder);
     return 0;
   } catch (const gonio::Error& error) {
     std::fprintf(stderr, "gonio: %s\n", error.what());

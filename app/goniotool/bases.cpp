@@ -8,7 +8,7 @@
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_formats.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -36,7 +36,7 @@ std::filesystem::path basisBeside(const std::string& plan) {
 }
 
 std::string basisDigest(const std::filesystem::path& basis) {
-  return namingFile(basis, [&] { return io::sha256Hex(io::FileSource(basis)).substr(0, 16); });
+  return withFileInErrors(basis, [&] { return io::sha256Hex(io::FileSource(basis)).substr(0, 16); });
 }
 
 }  // namespace gonio::tool

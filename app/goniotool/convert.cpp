@@ -28,10 +28,10 @@ void writeTable(const ConvertArguments& options, const Tool& tool, const materia
 int convert(const ConvertArguments& options, const Tool& tool) {
   std::string from, format;
   std::vector<std::string> losses;
-  if (isOwnForm(options.out)) {
+  if (isNativeForm(options.out)) {
     if (options.wholeCircle) throw UsageError("convert: --whole-circle is for .binary, found " + options.out);
     const OpenedSource source = openForExport(options.material, tool.control("reading"));
-    losses = writeOwnForm(source.material, source.base, options.out, tool.control("converting"));
+    losses = writeNativeForm(source.material, source.base, options.out, tool.control("converting"));
     from = source.base.source.format;
     format = materials::formatOf(exports::formatOf(exports::formBySuffix(options.out, *source.base.brdf))).name;
   } else {
@@ -54,7 +54,7 @@ void addConvert(CLI::App& app, Tool& tool) {
   CLI::App* command =
       app.add_subcommand("convert", "Converts between formats; an unchanged MERL file stays byte-identical");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix sets the format"))->required();
+  command->add_option("OUT", options->out, nativeFormHelp("File to write; its suffix sets the format"))->required();
   command->add_flag(
       "--whole-circle", options->wholeCircle,
       "Sample phi_d from 0 to 360 degrees, 90 x 90 x 360 instead of 90 x 90 x 180 cells, as non-reciprocal "

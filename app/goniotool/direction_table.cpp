@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "core/io/csv_text.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -25,10 +25,10 @@ std::vector<DirectionPair> DirectionTable::pairs() const {
 }
 
 DirectionTable readDirections(const std::filesystem::path& path) {
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     const io::CsvText csv = io::readCsvText(io::readText(path), columnNames);
     std::array<std::size_t, columnNames.size()> columns;
-    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.neededColumn(columnNames[c]);
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.requiredColumn(columnNames[c]);
     DirectionTable table;
     for (const io::CsvText::Row& row : csv.rows)
       table.rows.push_back({csv.number(row, columns[0]), csv.number(row, columns[1]), csv.number(row, columns[2]),

@@ -92,11 +92,11 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
     return 0;
   }
   std::size_t capped = 0;
-  if (isOwnForm(options.out)) {
+  if (isNativeForm(options.out)) {
     const editing::EditList edits{edit};
     const auto shown = editing::isIdentity(edits) ? material.brdf : editing::applyEdits(material.brdf, edits);
-    writeOwnForm(exports::exportSource(material.name, material, shown, edits), material, options.out,
-                 tool.control("writing"));
+    writeNativeForm(exports::exportSource(material.name, material, shown, edits), material, options.out,
+                    tool.control("writing"));
     return capped;
   }
   const TabulatedBrdf* table = base->asTable();
@@ -120,14 +120,14 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
                      " is a document, which contains its own edits: leave out --model, --set and --control");
-  if (isOwnForm(options.out)) {
+  if (isNativeForm(options.out)) {
     const OpenedSource source = openForExport(options.material, tool.control("applying the edits"));
-    writeOwnForm(source.material, source.base, options.out, tool.control("writing"));
+    writeNativeForm(source.material, source.base, options.out, tool.control("writing"));
   } else {
     materials::writeMaterial(openMaterial(options.material, tool.control("applying the edits")), options.out);
   }
   const auto edits = editing::readDocument(options.material).edits;
-  const bool averaged = !isOwnForm(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
+  const bool averaged = !isNativeForm(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
     return editing::isAnisotropic(edit);
   });
   print(tool,
@@ -146,7 +146,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
-  const bool averaged = !writesDocument(options) && !isOwnForm(options.out) && editing::isAnisotropic(edit);
+  const bool averaged = !writesDocument(options) && !isNativeForm(options.out) && editing::isAnisotropic(edit);
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
@@ -193,7 +193,7 @@ void probeControl(const std::string& assignment, const models::Model& model) {
 
 int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
-  if (!isOwnForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
+  if (!isNativeForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
   if (options.model.empty()) throw UsageError("edit: --model is missing; it names the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
@@ -237,7 +237,7 @@ void addEdit(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--out", options->out,
-                   ownFormHelp("Material file to write") + ", or the edit without measured data (" +
+                   nativeFormHelp("Material file to write") + ", or the edit without measured data (" +
                        std::string(editing::documentSuffix) + ")")
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });

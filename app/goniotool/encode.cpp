@@ -60,7 +60,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   const auto table =
       onGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble.grid, tool.control("sampling"));
   const Encoder encoder(dictionary->ensemble);
-  Encoded encoded;
+  EncodeResult encoded;
   std::optional<double> renderedSnr;
   if (options.renderedSnr > 0) {
     auto found = study::encodeForPictures(encoder, *table, options.renderedSnr, encodeOptions(options),

@@ -7,7 +7,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::tool {
@@ -25,7 +25,7 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const DirectionTable directions = readDirections(options.directions);
   const std::vector<DirectionPair> pairs = directions.pairs();
   std::vector<Rgb> values(pairs.size());
-  const auto brdf = options.asStored ? withIncident(material, IncidentSlot::light) : material;
+  const auto brdf = options.asStored ? withIncident(material, IncidentDirection::light) : material;
   const auto start = std::chrono::steady_clock::now();
   brdf->evaluate(pairs, values);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -57,7 +57,7 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   options.snr = arguments.snr;
   options.samples = arguments.samples;
   if (arguments.size == 0) return options;
-  if (!target.choosesSize)
+  if (!target.usesSize)
     throw UsageError("export: --theta-count and --size are for .bsdf files: found --for " + arguments.target +
                      ", expected mitsuba or pbrt");
   options.size = {arguments.thetaCount, arguments.size};

@@ -25,7 +25,7 @@ std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double
     throw Error(argument + ": found a material without spectra, expected a spectral RGL file for --wavelength");
   std::shared_ptr<const Brdf> edited;
   if (!editing::isIdentity(opened.edits))
-    edited = editing::applyEdits(file->withIncident(IncidentSlot::viewer), opened.edits);
+    edited = editing::applyEdits(file->withIncident(IncidentDirection::viewer), opened.edits);
   return exports::atWavelength(*file, edited.get(), nanometres, control);
 }
 

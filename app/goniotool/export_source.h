@@ -22,11 +22,13 @@ struct OpenedSource {
 /// @throws Error that names the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
-using exports::isOwnForm;
-using exports::writeOwnForm;
+using exports::isNativeForm;
+using exports::writeNativeForm;
 
 /// The help of an option that names a material to write in any form.
-inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; for UTIA files also .bin)"; }
+inline std::string nativeFormHelp(const std::string& what) {
+  return what + " (.binary, .bsdf; for UTIA files also .bin)";
+}
 
 /// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error that
 /// names a file without spectra.

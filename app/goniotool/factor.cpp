@@ -89,8 +89,10 @@ PdvFactors otherFactors(const std::string& other, const FactorArguments& options
 
 PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Tool& tool) {
   const FurtherTerms further = options.keepFurther ? FurtherTerms::keep : FurtherTerms::drop;
-  if (!options.swapF1.empty()) factors = takeF1(factors, otherFactors(options.swapF1, options, factors, tool), further);
-  if (!options.swapF2.empty()) factors = takeF2(factors, otherFactors(options.swapF2, options, factors, tool), further);
+  if (!options.swapF1.empty())
+    factors = withF1Of(factors, otherFactors(options.swapF1, options, factors, tool), further);
+  if (!options.swapF2.empty())
+    factors = withF2Of(factors, otherFactors(options.swapF2, options, factors, tool), further);
   return factors;
 }
 

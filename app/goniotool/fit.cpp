@@ -124,7 +124,7 @@ void checkGamma(const FitArguments& options) {
   }
   char* end = nullptr;
   const double value = std::strtod(options.gamma.c_str(), &end);
-  if (*end != 0 || !(value >= metrics::smallestGamma && value <= metrics::largestGamma))
+  if (*end != 0 || !(value >= metrics::minGamma && value <= metrics::maxGamma))
     throw UsageError("fit: --gamma: expected a number from 1 to 3, or auto; found '" + options.gamma + "'");
 }
 

@@ -22,7 +22,7 @@ Json describe(const materials::Material& material, const TableStatistics& statis
           {"format", material.source.format},
           {"grid", material.source.grid},
           {"channels", channels},
-          {"invalidShare", statistics.invalidShare},
+          {"invalidShare", statistics.invalidFraction},
           {"dynamicRange", statistics.dynamicRange},
           {"albedo", albedo},
           {"path", material.source.path.string()},

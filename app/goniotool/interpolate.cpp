@@ -11,13 +11,13 @@
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
 #include "core/export/export_origin.h"
-#include "core/interpolation/own_form_blend.h"
+#include "core/interpolation/native_form_blend.h"
 #include "core/io/atomic_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
 #include "core/models/registry.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -73,24 +73,24 @@ void checkOptions(const InterpolateArguments& options) {
   } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
-  } else if (!isOwnForm(options.out)) {
+  } else if (!isNativeForm(options.out)) {
     materials::writableFormat(options.out);
   }
 }
 
 /// The code of a file over another dictionary than the one that comes with Gonio.
-InterpolationEnd openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
+InterpolationMaterial openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
   const materials::CodeFile file = materials::readCode(path);
-  namingFile(path, [&] { materials::checkDictionary(file, dictionary); });
+  withFileInErrors(path, [&] { materials::checkDictionary(file, dictionary); });
   return {.table = dictionary::decode(dictionary.ensemble, file.code),
           .code = std::make_shared<const dictionary::SparseCode>(file.code)};
 }
 
 /// @param other a dictionary that was given, or null.
-InterpolationEnd openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
+InterpolationMaterial openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
   if (other && hasSuffixOf(FormatId::code, material)) return openCode(material, *other);
   const materials::Material opened = openMaterial(material, tool.control("reading " + material));
-  InterpolationEnd end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
+  InterpolationMaterial end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
   if (materials::isPdv(material))
     end.factors = std::make_shared<const factorization::PdvFactors>(materials::readPdv(material));
   if (!other) end.code = opened.code;
@@ -130,12 +130,12 @@ Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace 
   materials::Material material;
   material.name = materialsText(weights, names) + ", space " + std::string(interpolationSpaceNames[std::size_t(space)]);
   material.source = {.format = "blend", .sha256 = "none"};
-  const auto own = ownFormBlend(interpolation, space, weights, tool.control("blending"));
+  const auto own = nativeFormBlend(interpolation, space, weights, tool.control("blending"));
   material.brdf = own ? own->brdf : exact;
   const exports::MaterialForm form = exports::formBySuffix(out, *material.brdf);
   const auto source = exports::exportSource(std::filesystem::path(out).stem().string(), material, material.brdf, {});
   const exports::FormFile file = exports::encodeMaterial(source, material, form, tool.control("writing"));
-  const double snr = exports::formError(file, *exact, tool.control("measuring"));
+  const double snr = exports::formSnr(file, *exact, tool.control("measuring"));
   io::writeFileAtomically(out, file.bytes);
   Json json{{"snr", decibelsJson(snr)}, {"losses", file.losses}};
   if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodes;
@@ -149,7 +149,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
-  if (isOwnForm(out))
+  if (isNativeForm(out))
     json.update(writeBlendInOwnForm(interpolation, space, weights, names, out, tool));
   else if (hasSuffixOf(FormatId::pdv, out))
     materials::writePdv(factors.value(), out);
@@ -183,7 +183,7 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
   if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
     dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledDictionary();
-  std::vector<InterpolationEnd> ends;
+  std::vector<InterpolationMaterial> ends;
   for (const std::string& material : options.materials)
     ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));
   InterpolationOptions preparation;
@@ -250,7 +250,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   ownFormHelp("Material file to write") + "; for --space factors also the curves (" +
+                   nativeFormHelp("Material file to write") + "; for --space factors also the curves (" +
                        suffixOf(FormatId::pdv) + "), for --space dictionary also the code (" +
                        suffixOf(FormatId::code) + ")")
       ->required();

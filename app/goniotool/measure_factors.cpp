@@ -22,8 +22,8 @@ FactorPlan planOf(const MeasureFactorsArguments& options) {
                       .fixedAngle = radians(options.fixedDegrees),
                       .angles = options.angles,
                       .distances = options.distances,
-                      .largestPolarAngle = radians(options.maxPolarDegrees),
-                      .smallestSeparation = radians(options.minSeparationDegrees)});
+                      .maxPolarAngle = radians(options.maxPolarDegrees),
+                      .minSeparation = radians(options.minSeparationDegrees)});
 }
 
 /// From the file, or of the material.
@@ -56,7 +56,7 @@ void writePrediction(const MeasureFactorsArguments& options, const FactorMeasure
     const bool isProduct =
         curves.axes == FactorAxes::projectedDeviation && factorBoundNamed(options.bound) == FactorBound::none;
     const factorization::PdvFactors factors =
-        isProduct ? factorsOfCurves(curves)
+        isProduct ? pdvFactorsOfCurves(curves)
                   : factorization::factorizePdv(*table, {}, tool.control("factorising the prediction")).factors;
     materials::writePdv(factors, options.predict);
     json["terms"] = factors.terms();

@@ -17,12 +17,12 @@ struct MergeArguments {
 int merge(const MergeArguments& options, const Tool& tool) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const std::vector<ReadStudy> joined = joinShards(options.shards);
+  const std::vector<StoredStudy> joined = joinShards(options.shards);
   if (joined.empty()) throw Error("the shards contain no materials");
   const StudyFacts& facts = joined.front().facts;
   makeFolder(options.out);
   StudyOutput output(options.out, facts);
-  for (const ReadStudy& read : joined) {
+  for (const StoredStudy& read : joined) {
     writeMaterialStudy(options.out, read.material, read.facts);
     output.add(read.material);
   }

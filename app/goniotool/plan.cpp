@@ -61,8 +61,8 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
 SelectionOptions selectionOptions(const PlanArguments& options) {
   SelectionOptions selection = options.selection;
   selection.method = SelectionMethod(std::ranges::find(selectionMethods, options.method) - selectionMethods.begin());
-  selection.measurable.largestPolarAngle = radians(options.largestPolarDegrees);
-  selection.measurable.smallestSeparation = radians(options.separationDegrees);
+  selection.measurable.maxPolarAngle = radians(options.largestPolarDegrees);
+  selection.measurable.minSeparation = radians(options.separationDegrees);
   for (const std::string& text : options.forbidden) selection.measurable.forbidden.push_back(forbiddenRegion(text));
   selection.measurable.check();
   return selection;

@@ -9,7 +9,7 @@
 #include "core/metrics/brdf_metric.h"
 #include "core/study/study_csv.h"
 #include "core/study/study_plot.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -95,13 +95,13 @@ Json readOrderedJson(const fs::path& path) {
   return Json::parse(text);
 }
 
-ReadStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
+StoredStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
   const fs::path path = fileOf(folder, stem, ".json");
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     try {
       const Json json = readOrderedJson(path);
-      return ReadStudy{{stem, json.at("material"), json.at("source"), recordsOf(json.at("records"))},
-                       {json.at("pictures"), machineOf(json.at("machine")), json.at("settings").dump()}};
+      return StoredStudy{{stem, json.at("material"), json.at("source"), recordsOf(json.at("records"))},
+                         {json.at("pictures"), machineOf(json.at("machine")), json.at("settings").dump()}};
     } catch (const Json::exception& error) {
       throw Error(std::string("not the result of a study that can be merged: ") + error.what());
     }
@@ -112,7 +112,7 @@ std::optional<StudiedMaterial> finishedStudy(const fs::path& folder, const std::
                                              const StudyFacts& facts) {
   if (!fs::exists(fileOf(folder, stem, ".json"))) return std::nullopt;
   try {
-    ReadStudy found = readMaterialStudy(folder, stem);
+    StoredStudy found = readMaterialStudy(folder, stem);
     const bool same = found.facts.settings == facts.settings && found.material.source == source;
     if (same && found.material.records.size() == Json::parse(facts.settings)["representations"].size())
       return std::move(found.material);

@@ -53,11 +53,11 @@ void writeSummary(const std::filesystem::path& folder, const std::string& title,
 Json readOrderedJson(const std::filesystem::path& path);
 
 /// The content of the files of writeMaterialStudy().
-struct ReadStudy {
+struct StoredStudy {
   StudiedMaterial material;
   StudyFacts facts;
 };
-ReadStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
+StoredStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
 /// The same if the settings and the material are equal and all records exist; else nullopt.
 std::optional<StudiedMaterial> finishedStudy(const std::filesystem::path& folder, const std::string& stem,
                                              const std::string& source, const StudyFacts& facts);

@@ -84,7 +84,8 @@ Json recordsJson(std::span<const StudyRecord> records) {
     json.back()["front"] = Json::array();
   }
   for (const Cost cost : allCosts)
-    for (const std::size_t i : paretoFront(tradesOf(records, cost, {}))) json[i]["front"].push_back(costName(cost));
+    for (const std::size_t i : paretoFront(costsAndErrors(records, cost, {})))
+      json[i]["front"].push_back(costName(cost));
   return json;
 }
 

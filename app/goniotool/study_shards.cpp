@@ -6,7 +6,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -27,7 +27,7 @@ ShardFile readShard(const fs::path& folder) {
   const fs::path path = shardPath(folder);
   if (!fs::exists(path))
     throw Error(path.string() + ": not found: goniotool study --shard writes it when the shard is complete");
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     try {
       const Json json = readOrderedJson(path);
       ShardFile file{folder, {json.at("shard"), json.at("shards")}, json.at("materials"), json.at("settings").dump()};
@@ -96,13 +96,13 @@ void writeShard(const fs::path& folder, const Shard& shard, const std::vector<st
   io::writeFileAtomically(shardPath(folder), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::vector<ReadStudy> joinShards(const std::vector<std::string>& folders) {
+std::vector<StoredStudy> joinShards(const std::vector<std::string>& folders) {
   const std::map<std::size_t, ShardFile> shards = completeShards(folders);
   const ShardFile& first = shards.begin()->second;
-  std::vector<ReadStudy> joined;
+  std::vector<StoredStudy> joined;
   for (std::size_t i = 0; i < first.stems.size(); ++i) {
     const fs::path& folder = shards.at(i % first.shard.count + 1).folder;
-    ReadStudy read = readMaterialStudy(folder, first.stems[i]);
+    StoredStudy read = readMaterialStudy(folder, first.stems[i]);
     if (read.facts.settings != first.settings)
       throw Error((folder / first.stems[i]).string() + ".json: result of another study: found " +
                   difference(read.facts.settings, first.settings));

@@ -32,6 +32,6 @@ void writeShard(const std::filesystem::path& folder, const Shard& shard, const s
 /// The results of all materials, in the order of the study.
 /// @throws Error that names the folder or file if a shard is incomplete, missing, given twice or of another study, or
 /// if the result of a material is missing or of another study.
-std::vector<ReadStudy> joinShards(const std::vector<std::string>& folders);
+std::vector<StoredStudy> joinShards(const std::vector<std::string>& folders);
 
 }  // namespace gonio::tool

@@ -9,7 +9,7 @@
 #include "core/io/byte_source.h"
 #include "core/materials/neural_file.h"
 #include "core/rendering/rendered_comparison.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
 
@@ -24,7 +24,7 @@ struct NeuralArguments {
 
 /// Row `row` of a file of rows of 675 float32, as the weights of Sztrajman et al. are exchanged.
 neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     const io::FileSource file(path);
     neural::NeuralFit fit;
     constexpr std::size_t rowBytes = sizeof fit.weights;

@@ -52,7 +52,7 @@ ScaledSamples scaledSamples(const DictionaryPrior& prior, const SamplingPlan& pl
       result.values(s, channel) = scale * transformed(prior.transform, rho, weight);
       if (values.noise.empty()) continue;
       const double deviation =
-          scale * values.noise[std::size_t(s)][channel] / reflectanceSlope(prior.transform, rho, weight);
+          scale * values.noise[std::size_t(s)][channel] / inverseSlope(prior.transform, rho, weight);
       result.variances[s] += deviation * deviation / 3;
     }
   }

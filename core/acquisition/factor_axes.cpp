@@ -20,7 +20,7 @@ FactorAxes factorAxesNamed(std::string_view name) {
   return FactorAxes(found - factorAxesNames.begin());
 }
 
-FactorPlace factorPlace(FactorAxes axes, const DirectionPair& pair) {
+FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair) {
   switch (axes) {
     case FactorAxes::projectedDeviation: {
       const ProjectedDeviation at = toProjectedDeviation(pair.wi, pair.wo);
@@ -39,7 +39,7 @@ FactorPlace factorPlace(FactorAxes axes, const DirectionPair& pair) {
   }
 }
 
-std::optional<DirectionPair> factorDirections(FactorAxes axes, const FactorPlace& place) {
+std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place) {
   if (isDeviation(axes)) {
     const ProjectedDirections found = fromProjectedDeviation({place.angle, place.distance, 0});
     return found.valid ? std::optional(found.pair) : std::nullopt;

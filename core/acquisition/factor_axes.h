@@ -28,12 +28,12 @@ inline constexpr std::array<std::string_view, 4> factorAxesNames{"projected-devi
 /// @throws Error that lists the names.
 FactorAxes factorAxesNamed(std::string_view name);
 
-struct FactorPlace {
+struct FactorCoordinates {
   double angle = 0;     ///< theta_R, theta_d or theta_o, rad, [0, pi/2]
   double distance = 0;  ///< |Dp|, [0, 2), or theta_h, rad, [0, pi/2]; 0 in the mirror direction
 };
 /// The coordinates of any two directions above the horizon. O(1).
-FactorPlace factorPlace(FactorAxes axes, const DirectionPair& pair);
+FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair);
 
 /// Whether the coordinates do not change when light and viewer are exchanged.
 inline bool areReciprocal(FactorAxes axes) {
@@ -47,6 +47,6 @@ inline bool isDeviation(FactorAxes axes) {
 /// The pair of directions in the plane of incidence with these coordinates; the light is between the mirror direction
 /// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R. None if no light above the
 /// horizon exists. O(1).
-std::optional<DirectionPair> factorDirections(FactorAxes axes, const FactorPlace& place);
+std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place);
 
 }  // namespace gonio::acquisition

@@ -20,7 +20,7 @@ constexpr double samePlace = 1e-9;
 
 struct Reading {
   int index;
-  FactorPlace place;
+  FactorCoordinates place;
   Rgb z;
 };
 
@@ -32,7 +32,8 @@ std::vector<Reading> readingsOf(const FactorPlan& plan, const MeasuredValues& va
     if (plan.curves[i] != curve) continue;
     Rgb z;
     for (int channel = 0; channel < 3; ++channel) z[channel] = std::log1p(std::max(0.0, values.rgb[i][channel]));
-    readings.push_back({plan.plan.samples[i].index, factorPlace(plan.axes, plan.plan.samples[i].directions), z});
+    readings.push_back(
+        {plan.plan.samples[i].index, toFactorCoordinates(plan.axes, plan.plan.samples[i].directions), z});
   }
   if (readings.empty())
     throw Error("found no reading " + std::string(factorCurveNames[std::size_t(curve)]) +
@@ -41,7 +42,7 @@ std::vector<Reading> readingsOf(const FactorPlan& plan, const MeasuredValues& va
 }
 
 /// Sorts by a coordinate. @throws Error if two readings are at the same place.
-void sortBy(double FactorPlace::*coordinate, std::vector<Reading>& readings) {
+void sortBy(double FactorCoordinates::*coordinate, std::vector<Reading>& readings) {
   std::ranges::stable_sort(readings, {}, [&](const Reading& reading) { return reading.place.*coordinate; });
   const auto same = std::ranges::adjacent_find(readings, [&](const Reading& a, const Reading& b) {
     return b.place.*coordinate - a.place.*coordinate < samePlace;
@@ -56,7 +57,7 @@ double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
   const FactorAxes axes = plan.axes == FactorAxes::symmetricDeviation ? FactorAxes::projectedDeviation : plan.axes;
   const auto angleOf = [&](const Reading& reading) {
     const auto sample = std::ranges::find(plan.plan.samples, reading.index, &PlannedSample::index);
-    return factorPlace(axes, sample->directions).angle;
+    return toFactorCoordinates(axes, sample->directions).angle;
   };
   const double fixed = angleOf(across.front());
   for (const Reading& reading : across)
@@ -130,8 +131,8 @@ FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues
   std::vector<Reading> along = readingsOf(plan, values, FactorCurve::along);
   std::vector<Reading> across = readingsOf(plan, values, FactorCurve::across);
   checkAlong(along);
-  sortBy(&FactorPlace::angle, along);
-  sortBy(&FactorPlace::distance, across);
+  sortBy(&FactorCoordinates::angle, along);
+  sortBy(&FactorCoordinates::distance, across);
   FactorMeasurement m{.axes = plan.axes, .fixedAngle = checkAcross(plan, across)};
   for (const Reading& reading : along) {
     m.angles.push_back(reading.place.angle);

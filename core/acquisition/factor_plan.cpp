@@ -15,27 +15,27 @@ namespace {
 constexpr int maxReadings = 2'000;
 
 void checkOptions(const FactorPlanOptions& o) {
-  if (!(o.largestPolarAngle > 0 && o.largestPolarAngle < halfPi))
-    throw Error("factor measurement: found the maximum polar angle " + numberText(degrees(o.largestPolarAngle)) +
+  if (!(o.maxPolarAngle > 0 && o.maxPolarAngle < halfPi))
+    throw Error("factor measurement: found the maximum polar angle " + numberText(degrees(o.maxPolarAngle)) +
                 " degrees, expected above 0 and below 90");
-  if (!(o.fixedAngle >= 0 && o.fixedAngle <= o.largestPolarAngle))
+  if (!(o.fixedAngle >= 0 && o.fixedAngle <= o.maxPolarAngle))
     throw Error("factor measurement: found the fixed angle " + numberText(degrees(o.fixedAngle)) +
-                " degrees, expected from 0 to the maximum polar angle, " + numberText(degrees(o.largestPolarAngle)));
+                " degrees, expected from 0 to the maximum polar angle, " + numberText(degrees(o.maxPolarAngle)));
   for (const int count : {o.angles, o.distances})
     if (count < 2 || count > maxReadings)
       throw Error("factor measurement: found " + std::to_string(count) + " readings of a curve, expected 2 to " +
                   std::to_string(maxReadings));
-  if (!(o.smallestSeparation >= 0 && o.smallestSeparation <= pi))
-    throw Error("factor measurement: found the minimum separation of the arms " +
-                numberText(degrees(o.smallestSeparation)) + " degrees, expected from 0 to 180");
+  if (!(o.minSeparation >= 0 && o.minSeparation <= pi))
+    throw Error("factor measurement: found the minimum separation of the arms " + numberText(degrees(o.minSeparation)) +
+                " degrees, expected from 0 to 180");
 }
 
 /// Appends the reading at a place, or counts it as blocked.
-void plan(FactorCurve curve, const FactorPlace& place, const FactorPlanOptions& options, FactorPlan& result) {
-  const std::optional<DirectionPair> arms = factorDirections(options.axes, place);
-  const double lowest = std::cos(options.largestPolarAngle) * (1 - 1e-9);
+void plan(FactorCurve curve, const FactorCoordinates& place, const FactorPlanOptions& options, FactorPlan& result) {
+  const std::optional<DirectionPair> arms = fromFactorCoordinates(options.axes, place);
+  const double lowest = std::cos(options.maxPolarAngle) * (1 - 1e-9);
   if (!arms || arms->wi.z < lowest || arms->wo.z < lowest ||
-      glm::length(arms->wi - arms->wo) < 2 * std::sin(options.smallestSeparation / 2)) {
+      glm::length(arms->wi - arms->wo) < 2 * std::sin(options.minSeparation / 2)) {
     ++result.blocked;
     return;
   }
@@ -51,7 +51,7 @@ FactorPlan planFactors(const FactorPlanOptions& options) {
   FactorPlan result{.axes = options.axes, .plan = {}, .curves = {}};
   result.plan.method = "factors, " + std::string(factorAxesNames[std::size_t(options.axes)]);
   for (int i = 0; i < options.angles; ++i)
-    plan(FactorCurve::along, {options.largestPolarAngle * i / (options.angles - 1), 0}, options, result);
+    plan(FactorCurve::along, {options.maxPolarAngle * i / (options.angles - 1), 0}, options, result);
   const std::size_t along = result.curves.size();
   const double last = isDeviation(options.axes) ? 2 : halfPi;
   for (int j = 0; j < options.distances; ++j) {

@@ -25,10 +25,10 @@ inline constexpr std::array<std::string_view, 2> factorCurveNames{"along", "acro
 struct FactorPlanOptions {
   FactorAxes axes = FactorAxes::projectedDeviation;
   double fixedAngle = radians(60);  ///< of the `across` curve: theta_R, theta_d or theta_o, rad
-  int angles = 90;  ///< number of `along` readings, evenly spaced in the angle, from 0 to largestPolarAngle; [2, 2000]
+  int angles = 90;     ///< number of `along` readings, evenly spaced in the angle, from 0 to maxPolarAngle; [2, 2000]
   int distances = 90;  ///< number of `across` readings, evenly spaced in the square root of the distance; [2, 2000]
-  double largestPolarAngle = radians(89);  ///< maximum polar angle of both arms, rad, (0, pi/2)
-  double smallestSeparation = radians(2);  ///< minimum angle between the arms, rad; below it one arm occludes the other
+  double maxPolarAngle = radians(89);  ///< maximum polar angle of both arms, rad, (0, pi/2)
+  double minSeparation = radians(2);   ///< minimum angle between the arms, rad; below it one arm occludes the other
 };
 
 struct FactorPlan {
@@ -36,7 +36,7 @@ struct FactorPlan {
   SamplingPlan plan;                ///< first the `along` curve, by the angle; then the `across` curve, by the distance
   std::vector<FactorCurve> curves;  ///< one per sample
   int blocked = 0;  ///< number of readings that were left out: a direction is below the horizon or beyond
-                    ///< largestPolarAngle, or one arm occludes the other
+                    ///< maxPolarAngle, or one arm occludes the other
 };
 
 /// The pairs of directions to measure. The `across` curve starts with the mirror direction at the fixed angle.

@@ -32,7 +32,7 @@ class PredictedBrdf final : public Brdf {
     Rgb z, limit;  ///< of ln(1 + rho): the product without bound, the larger one of the nearest readings
   };
   Product product(const DirectionPair& pair) const {
-    const FactorPlace at = factorPlace(m_.axes, pair);
+    const FactorCoordinates at = toFactorCoordinates(m_.axes, pair);
     Product result;
     for (std::size_t c = 0; c < 3; ++c) {
       const double along = evaluateMonotoneCubic(m_.angles, m_.along[c], alongSlopes_[c], at.angle);
@@ -85,7 +85,7 @@ void addFractions(const FactorMeasurement& m, FactorSupport& support) {
         const double i = angle(thetaI), o = angle(thetaO);
         const DirectionPair pair{fromSpherical(i, angle(phi)), fromSpherical(o, 0)};
         const double weight = std::sin(2 * i) * std::sin(2 * o);
-        const FactorPlace at = factorPlace(m.axes, pair);
+        const FactorCoordinates at = toFactorCoordinates(m.axes, pair);
         const auto [z, limit] = predicted.product(pair);
         const Rgb exchanged = areReciprocal(m.axes) ? z : predicted.product({pair.wo, pair.wi}).z;
         total += weight;
@@ -162,7 +162,7 @@ FactorSupport supportOf(const FactorMeasurement& measurement) {
   return support;
 }
 
-factorization::PdvFactors factorsOfCurves(const FactorMeasurement& measurement) {
+factorization::PdvFactors pdvFactorsOfCurves(const FactorMeasurement& measurement) {
   if (measurement.axes != FactorAxes::projectedDeviation)
     throw Error("PDV factors have the axes projected-deviation, found " +
                 std::string(factorAxesNames[std::size_t(measurement.axes)]));

@@ -47,6 +47,6 @@ FactorSupport supportOf(const FactorMeasurement& measurement);
 
 /// The unbounded prediction over theta_R and |Dp| as PDV factors with one term; their upper bound (PdvFactors::highest)
 /// is the largest reading of all channels. @throws Error for axes other than FactorAxes::projectedDeviation.
-factorization::PdvFactors factorsOfCurves(const FactorMeasurement& measurement);
+factorization::PdvFactors pdvFactorsOfCurves(const FactorMeasurement& measurement);
 
 }  // namespace gonio::acquisition

@@ -55,8 +55,8 @@ bool isIn(const ForbiddenRegion& box, const RigAngles& at) {
 }  // namespace
 
 void MeasurableDirections::check() const {
-  checkAngle(largestPolarAngle, halfPi, "the maximum polar angle");
-  checkAngle(smallestSeparation, pi, "the minimum separation of light and viewer");
+  checkAngle(maxPolarAngle, halfPi, "the maximum polar angle");
+  checkAngle(minSeparation, pi, "the minimum separation of light and viewer");
   for (std::size_t i = 0; i < forbidden.size(); ++i) {
     const std::string of = " of forbidden region " + std::to_string(i + 1);
     checkRange(forbidden[i].thetaI, halfPi, "polar angle of the light" + of);
@@ -69,9 +69,9 @@ bool MeasurableDirections::allows(const DirectionPair& pair) const {
   const auto& [wi, wo] = pair;
   if (isBelowHorizon(wi) || isBelowHorizon(wo)) return false;
   const RigAngles at = rigAngles(pair);
-  if (!(at.thetaI <= largestPolarAngle + tolerance && at.thetaO <= largestPolarAngle + tolerance)) return false;
+  if (!(at.thetaI <= maxPolarAngle + tolerance && at.thetaO <= maxPolarAngle + tolerance)) return false;
   const double separation = std::atan2(glm::length(glm::cross(wi, wo)), glm::dot(wi, wo));
-  if (separation < smallestSeparation - tolerance) return false;
+  if (separation < minSeparation - tolerance) return false;
   for (const ForbiddenRegion& box : forbidden)
     if (isIn(box, at)) return false;
   return true;

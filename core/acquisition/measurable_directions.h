@@ -28,8 +28,8 @@ struct ForbiddenRegion {
 /// angle, light and viewer far enough apart (otherwise one arm occludes the other), and the pair outside all forbidden
 /// regions. Limits are inclusive, with a tolerance of 1e-9 rad because nodes of a grid lie on them up to rounding.
 struct MeasurableDirections {
-  double largestPolarAngle = radians(85);  ///< of both directions, rad, [0, pi/2]
-  double smallestSeparation = 0;           ///< angle between light and viewer, rad, [0, pi]
+  double maxPolarAngle = radians(85);  ///< of both directions, rad, [0, pi/2]
+  double minSeparation = 0;            ///< angle between light and viewer, rad, [0, pi]
   std::vector<ForbiddenRegion> forbidden;
 
   bool operator==(const MeasurableDirections&) const = default;

@@ -33,13 +33,13 @@ MaskedTensor logLuminance(const HalfOutSamples& s) {
   return tensor;
 }
 
-double between(const std::vector<double>& curve, const NodePlace& at) {
+double between(const std::vector<double>& curve, const NodeInterval& at) {
   return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
 }
 
 double luminanceAt(const BilgiliFactors& f, const HalfOut& at) {
-  const NodePlace h = placeBetween(f.axes.thetaH, at.thetaH), p = placeBetween(f.axes.phiH, std::abs(at.phiH)),
-                  o = placeBetween(f.axes.thetaO, at.thetaO);
+  const NodeInterval h = findInterval(f.axes.thetaH, at.thetaH), p = findInterval(f.axes.phiH, std::abs(at.phiH)),
+                     o = findInterval(f.axes.thetaO, at.thetaO);
   double sum = 0;
   for (const BilgiliFactors::Term& term : f.terms) sum += between(term.a, h) * between(term.b, p) * between(term.c, o);
   return std::expm1(std::clamp(sum, 0.0, f.highest));
@@ -94,7 +94,7 @@ TensorHalfVectorSampler bilgiliSampler(const BilgiliFactors& f) {
         if (!valid) continue;
         const double cosD = glm::dot(fromSpherical(node.thetaO, 0), fromSpherical(node.thetaH, node.phiH));
         density[axes.index(h, p, o)] =
-            luminance(reflectanceAt(f, node)) * std::max(0.0, pair.wi.z) * halfOutMeasure(std::max(0.0, cosD));
+            luminance(reflectanceAt(f, node)) * std::max(0.0, pair.wi.z) * halfOutJacobian(std::max(0.0, cosD));
       }
   return {axes, density};
 }

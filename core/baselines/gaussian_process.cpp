@@ -169,7 +169,7 @@ std::shared_ptr<const Brdf> makeGaussianProcessBrdf(GaussianProcess process) {
       y += process.weights * matern(squares).matrix();
     }
     Rgb value;
-    for (int c = 0; c < 3; ++c) value[c] = std::clamp(std::expm1(double(y[c])), 0.0, double(largestReflectance));
+    for (int c = 0; c < 3; ++c) value[c] = std::clamp(std::expm1(double(y[c])), 0.0, double(maxBrdfValue));
     return value;
   });
 }

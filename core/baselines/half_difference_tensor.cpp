@@ -51,8 +51,8 @@ Rgb valueAt(const HalfDifferenceTensor& tensor, const HalfDifference& at) {
   const HalfDifferenceAxes& axes = tensor.axes;
   // Reciprocity and the plane of incidence fold the azimuth to [0, pi / 2].
   const double phiD = std::abs(at.phiD);
-  const NodePlace h = placeBetween(axes.thetaH, at.thetaH), d = placeBetween(axes.thetaD, at.thetaD),
-                  p = placeBetween(axes.phiD, std::min(phiD, pi - phiD));
+  const NodeInterval h = findInterval(axes.thetaH, at.thetaH), d = findInterval(axes.thetaD, at.thetaD),
+                     p = findInterval(axes.phiD, std::min(phiD, pi - phiD));
   const std::size_t stepD = axes.thetaH.size(), stepP = stepD * axes.thetaD.size(), stepC = stepP * axes.phiD.size();
   const std::size_t first = h.index + stepD * d.index + stepP * p.index;
   Rgb y(0);

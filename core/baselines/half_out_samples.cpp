@@ -19,9 +19,9 @@ std::vector<double> powerNodes(int count, double last, double exponent) {
 }  // namespace
 
 HalfOutAxes makeHalfOutAxes(int thetaHCount, int phiHCount, int thetaOCount) {
-  return {.thetaH = powerNodes(thetaHCount, largestPolarAngle, 2),
+  return {.thetaH = powerNodes(thetaHCount, maxPolarAngle, 2),
           .phiH = powerNodes(phiHCount, pi, 1),
-          .thetaO = powerNodes(thetaOCount, largestPolarAngle, 1)};
+          .thetaO = powerNodes(thetaOCount, maxPolarAngle, 1)};
 }
 
 HalfOutSamples sampleHalfOut(const TabulatedBrdf& table, const HalfOutAxes& axes, const TaskControl& control) {
@@ -40,7 +40,7 @@ double projectedMeasure(const HalfOutSamples& samples, std::size_t h, std::size_
   if (!samples.valid[i]) return 0;
   const double thetaO = axes.thetaO[o], thetaH = axes.thetaH[h];
   const double cosD = glm::dot(fromSpherical(thetaO, 0), fromSpherical(thetaH, axes.phiH[p]));
-  return samples.cosI[i] * std::cos(thetaO) * std::sin(thetaO) * std::sin(thetaH) * halfOutMeasure(cosD) *
+  return samples.cosI[i] * std::cos(thetaO) * std::sin(thetaO) * std::sin(thetaH) * halfOutJacobian(cosD) *
          nodeSpacing(axes.thetaH, h) * nodeSpacing(axes.phiH, p) * nodeSpacing(axes.thetaO, o);
 }
 

@@ -22,7 +22,7 @@ struct HalfOutAxes {
 };
 
 /// Axes with theta_h dense at the highlight, as in MERL tables, and the other angles uniform; polar angles up to
-/// largestPolarAngle (core/factorization/deviation_grid.h).
+/// maxPolarAngle (core/factorization/deviation_grid.h).
 HalfOutAxes makeHalfOutAxes(int thetaHCount, int phiHCount, int thetaOCount);
 
 /// BRDF values at all nodes: the mean of the values at phi_h and -phi_h.

@@ -42,7 +42,7 @@ double LinearDensity::sample(const std::vector<double>& nodes, double u) const {
 
 double LinearDensity::at(const std::vector<double>& nodes, double x) const {
   if (x < nodes.front() || x > nodes.back()) return 0;
-  const NodePlace place = placeBetween(nodes, x);
+  const NodeInterval place = findInterval(nodes, x);
   return (1 - place.fraction) * values_[place.index] + place.fraction * values_[place.index + 1];
 }
 
@@ -55,7 +55,7 @@ HalfVectorSampler::HalfVectorSampler(const HalfOutAxes& axes, const std::vector<
 
 /// Integral of the product over all half vectors, both signs of phi_h.
 double HalfVectorSampler::strength(const Curves& curves, double thetaO) const {
-  const NodePlace place = placeBetween(thetaO_, thetaO);
+  const NodeInterval place = findInterval(thetaO_, thetaO);
   const double viewer =
       (1 - place.fraction) * curves.viewer[place.index] + place.fraction * curves.viewer[place.index + 1];
   return 2 * viewer * curves.polar.integral() * curves.azimuth.integral();
@@ -101,7 +101,7 @@ double HalfVectorSampler::pdf(const Direction& wi, const Direction& wo) const {
   const HalfOut at = toHalfOut(wi, wo);
   const double cosine = std::max(0.0, wi.z) / pi, all = total(at.thetaO);
   if (!(all > 0) || !at.valid) return all > 0 ? cosineFraction * cosine : cosine;
-  const NodePlace place = placeBetween(thetaO_, at.thetaO);
+  const NodeInterval place = findInterval(thetaO_, at.thetaO);
   const double height = versine(at.thetaH), phi = std::abs(at.phiH);
   double sum = 0;
   for (const Curves& curves : curves_) {
@@ -112,7 +112,7 @@ double HalfVectorSampler::pdf(const Direction& wi, const Direction& wo) const {
     sum += viewer * curves.polar.at(versines_, height) * azimuth;
   }
   const double cosD = std::cos(std::atan2(glm::length(wi - wo), glm::length(wi + wo)));
-  return cosineFraction * cosine + (1 - cosineFraction) * sum / (all * halfOutMeasure(std::max(cosD, 1e-12)));
+  return cosineFraction * cosine + (1 - cosineFraction) * sum / (all * halfOutJacobian(std::max(cosD, 1e-12)));
 }
 
 }  // namespace gonio::factorization

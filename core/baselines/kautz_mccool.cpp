@@ -55,8 +55,8 @@ Eigen::MatrixXd filled(const HalfDifferenceSamples& s) {
 Rgb sumAt(const KautzMcCoolFactors& f, const HalfDifference& at) {
   // Reciprocity and the plane of incidence fold the azimuth to [0, pi / 2].
   const double phiD = std::abs(at.phiD);
-  const NodePlace h = placeBetween(f.axes.thetaH, at.thetaH), d = placeBetween(f.axes.thetaD, at.thetaD),
-                  p = placeBetween(f.axes.phiD, std::min(phiD, pi - phiD));
+  const NodeInterval h = findInterval(f.axes.thetaH, at.thetaH), d = findInterval(f.axes.thetaD, at.thetaD),
+                     p = findInterval(f.axes.phiD, std::min(phiD, pi - phiD));
   const Index column = Index(d.index * f.axes.phiD.size() + p.index), nextD = Index(f.axes.phiD.size());
   const Index row = Index(3 * h.index);
   Rgb sum(0);

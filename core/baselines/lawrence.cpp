@@ -50,14 +50,14 @@ Eigen::MatrixXd cosineWeighted(const HalfOutSamples& s) {
   return matrix;
 }
 
-double between(const Eigen::MatrixXd::ConstColXpr& curve, const NodePlace& at) {
+double between(const Eigen::MatrixXd::ConstColXpr& curve, const NodeInterval& at) {
   return (1 - at.fraction) * curve[Index(at.index)] + at.fraction * curve[Index(at.index + 1)];
 }
 
 /// Times the cosine of the light.
 Rgb cosineWeightedAt(const LawrenceFactors& f, const HalfOut& at) {
-  const NodePlace o = placeBetween(f.axes.thetaO, at.thetaO), h = placeBetween(f.axes.thetaH, at.thetaH),
-                  p = placeBetween(f.axes.phiH, std::abs(at.phiH));
+  const NodeInterval o = findInterval(f.axes.thetaO, at.thetaO), h = findInterval(f.axes.thetaH, at.thetaH),
+                     p = findInterval(f.axes.phiH, std::abs(at.phiH));
   Rgb sum(0);
   for (int j = 0, product = 0; j < f.ranks.terms; ++j) {
     double strength = 0;
@@ -95,7 +95,7 @@ class LawrenceBrdf final : public Brdf {
       values[i] = Rgb(0);
       if (isBelowHorizon(wi) || isBelowHorizon(wo)) continue;
       if (const HalfOut at = toHalfOut(wi, wo); at.valid)
-        values[i] = cosineWeightedAt(factors_, at) / std::max(wi.z, std::cos(largestPolarAngle));
+        values[i] = cosineWeightedAt(factors_, at) / std::max(wi.z, std::cos(maxPolarAngle));
     }
   }
   bool isReciprocal() const override { return false; }

@@ -23,7 +23,7 @@ struct LawrenceRanks {
 /// Differences from the paper: isotropic materials only, so F has no azimuth, and phi_h is folded; only F contains
 /// colours (the channels are separate columns of one matrix); theta_h is sampled as in MERL tables, because uniform
 /// steps of 1 - cos theta_h miss narrow highlights; cells are weighted by their solid angle, which improves the result
-/// considerably (docs/results/factors.md); the divisor cos theta_i is at least cos(largestPolarAngle).
+/// considerably (docs/results/factors.md); the divisor cos theta_i is at least cos(maxPolarAngle).
 struct LawrenceFactors {
   HalfOutAxes axes;
   LawrenceRanks ranks;

@@ -31,15 +31,15 @@ struct CellRow {
 
 CellRow rowOf(const McCoolFactors& f, double cosI, double cosO, double thetaH) {
   CellRow row;
-  const auto store = [&row](int at, Index offset, const NodePlace& place) {
+  const auto store = [&row](int at, Index offset, const NodeInterval& place) {
     row.unknowns[at] = offset + Index(place.index);
     row.unknowns[at + 1] = offset + Index(place.index) + 1;
     row.fractions[at] = 1 - place.fraction;
     row.fractions[at + 1] = place.fraction;
   };
-  store(0, 0, placeBetween(f.theta, std::acos(std::min(1.0, cosI))));
-  store(2, 0, placeBetween(f.theta, std::acos(std::min(1.0, cosO))));
-  store(4, Index(f.theta.size()), placeBetween(f.thetaH, thetaH));
+  store(0, 0, findInterval(f.theta, std::acos(std::min(1.0, cosI))));
+  store(2, 0, findInterval(f.theta, std::acos(std::min(1.0, cosO))));
+  store(4, Index(f.theta.size()), findInterval(f.thetaH, thetaH));
   return row;
 }
 
@@ -100,7 +100,7 @@ HalfDifferenceAxes mcCoolAxes() { return makeHalfDifferenceAxes(90, 90, 10); }
 
 McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskControl& control) {
   McCoolFactors f{.thetaH = samples.axes.thetaH};
-  for (int i = 0; i < curveNodes; ++i) f.theta.push_back(largestPolarAngle * i / (curveNodes - 1));
+  for (int i = 0; i < curveNodes; ++i) f.theta.push_back(maxPolarAngle * i / (curveNodes - 1));
   const Rgb mean = meanValue(samples);
   for (int channel = 0; channel < 3; ++channel) {
     McCoolFactors::Channel& c = f.channels[std::size_t(channel)];

@@ -47,7 +47,7 @@ TensorHalfVectorSampler::TensorHalfVectorSampler(const HalfOutAxes& axes, const 
 }
 
 TensorHalfVectorSampler::Choice TensorHalfVectorSampler::choiceOf(double thetaO) const {
-  const NodePlace place = placeBetween(thetaO_, thetaO);
+  const NodeInterval place = findInterval(thetaO_, thetaO);
   Choice choice;
   double sum = 0;
   for (const auto& [slice, weight] :
@@ -72,7 +72,7 @@ DirectionSample TensorHalfVectorSampler::sample(const Direction& wo, const glm::
   const Slice& slice = slices_[choice.slices[isFirst ? 0 : 1]];
   const double height = slice.polar.sample(versines_, u.y);
   // At this height the density over phi_h is a mixture of those of the two nodes about it.
-  const NodePlace place = placeBetween(versines_, height);
+  const NodeInterval place = findInterval(versines_, height);
   const double low = (1 - place.fraction) * slice.azimuths[place.index].integral(),
                high = place.fraction * slice.azimuths[place.index + 1].integral();
   const std::size_t row = low + high > 0 && choose(pick, low / (low + high)) ? place.index : place.index + 1;
@@ -89,7 +89,7 @@ DirectionSample TensorHalfVectorSampler::sample(const Direction& wo, const glm::
 /// Per solid angle of the half vector, both signs of phi_h.
 double TensorHalfVectorSampler::density(const Slice& slice, double versine, double phi, bool vertical) const {
   if (versine > versines_.back()) return 0;
-  const NodePlace place = placeBetween(versines_, versine);
+  const NodeInterval place = findInterval(versines_, versine);
   const auto row = [&](std::size_t h) {
     const LinearDensity& azimuths = slice.azimuths[h];
     return vertical ? azimuths.integral() / pi : azimuths.at(phiH_, phi);
@@ -110,7 +110,7 @@ double TensorHalfVectorSampler::pdf(const Direction& wi, const Direction& wo) co
     sum += choice.weights[i] *
            density(slices_[choice.slices[i]], versineOf(at.thetaH), std::abs(at.phiH), isAlongNormal(wo));
   const double cosD = std::cos(std::atan2(glm::length(wi - wo), glm::length(wi + wo)));
-  return tensorCosineFraction * cosine + (1 - tensorCosineFraction) * sum / halfOutMeasure(std::max(cosD, 1e-12));
+  return tensorCosineFraction * cosine + (1 - tensorCosineFraction) * sum / halfOutJacobian(std::max(cosD, 1e-12));
 }
 
 }  // namespace gonio::factorization

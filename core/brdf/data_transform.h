@@ -40,7 +40,7 @@ inline double transformed(DataTransform transform, double rho, double weight) {
 
 /// d rho / d y: the factor from a small error of y to the error of the BRDF value. That of the root, which vanishes at
 /// 0, is at least 0.01. @param rho 1/sr, >= 0. @param weight cosineWeight() of the pair.
-inline double reflectanceSlope(DataTransform transform, double rho, double weight) {
+inline double inverseSlope(DataTransform transform, double rho, double weight) {
   switch (transform) {
     case DataTransform::logPlus:
       return 1 + rho;
@@ -55,20 +55,20 @@ inline double reflectanceSlope(DataTransform transform, double rho, double weigh
 
 /// Upper bound of the inverse transforms, 1/sr: beyond y = 89 the inverse of a logarithm exceeds the range of the
 /// tables' floats. Code that fills a table with inverses counts the values that reach the bound.
-inline constexpr double largestReflectance = std::numeric_limits<float>::max();
+inline constexpr double maxBrdfValue = std::numeric_limits<float>::max();
 
-/// Inverse of transformed(): the BRDF value, 1/sr, in [0, largestReflectance]; 0 for y <= 0 or NaN.
+/// Inverse of transformed(): the BRDF value, 1/sr, in [0, maxBrdfValue]; 0 for y <= 0 or NaN.
 inline double inverseTransformed(DataTransform transform, double y, double weight) {
   if (!(y > 0)) return 0;
   switch (transform) {
     case DataTransform::logPlus:
-      return std::min(std::expm1(y), largestReflectance);
+      return std::min(std::expm1(y), maxBrdfValue);
     case DataTransform::cosineLog:
-      return std::min(std::expm1(y) / weight, largestReflectance);
+      return std::min(std::expm1(y) / weight, maxBrdfValue);
     case DataTransform::root:
-      return std::min(y * y, largestReflectance);
+      return std::min(y * y, maxBrdfValue);
     default:
-      return std::min(y, largestReflectance);
+      return std::min(y, maxBrdfValue);
   }
 }
 

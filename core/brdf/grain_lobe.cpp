@@ -26,13 +26,13 @@ constexpr double minLobeGain = 0.5;
 /// The second moment of the estimator as a function of the grain.
 class Moment {
  public:
-  Moment(const Brdf& brdf, const TabulatedLobe& mean, double cosineShare)
-      : cosineShare_(cosineShare), probes_(momentProbes(brdf)) {
+  Moment(const Brdf& brdf, const TabulatedLobe& mean, double cosineFraction)
+      : cosineShare_(cosineFraction), probes_(momentProbes(brdf)) {
     for (const MomentProbe& probe : probes_) means_.push_back(mean.density(probe.pair.wi, probe.pair.wo));
   }
 
   double operator()(const GrainLobe& grain) const {
-    const TurnedLobe<VisibleNormalLobe> lobe = grain.lobe();
+    const RotatedLobe<VisibleNormalLobe> lobe = grain.lobe();
     return secondMoment(probes_, [&, mean = means_.begin()](const MomentProbe& probe) mutable {
       const double along = grain.fraction > 0 ? lobe.density(probe.pair.wi, probe.pair.wo) : 0;
       const double rest = (1 - grain.fraction) * *mean++ + grain.fraction * along;
@@ -92,9 +92,9 @@ void refine(const Moment& moments, Rated& best) {
 
 }  // namespace
 
-GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare) {
+GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineFraction) {
   if (brdf.isIsotropic()) return {};
-  const Moment moments(brdf, azimuthMean, cosineShare);
+  const Moment moments(brdf, azimuthMean, cosineFraction);
   const double without = moments({});
   Rated best = coarseGrain(moments);
   refine(moments, best);

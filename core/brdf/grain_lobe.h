@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/brdf/brdf.h"
-#include "core/brdf/turned_lobe.h"
+#include "core/brdf/rotated_lobe.h"
 #include "core/brdf/visible_normal_lobe.h"
 
 namespace gonio {
@@ -17,14 +17,14 @@ struct GrainLobe {
   double rotation = 0;            ///< angle of the lobe's x axis from the tangent, rad, counter-clockwise
   double fraction = 0;            ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: no grain
 
-  TurnedLobe<VisibleNormalLobe> lobe() const { return {VisibleNormalLobe(alphaX, alphaY), rotation}; }
+  RotatedLobe<VisibleNormalLobe> lobe() const { return {VisibleNormalLobe(alphaX, alphaY), rotation}; }
 };
 
 /// Fits the grain: it minimises the second moment of the estimator f cos theta_i / pdf over three polar angles and five
 /// azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`. The fraction is 0 for an
 /// isotropic BRDF, and if the grain does not at least halve the moment. About 20,000 evaluations and a search, under
-/// 0.1 s. @param cosineShare fraction of cosine-weighted samples.
-GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare);
+/// 0.1 s. @param cosineFraction fraction of cosine-weighted samples.
+GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineFraction);
 
 /// Whether two lobes sample about equally well.
 bool areSimilar(const GrainLobe& a, const GrainLobe& b);

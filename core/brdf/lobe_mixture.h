@@ -30,7 +30,7 @@ struct CosineLobe {
 
 /// Fractions of samples for a diffuse part and a highlight: proportional to their approximate albedos for white light,
 /// but at least a tenth for each part with an albedo > 0, so that no part of the value is far above the density.
-inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlbedo) {
+inline std::array<double, 2> lobeFractions(double diffuseAlbedo, double specularAlbedo) {
   if (!(specularAlbedo > 0)) return {1, 0};
   if (!(diffuseAlbedo > 0)) return {0, 1};
   const double specular = std::clamp(specularAlbedo / (diffuseAlbedo + specularAlbedo), 0.1, 0.9);
@@ -40,7 +40,7 @@ inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlb
 /// Fractions of any number of parts: proportional to their albedos, but at least about a tenth for each with an albedo
 /// > 0.
 template <std::size_t count>
-std::array<double, count> lobeShares(const std::array<double, count>& albedos) {
+std::array<double, count> lobeFractions(const std::array<double, count>& albedos) {
   double total = 0, sum = 0;
   for (const double albedo : albedos) total += albedo;
   std::array<double, count> fractions{};
@@ -103,8 +103,8 @@ inline CosineSampler cosineSampler() { return {{1.0}, CosineLobe{}}; }
 
 /// The usual mixture: a diffuse part and one highlight. @param diffuseAlbedo, specularAlbedo of the brightest channel.
 template <typename Lobe>
-LobeMixture<CosineLobe, Lobe> diffuseAnd(double diffuseAlbedo, double specularAlbedo, Lobe lobe) {
-  return {lobeShares(diffuseAlbedo, specularAlbedo), CosineLobe{}, lobe};
+LobeMixture<CosineLobe, Lobe> diffuseMixture(double diffuseAlbedo, double specularAlbedo, Lobe lobe) {
+  return {lobeFractions(diffuseAlbedo, specularAlbedo), CosineLobe{}, lobe};
 }
 
 }  // namespace gonio

@@ -23,11 +23,11 @@ inline double logRelative(double rho, double weight, double reference) {
   return excess > -0.5 ? std::log1p(excess)
                        : std::log((weighted + logRelativeEpsilon) / (reference + logRelativeEpsilon));
 }
-/// Inverse of logRelative(): the BRDF value, 1/sr, in [0, largestReflectance]; 0 if y is NaN.
+/// Inverse of logRelative(): the BRDF value, 1/sr, in [0, maxBrdfValue]; 0 if y is NaN.
 inline double inverseLogRelative(double y, double weight, double reference) {
   const double scale = reference + logRelativeEpsilon;
   const double weighted = y > -0.5 ? reference + scale * std::expm1(y) : scale * std::exp(y) - logRelativeEpsilon;
-  return weighted > 0 ? std::min(weighted / weight, largestReflectance) : 0;
+  return weighted > 0 ? std::min(weighted / weight, maxBrdfValue) : 0;
 }
 
 /// The median of values without NaN (the mean of the two middle ones for an even number); 0 for no values. Reorders

@@ -80,8 +80,8 @@ struct RglLobe {
 };
 
 LobeMixture<CosineLobe, RglLobe> lobesOf(const Tables& tables) {
-  constexpr double cosineShare = 0.1;
-  return {{cosineShare, 1 - cosineShare}, CosineLobe{}, RglLobe{tables}};
+  constexpr double cosineFraction = 0.1;
+  return {{cosineFraction, 1 - cosineFraction}, CosineLobe{}, RglLobe{tables}};
 }
 
 /// A file without a luminance of its own, and values that are none, leave the choice to the visible normals.
@@ -112,13 +112,13 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
   return result;
 }
 
-RglBrdf::RglBrdf(RglData data, IncidentSlot slot) : slot_(slot) {
+RglBrdf::RglBrdf(RglData data, IncidentDirection slot) : slot_(slot) {
   MarginalWarp normals(std::move(data.vndf), "vndf");
   MarginalWarp luminance(sampled(std::move(data.luminance)), "luminance", MarginalWarp::EmptySlice::uniform);
   tables_ = std::make_shared<const Tables>(Tables{std::move(data), std::move(normals), std::move(luminance)});
 }
 
-std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentSlot slot) const {
+std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentDirection slot) const {
   return std::shared_ptr<const RglBrdf>(new RglBrdf(tables_, slot));
 }
 

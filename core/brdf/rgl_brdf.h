@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 #include "core/math/marginal_warp.h"
 
 namespace gonio {
@@ -48,10 +48,10 @@ class RglBrdf final : public Brdf {
  public:
   /// @throws Error if the vndf is not a density: negative values, or a slice of zeros. Invalid values of the luminance
   /// count as 0; in a slice of zeros it is uniform.
-  explicit RglBrdf(RglData data, IncidentSlot slot = IncidentSlot::viewer);
+  explicit RglBrdf(RglData data, IncidentDirection slot = IncidentDirection::viewer);
   /// The same file read with another slot; shares the data.
-  std::shared_ptr<const RglBrdf> withIncident(IncidentSlot slot) const;
-  IncidentSlot incidentSlot() const { return slot_; }
+  std::shared_ptr<const RglBrdf> withIncident(IncidentDirection slot) const;
+  IncidentDirection incidentSlot() const { return slot_; }
   /// The same parameterisation with other values and without spectra. @param rgb of the size of the data's `rgb`.
   /// @param luminance for sampling, one slice per incident direction.
   std::shared_ptr<const RglBrdf> withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const;
@@ -59,7 +59,7 @@ class RglBrdf final : public Brdf {
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return tables_->data.isotropic; }
-  bool isReciprocal() const override { return slot_ == IncidentSlot::mean; }
+  bool isReciprocal() const override { return slot_ == IncidentDirection::mean; }
   const RglBrdf* asRgl() const override { return this; }
 
   /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident
@@ -77,10 +77,10 @@ class RglBrdf final : public Brdf {
   const std::shared_ptr<const Tables>& tables() const { return tables_; }
 
  private:
-  RglBrdf(std::shared_ptr<const Tables> tables, IncidentSlot slot) : tables_(std::move(tables)), slot_(slot) {}
+  RglBrdf(std::shared_ptr<const Tables> tables, IncidentDirection slot) : tables_(std::move(tables)), slot_(slot) {}
 
   std::shared_ptr<const Tables> tables_;
-  IncidentSlot slot_;
+  IncidentDirection slot_;
 };
 
 }  // namespace gonio

@@ -20,7 +20,7 @@ enum class NegativeColours { cut, kept };
 /// Values that the edits do not change remain bitwise equal, also negative ones. Nodes with the light below the
 /// horizon, which loaders also use for interpolation, are changed by the same difference as the previous node in the
 /// row.
-/// @param file read with IncidentSlot::viewer.
+/// @param file read with IncidentDirection::viewer.
 /// @param edited the material after edits, or another material that is sampled at these nodes. @throws Cancelled.
 EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control = {},
                         NegativeColours negative = NegativeColours::cut);

@@ -30,7 +30,7 @@ TableStatistics tableStatistics(const TabulatedBrdf& table) {
       largest = std::max(largest, value);
     }
   }
-  if (!values.empty()) statistics.invalidShare = 1 - double(table.validCount()) / double(values.size());
+  if (!values.empty()) statistics.invalidFraction = 1 - double(table.validCount()) / double(values.size());
   if (largest > 0) statistics.dynamicRange = largest / smallest;
   return statistics;
 }

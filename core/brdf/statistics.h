@@ -16,8 +16,8 @@ struct ChannelRange {
 
 struct TableStatistics {
   std::array<ChannelRange, 3> channels;
-  double invalidShare = 0;  ///< invalid cells / all cells
-  double dynamicRange = 0;  ///< largest / smallest positive value of any channel; 0 for a black table
+  double invalidFraction = 0;  ///< invalid cells / all cells
+  double dynamicRange = 0;     ///< largest / smallest positive value of any channel; 0 for a black table
 };
 TableStatistics tableStatistics(const TabulatedBrdf& table);
 

@@ -71,7 +71,7 @@ SliceStack<float> densities(const Brdf& brdf) {
 
 TabulatedLobe::TabulatedLobe(const Brdf& brdf)
     : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform),
-      grain_(estimateGrainLobe(brdf, *this, cosineShare)),
+      grain_(estimateGrainLobe(brdf, *this, cosineFraction)),
       alongGrain_(grain_.lobe()) {
   const std::vector<MomentProbe> probes = momentProbes(brdf);
   const SamplingLobe round = estimateSamplingLobe(brdf);

@@ -24,7 +24,7 @@ class TabulatedLobe {
   explicit TabulatedLobe(const Brdf& brdf);
 
   /// Fraction of cosine-weighted samples in tabulatedMixture(); they also find highlights between the nodes.
-  static constexpr double cosineShare = 0.1;
+  static constexpr double cosineFraction = 0.1;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const;
   double density(const Direction& w, const Direction& wo) const;
@@ -34,7 +34,7 @@ class TabulatedLobe {
   const MarginalWarp& warp() const { return warp_; }
   /// The lobe along the grain, to mix with sample(); its fraction is 0 for isotropic BRDFs.
   const GrainLobe& grain() const { return grain_; }
-  const TurnedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
+  const RotatedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
   /// The closed-form, rotationally symmetric lobe to use instead of the table, if it gives less noise at equal time;
   /// empty otherwise.
   const std::optional<SamplingLobe>& round() const { return round_; }
@@ -44,7 +44,7 @@ class TabulatedLobe {
  private:
   MarginalWarp warp_;
   GrainLobe grain_;
-  TurnedLobe<VisibleNormalLobe> alongGrain_;
+  RotatedLobe<VisibleNormalLobe> alongGrain_;
   std::optional<SamplingLobe> round_;
 };
 
@@ -60,11 +60,12 @@ struct TabulatedLobeView {
 };
 
 /// The lobe and its grain, mixed with a tenth of cosine-weighted directions. `lobe` must outlive the mixture.
-using TabulatedMixture = LobeMixture<CosineLobe, TurnedLobe<VisibleNormalLobe>, TabulatedLobeView>;
+using TabulatedMixture = LobeMixture<CosineLobe, RotatedLobe<VisibleNormalLobe>, TabulatedLobeView>;
 inline TabulatedMixture tabulatedMixture(const TabulatedLobe& lobe) {
-  constexpr double rest = 1 - TabulatedLobe::cosineShare;
+  constexpr double rest = 1 - TabulatedLobe::cosineFraction;
   const double grain = rest * lobe.grain().fraction;
-  return {{TabulatedLobe::cosineShare, grain, rest - grain}, CosineLobe{}, lobe.alongGrain(), TabulatedLobeView{lobe}};
+  return {
+      {TabulatedLobe::cosineFraction, grain, rest - grain}, CosineLobe{}, lobe.alongGrain(), TabulatedLobeView{lobe}};
 }
 
 }  // namespace gonio

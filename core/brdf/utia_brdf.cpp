@@ -64,7 +64,7 @@ Rgb storedValues(const UtiaBrdf::Values& values, const Direction& incident, cons
 
 }  // namespace
 
-UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot) : slot_(slot) {
+UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection slot) : slot_(slot) {
   checkUtia(values);
   for (glm::vec3& value : values)
     for (int channel = 0; channel < 3; ++channel) {
@@ -76,7 +76,7 @@ UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot) : slot_(slo
   values_ = std::make_shared<const Values>(std::move(values));
 }
 
-std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentSlot slot) const {
+std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentDirection slot) const {
   return std::shared_ptr<const UtiaBrdf>(new UtiaBrdf(*this, slot));
 }
 

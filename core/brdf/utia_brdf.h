@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 
 namespace gonio {
 
@@ -17,7 +17,7 @@ namespace gonio {
 ///   the BRDF continuous there.
 /// - From 75 degrees to the horizon the value at 75 degrees is used (the published code extrapolates linearly and can
 ///   become negative); hasData() is false there.
-/// Not reciprocal, as measured, except with IncidentSlot::mean. About 0.2 us per pair.
+/// Not reciprocal, as measured, except with IncidentDirection::mean. About 0.2 us per pair.
 class UtiaBrdf final : public Brdf {
  public:
   static constexpr std::size_t polarCount = 6, azimuthCount = 48, directionCount = polarCount * azimuthCount;
@@ -27,15 +27,15 @@ class UtiaBrdf final : public Brdf {
   /// @param values [incident direction][viewing direction], where a direction has the index polar angle * 48 + azimuth;
   /// linear RGB, 1/sr, without the cosine. Negative values become 0 (negativeCount()).
   /// @throws Error if there are not 288 x 288 values or one is not finite (the message names it).
-  explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot = IncidentSlot::viewer);
+  explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection slot = IncidentDirection::viewer);
   /// The same file read with another slot; shares the values.
-  std::shared_ptr<const UtiaBrdf> withIncident(IncidentSlot slot) const;
-  IncidentSlot incidentSlot() const { return slot_; }
+  std::shared_ptr<const UtiaBrdf> withIncident(IncidentDirection slot) const;
+  IncidentDirection incidentSlot() const { return slot_; }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return false; }
-  bool isReciprocal() const override { return slot_ == IncidentSlot::mean; }
+  bool isReciprocal() const override { return slot_ == IncidentDirection::mean; }
   /// Whether both polar angles are at most 75 degrees.
   bool hasData(const DirectionPair& pair) const override;
 
@@ -46,12 +46,12 @@ class UtiaBrdf final : public Brdf {
   std::size_t negativeCount() const { return negativeCount_; }
 
  private:
-  UtiaBrdf(const UtiaBrdf& other, IncidentSlot slot)
+  UtiaBrdf(const UtiaBrdf& other, IncidentDirection slot)
       : values_(other.values_), negativeCount_(other.negativeCount_), slot_(slot) {}
 
   std::shared_ptr<const Values> values_;
   std::size_t negativeCount_ = 0;
-  IncidentSlot slot_;
+  IncidentDirection slot_;
 };
 
 }  // namespace gonio

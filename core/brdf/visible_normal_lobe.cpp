@@ -77,7 +77,7 @@ double ggxDensity(const Direction& half, double alphaX, double alphaY) {
   return product / (pi * slope * slope);
 }
 
-double ggxShadowedCosine(const Direction& w, double alphaX, double alphaY) {
+double ggxCosineOverG1(const Direction& w, double alphaX, double alphaY) {
   const double x = alphaX * w.x, y = alphaY * w.y;
   return (w.z + std::sqrt(x * x + y * y + w.z * w.z)) / 2;
 }
@@ -89,7 +89,7 @@ double beckmannDensity(const Direction& half, double alphaX, double alphaY) {
   return std::exp(-(x * x + y * y) - 4 * std::log(half.z)) / (pi * alphaX * alphaY);
 }
 
-double beckmannShadowedCosine(const Direction& w, double alphaX, double alphaY) {
+double beckmannCosineOverG1(const Direction& w, double alphaX, double alphaY) {
   const double x = alphaX * w.x, y = alphaY * w.y, slope = std::sqrt(x * x + y * y);
   if (!(slope > 0)) return w.z;
   const double a = w.z / slope;
@@ -115,7 +115,7 @@ Direction VisibleNormalLobe::sample(const Direction& wo, const glm::dvec2& u) co
 double VisibleNormalLobe::density(const Direction& w, const Direction& wo) const {
   return visibleDensity(
       w, wo, [this](const Direction& h) { return ggxDensity(h, alphaX, alphaY); },
-      [this](const Direction& v) { return ggxShadowedCosine(v, alphaX, alphaY); });
+      [this](const Direction& v) { return ggxCosineOverG1(v, alphaX, alphaY); });
 }
 
 Direction BeckmannVisibleLobe::sample(const Direction& wo, const glm::dvec2& u) const {
@@ -133,7 +133,7 @@ Direction BeckmannVisibleLobe::sample(const Direction& wo, const glm::dvec2& u) 
 double BeckmannVisibleLobe::density(const Direction& w, const Direction& wo) const {
   return visibleDensity(
       w, wo, [this](const Direction& h) { return beckmannDensity(h, alphaX, alphaY); },
-      [this](const Direction& v) { return beckmannShadowedCosine(v, alphaX, alphaY); });
+      [this](const Direction& v) { return beckmannCosineOverG1(v, alphaX, alphaY); });
 }
 
 }  // namespace gonio

@@ -35,10 +35,10 @@ struct BeckmannVisibleLobe {
 double beckmannDensity(const Direction& half, double alphaX, double alphaY);
 /// cos theta (1 + Lambda(w)) for Smith's masking of Beckmann's distribution, finite at the horizon (Heitz 2014,
 /// "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", with anisotropic roughness). O(1).
-double beckmannShadowedCosine(const Direction& w, double alphaX, double alphaY);
+double beckmannCosineOverG1(const Direction& w, double alphaX, double alphaY);
 /// As beckmannDensity(), for the GGX distribution: D(h), 1/sr. O(1).
 double ggxDensity(const Direction& half, double alphaX, double alphaY);
-/// As beckmannShadowedCosine(), for the GGX distribution. O(1).
-double ggxShadowedCosine(const Direction& w, double alphaX, double alphaY);
+/// As beckmannCosineOverG1(), for the GGX distribution. O(1).
+double ggxCosineOverG1(const Direction& w, double alphaX, double alphaY);
 
 }  // namespace gonio

@@ -28,6 +28,6 @@ struct HalfOutDirections {
 HalfOutDirections fromHalfOut(const HalfOut& coordinates);
 
 /// Solid angle of the light per solid angle of the half vector, for a fixed viewer: 4 (wo . h). @param cosD wo . h.
-inline double halfOutMeasure(double cosD) { return 4 * cosD; }
+inline double halfOutJacobian(double cosD) { return 4 * cosD; }
 
 }  // namespace gonio

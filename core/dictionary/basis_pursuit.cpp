@@ -12,7 +12,7 @@ namespace {
 /// Of step 0, 1, ...
 float momentum(int step) { return float(step) / float(step + 3); }
 
-float keepSoft(const InvalidCellRounds& cells, std::size_t count, std::vector<Coefficient<float>>& code) {
+float keepSoft(const InvalidCellRefinement& cells, std::size_t count, std::vector<Coefficient<float>>& code) {
   cells.keepLargest(count + 1, code);
   return softThreshold(code, count);
 }
@@ -29,7 +29,7 @@ float softThreshold(std::vector<Coefficient<float>>& largest, std::size_t count)
   return threshold;
 }
 
-float pursueBasis(InvalidCellRounds& cells, std::size_t count, int steps, std::vector<Coefficient<float>>& code,
+float pursueBasis(InvalidCellRefinement& cells, std::size_t count, int steps, std::vector<Coefficient<float>>& code,
                   const TaskControl& control) {
   cells.restart();
   float threshold = keepSoft(cells, count, code);
@@ -41,7 +41,7 @@ float pursueBasis(InvalidCellRounds& cells, std::size_t count, int steps, std::v
   return threshold;
 }
 
-void refitValues(InvalidCellRounds& cells, int steps, std::vector<Coefficient<float>>& code,
+void refitValues(InvalidCellRefinement& cells, int steps, std::vector<Coefficient<float>>& code,
                  const TaskControl& control) {
   cells.restart();
   cells.project(code);

@@ -20,12 +20,12 @@ float softThreshold(std::vector<Coefficient<float>>& largest, std::size_t count)
 ///
 /// Without invalid cells the first step is exact, because the dictionary is orthonormal. Single precision. Each step
 /// takes as long as a round of hard thresholding. Returns lambda. @throws Cancelled.
-float pursueBasis(InvalidCellRounds& cells, std::size_t count, int steps, std::vector<Coefficient<float>>& code,
+float pursueBasis(InvalidCellRefinement& cells, std::size_t count, int steps, std::vector<Coefficient<float>>& code,
                   const TaskControl& control = {});
 
 /// Refits the values of a code to the valid cells by least squares without changing its atoms, because soft
 /// thresholding makes coefficients too small. By accelerated gradient steps. @throws Cancelled.
-void refitValues(InvalidCellRounds& cells, int steps, std::vector<Coefficient<float>>& code,
+void refitValues(InvalidCellRefinement& cells, int steps, std::vector<Coefficient<float>>& code,
                  const TaskControl& control = {});
 
 }  // namespace gonio::dictionary

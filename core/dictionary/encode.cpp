@@ -143,7 +143,7 @@ struct Encoder::Attempt {
   DataTransform transform = DataTransform::logPlus;
   std::array<Eigen::ArrayXf, 3> signals = {};  ///< in the invalid cells what the rounds put there
   std::array<ChannelCode, 3> channels = {};    ///< as they were found, in no order
-  std::array<std::optional<InvalidCellRounds>, 3> channelRounds = {};  ///< from the choice of the dictionaries on
+  std::array<std::optional<InvalidCellRefinement>, 3> channelRounds = {};  ///< from the choice of the dictionaries on
   int rounds = 0;
 };
 
@@ -169,7 +169,7 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
                       ChannelCode& code = attempt.channels[c];
-                      std::optional<InvalidCellRounds>& channel = attempt.channelRounds[c];
+                      std::optional<InvalidCellRefinement>& channel = attempt.channelRounds[c];
                       if (!channel) {
                         channel.emplace(attempt.signals[c], attempt.table.valid(), sizes,
                                         matrices_[std::size_t(code.dictionary)]);
@@ -208,10 +208,11 @@ EncodedCandidate Encoder::finished(const Attempt& attempt) const {
   return candidate;
 }
 
-Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options, const TaskControl& control) const {
+EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options,
+                             const TaskControl& control) const {
   const auto start = std::chrono::steady_clock::now();
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
-  Encoded result;
+  EncodeResult result;
   std::vector<Attempt> attempts;
   const int trialRounds = std::min(options.trialRefinements, options.refinements);
   for (std::size_t t = 0; t < options.transforms.size(); ++t) attempts.push_back({.table = table, .options = options});

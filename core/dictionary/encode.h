@@ -60,7 +60,7 @@ struct EncodedCandidate {
   double squaredError = 0;
 };
 
-struct Encoded {
+struct EncodeResult {
   SparseCode code;                           ///< of the candidate with the smallest gamma error; the first among equals
   std::vector<EncodedCandidate> candidates;  ///< in the order of the transforms
   double seconds = 0;
@@ -80,7 +80,8 @@ class Encoder {
   /// CodingMethod::basisPursuit the rounds apply soft thresholding, and as many rounds of least squares follow. The
   /// transform with the smallest gamma error is selected and refined further; if that does not lower its error, the
   /// code before it is returned. @throws Error if the table has another grid; Cancelled.
-  Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
+  EncodeResult encode(const TabulatedBrdf& table, const EncodeOptions& options = {},
+                      const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
 
  private:

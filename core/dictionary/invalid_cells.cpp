@@ -32,8 +32,8 @@ std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const
   return bands;
 }
 
-InvalidCellRounds::InvalidCellRounds(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
-                                     const ModeMatrices<float>& matrices)
+InvalidCellRefinement::InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,
+                                             const Sizes& sizes, const ModeMatrices<float>& matrices)
     : signal_(signal.data()),
       valid_(valid),
       sizes_(sizes),
@@ -43,11 +43,11 @@ InvalidCellRounds::InvalidCellRounds(Eigen::ArrayXf& signal, std::span<const std
   transposedModeProduct(signal_, sizes, 2, matrices[2], slices_.data());
 }
 
-void InvalidCellRounds::keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const {
+void InvalidCellRefinement::keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const {
   keepLargestOfSlices(slices_.data(), sizes_, matrices_, count, kept);
 }
 
-void InvalidCellRounds::project(std::vector<Coefficient<float>>& code) const {
+void InvalidCellRefinement::project(std::vector<Coefficient<float>>& code) const {
   const Eigen::Index n0 = sizes_[0], n1 = sizes_[1], fibres = matrices_[1].cols(), atoms0 = matrices_[0].cols();
   std::sort(code.begin(), code.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   Eigen::VectorXf fibre(n0);
@@ -63,7 +63,7 @@ void InvalidCellRounds::project(std::vector<Coefficient<float>>& code) const {
   }
 }
 
-void InvalidCellRounds::update(const std::vector<Coefficient<float>>& code, float momentum) {
+void InvalidCellRefinement::update(const std::vector<Coefficient<float>>& code, float momentum) {
   const Eigen::Index rowsOfSlice = Eigen::Index(sizes_[0]) * sizes_[1];
   const ComposedSlabs<float> composed = composeSlabs(matrices_, code);
   Eigen::Map<Eigen::MatrixXf> projected(slices_.data(), rowsOfSlice, matrices_[2].cols());

@@ -22,11 +22,11 @@ std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const
 
 /// Refinement rounds of Encoder::encode() for one signal and one dictionary: the invalid cells of the signal take the
 /// values of its code. Incremental: each round projects only the change of the bands onto the atoms of mode 2.
-class InvalidCellRounds {
+class InvalidCellRefinement {
  public:
   /// @param signal of `sizes`; update() changes its invalid cells. Signal, flags and matrices must outlive this object.
-  InvalidCellRounds(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
-                    const ModeMatrices<float>& matrices);
+  InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
+                        const ModeMatrices<float>& matrices);
 
   /// The `count` largest coefficients of the signal, in no particular order.
   void keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const;

@@ -126,7 +126,7 @@ std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, cons
           for (int channel = 0; channel < 3; ++channel) {
             const double y = double(pca.mean[i]) + block(Eigen::Index(i - begin), channel);
             const double rho = inverseLogRelative(y, m.weights[i], m.reference[i]);
-            cappedHere += rho == largestReflectance;
+            cappedHere += rho == maxBrdfValue;
             values[m.cells[i]][channel] = float(rho);
           }
         }

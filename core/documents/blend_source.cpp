@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "core/documents/edit_document_json.h"
-#include "core/interpolation/own_form_blend.h"
+#include "core/interpolation/native_form_blend.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
@@ -53,7 +53,7 @@ std::string nodesNote(const std::string& name, double accuracy) {
 
 materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
   BlendSource found = blend;
-  std::vector<InterpolationEnd> ends;
+  std::vector<InterpolationMaterial> ends;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
     const double each = readShare / double(blend.materials.size());
     const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
@@ -61,8 +61,8 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
     found.materials[i].sourceSha256 = source.source.sha256;
     const auto table = source.tabulated({control.stop, {}});
     const EditList& edits = blend.materials[i].edits;
-    ends.push_back(blendedEnd(source, source.brdf ? source.brdf : table, table,
-                              bakeEdits(table, edits, {control.stop, {}}), edits));
+    ends.push_back(interpolationMaterial(source, source.brdf ? source.brdf : table, table,
+                                         bakeEdits(table, edits, {control.stop, {}}), edits));
   }
   const auto interpolation =
       prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
@@ -71,10 +71,11 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
 
 }  // namespace
 
-InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
-                            const std::shared_ptr<const TabulatedBrdf>& unedited,
-                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits) {
-  InterpolationEnd end{.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+InterpolationMaterial interpolationMaterial(const materials::Material& material,
+                                            const std::shared_ptr<const Brdf>& base,
+                                            const std::shared_ptr<const TabulatedBrdf>& unedited,
+                                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits) {
+  InterpolationMaterial end{.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
   if (!base->asTable()) {
     end.base = base;
     end.edits = edits;
@@ -147,13 +148,13 @@ materials::Material blendedMaterial(const BlendSource& blend, const Interpolatio
   material.source.format = "blend";
   material.source.description = fractions + "; space " + std::string(nameOf(blend.space));
   material.source.sha256 = blendSha256(blend);
-  if (const auto own = ownFormBlend(interpolation, blend.space, blend.weights, control)) {
+  if (const auto own = nativeFormBlend(interpolation, blend.space, blend.weights, control)) {
     material.brdf = own->brdf;
     if (std::isfinite(own->accuracy))
       material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodes]), own->accuracy));
     return material;
   }
-  if (mixesOwnForms(blend.space) &&
+  if (mixesNativeForms(blend.space) &&
       std::ranges::any_of(interpolation.ends(), [](const auto& end) { return end.base != nullptr; })) {
     material.brdf = interpolation.brdf(blend.weights);
     return material;

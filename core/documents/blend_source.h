@@ -25,9 +25,10 @@ InterpolationOptions blendOptions(const models::Model* model = nullptr);
 /// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
 /// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same
 /// object as `unedited` if no edit changes it.
-InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
-                            const std::shared_ptr<const TabulatedBrdf>& unedited,
-                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);
+InterpolationMaterial interpolationMaterial(const materials::Material& material,
+                                            const std::shared_ptr<const Brdf>& base,
+                                            const std::shared_ptr<const TabulatedBrdf>& unedited,
+                                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);
 
 /// @throws Error if an edit's values do not match its model.
 nlohmann::json toJson(const BlendSource& blend);
@@ -43,9 +44,9 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
 std::string blendSha256(const BlendSource& blend);
 
 /// A blend as a material, named after its materials, without a path. It has the form of the materials if all share one
-/// (ownFormBlend()); for RGL files a note states the accuracy. Otherwise it is a weighted sum if some material is not a
-/// table and the space allows it (mixesOwnForms()), else a table. @param interpolation the prepared interpolation of
-/// `blend`. @throws Cancelled.
+/// (nativeFormBlend()); for RGL files a note states the accuracy. Otherwise it is a weighted sum if some material is
+/// not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the prepared
+/// interpolation of `blend`. @throws Cancelled.
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control = {});
 

@@ -11,8 +11,8 @@
 #include "core/io/byte_source.h"
 #include "core/io/json_text.h"
 #include "core/models/parameters_json.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/lower_case.h"
-#include "core/support/naming_file.h"
 
 namespace gonio::editing {
 
@@ -142,7 +142,7 @@ nlohmann::json contentToJson(const EditDocument& document) {
     source["blend"] = toJson(*document.blend);
   else
     source["path"] = document.sourcePath;
-  if (document.incident != IncidentSlot::viewer) source["incident"] = incidentSlotId(document.incident);
+  if (document.incident != IncidentDirection::viewer) source["incident"] = incidentSlotId(document.incident);
   return {{"source", std::move(source)}, {"edits", std::move(edits)}};
 }
 
@@ -158,7 +158,8 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   }
   if (source.contains("incident")) {
     const std::string id = source.text("incident");
-    const auto slot = std::ranges::find_if(allIncidentSlots, [&](IncidentSlot s) { return id == incidentSlotId(s); });
+    const auto slot =
+        std::ranges::find_if(allIncidentSlots, [&](IncidentDirection s) { return id == incidentSlotId(s); });
     if (slot == std::end(allIncidentSlots)) source.fail("incident", "viewer, light or mean");
     document.incident = *slot;
   }
@@ -197,14 +198,14 @@ bool isDocumentName(const std::filesystem::path& path) {
 }
 
 EditDocument readDocument(const std::filesystem::path& path) {
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxDocumentBytes);
     return documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
 }
 
 void writeDocument(const EditDocument& document, const std::filesystem::path& path) {
-  const std::string text = namingFile(path, [&] {
+  const std::string text = withFileInErrors(path, [&] {
     try {
       const auto portable = [&](const EditDocument& one) { return portableSource(one.sourcePath, path); };
       return toJson(withPaths(document, portable)).dump(2) + "\n";

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 #include "core/editing/edit.h"
 
 namespace gonio::editing {
@@ -33,9 +33,9 @@ struct EditDocument {
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;
-  std::string sourceSha256;                            ///< of the source file; of a blend: blendSha256()
-  std::shared_ptr<const BlendSource> blend = nullptr;  ///< instead of a path
-  IncidentSlot incident = IncidentSlot::viewer;        ///< if the source is an RGL or UTIA file
+  std::string sourceSha256;                                ///< of the source file; of a blend: blendSha256()
+  std::shared_ptr<const BlendSource> blend = nullptr;      ///< instead of a path
+  IncidentDirection incident = IncidentDirection::viewer;  ///< if the source is an RGL or UTIA file
   std::vector<Edit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< camera, light, exposure; opaque to core; null: no view
 };

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 #include "core/editing/edit.h"
 #include "core/materials/material.h"
 
@@ -13,7 +13,7 @@ struct EditedMaterial {
   materials::Material shown;  ///< with the edits applied
   materials::Material base;   ///< without edits
   EditList edits = {};
-  IncidentSlot incident = IncidentSlot::viewer;  ///< of `base`, if it is an RGL or UTIA file
+  IncidentDirection incident = IncidentDirection::viewer;  ///< of `base`, if it is an RGL or UTIA file
 };
 
 /// A material with edits applied: a table if the material is a table, otherwise its native form evaluated with the

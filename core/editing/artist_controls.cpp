@@ -220,7 +220,7 @@ bool actsOn(ArtistControl control, const ModelSpec& model) {
   const auto has = [&](const auto& wanted) {
     return std::ranges::any_of(model.parameters, [&](const ParameterSpec& spec) { return wanted(spec.role); });
   };
-  const auto isBody = [](ParameterRole role) { return role == ParameterRole::body; };
+  const auto isDiffuse = [](ParameterRole role) { return role == ParameterRole::body; };
   switch (control) {
     case ArtistControl::roughness:
       return has([](ParameterRole role) { return role == ParameterRole::width || role == ParameterRole::sharpness; });
@@ -230,7 +230,7 @@ bool actsOn(ArtistControl control, const ModelSpec& model) {
     case ArtistControl::saturation:
       return true;
     case ArtistControl::contrast:
-      return has(isBody) && has(isSpecular);
+      return has(isDiffuse) && has(isSpecular);
     case ArtistControl::coatStrength:
       return has(isCoat);
     case ArtistControl::edgeBrightness:

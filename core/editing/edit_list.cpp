@@ -50,7 +50,7 @@ EditList moved(EditList edits, std::size_t from, std::size_t to) {
   return inserted(removed(std::move(edits), from), to, std::move(edit));
 }
 
-std::size_t bytesBeside(const EditList& list, const EditList& other) {
+std::size_t unsharedBytes(const EditList& list, const EditList& other) {
   std::size_t sum = 0;
   for (const Edit& edit : list)
     sum += sizeof(edit) + edit.name.size() +

@@ -28,6 +28,6 @@ EditList removed(EditList edits, std::size_t index);
 EditList moved(EditList edits, std::size_t from, std::size_t to);
 
 /// Memory of `list` in bytes, without the curves that it shares with `other`.
-std::size_t bytesBeside(const EditList& list, const EditList& other);
+std::size_t unsharedBytes(const EditList& list, const EditList& other);
 
 }  // namespace gonio::editing

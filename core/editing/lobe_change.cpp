@@ -27,33 +27,35 @@ Rgb bodyRatio(const Rgb& ratio, const Rgb& body, const Rgb& model) {
 }
 
 /// Scales that differ by rounding alone are made equal: lobes that widen alike then share their places.
-void align(LobeWarp& warp, std::span<const PartChange> before) {
+void align(LobeWarp& warp, std::span<const LobeEffect> before) {
   constexpr double rounding = 1e-9;
-  for (const PartChange& other : before)
+  for (const LobeEffect& other : before)
     if (glm::all(glm::lessThan(glm::abs(warp.scale - other.warp.scale), rounding * warp.scale)))
       warp.scale = other.warp.scale;
 }
 
-bool isLit(const models::ModelLobe& lobe) {
+bool isNonzero(const models::ModelLobe& lobe) {
   return std::ranges::any_of(lobe.colours, [](const Rgb& colour) { return colour != Rgb(0); });
 }
 
-PartChange changeOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
-  PartChange change{.isRecoloured = fitted.colours != edited.colours, .wasLit = isLit(fitted), .isLit = isLit(edited)};
+LobeEffect changeOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
+  LobeEffect change{.isRecoloured = fitted.colours != edited.colours,
+                    .wasNonzero = isNonzero(fitted),
+                    .isNonzero = isNonzero(edited)};
   const bool isSame = !change.isRecoloured && fitted.parameters == edited.parameters;
-  if (isSame || !(change.wasLit || change.isLit)) return change;
+  if (isSame || !(change.wasNonzero || change.isNonzero)) return change;
   const models::LobeWidth &from = fitted.width, &to = edited.width;
   const bool hasWidth = from.x > 0 && from.y > 0 && to.x > 0 && to.y > 0;
-  change.kind = hasWidth ? PartChange::highlight : PartChange::body;
-  if (hasWidth && change.wasLit) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
+  change.kind = hasWidth ? LobeEffect::highlight : LobeEffect::body;
+  if (hasWidth && change.wasNonzero) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
   return change;
 }
 
-std::vector<PartChange> changesOf(std::span<const models::ModelLobe> fitted,
+std::vector<LobeEffect> changesOf(std::span<const models::ModelLobe> fitted,
                                   std::span<const models::ModelLobe> edited) {
-  std::vector<PartChange> changes;
+  std::vector<LobeEffect> changes;
   for (std::size_t k = 0; k < fitted.size(); ++k) {
-    PartChange change = changeOf(fitted[k], edited[k]);
+    LobeEffect change = changeOf(fitted[k], edited[k]);
     align(change.warp, changes);
     changes.push_back(change);
   }
@@ -67,19 +69,19 @@ LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->insta
     throw Error("the model " + std::string(edit.model->spec().id) +
                 " is not a sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
   std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
-  const std::vector<PartChange> changes = changesOf(fitted, edited);
+  const std::vector<LobeEffect> changes = changesOf(fitted, edited);
   isIsotropic_ = fitted_->isIsotropic();
   for (std::size_t k = 0; k < fitted.size(); ++k) {
-    if (changes[k].kind == PartChange::none) continue;
+    if (changes[k].kind == LobeEffect::none) continue;
     isIsotropic_ = isIsotropic_ && edited[k].brdf->isIsotropic();
     auto group = std::ranges::find(groups_, changes[k].warp, &Group::warp);
     if (group == groups_.end()) group = groups_.insert(group, Group{changes[k].warp, {}});
-    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), changes[k].kind == PartChange::body,
-                            changes[k].isRecoloured, !changes[k].wasLit});
+    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), changes[k].kind == LobeEffect::body,
+                            changes[k].isRecoloured, !changes[k].wasNonzero});
   }
 }
 
-std::vector<PartChange> partChanges(const DifferentialEdit& edit) {
+std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit) {
   return changesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
 
@@ -113,8 +115,8 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, con
   lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Rgb here = lobe.isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
-    const Rgb carried = lobe.isNew ? Rgb(1) : lobe.isBody ? here : ratios.carried[i];
+    const Rgb here = lobe.isDiffuse ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
+    const Rgb carried = lobe.isNew ? Rgb(1) : lobe.isDiffuse ? here : ratios.carried[i];
     changes[i] +=
         edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;
   }

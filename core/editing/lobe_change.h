@@ -47,7 +47,7 @@ class LobeChange {
  private:
   struct Lobe {
     std::unique_ptr<const Brdf> fitted, edited;
-    bool isBody, isRecoloured, isNew;
+    bool isDiffuse, isRecoloured, isNew;
   };
   /// Lobes with the same warp.
   struct Group {
@@ -74,13 +74,13 @@ class LobeChange {
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
 /// The effect of an edit on one lobe of the model.
-struct PartChange {
+struct LobeEffect {
   enum Kind { none, body, highlight } kind = none;  ///< body: a lobe without a width, such as the diffuse term
   bool isRecoloured = false;
-  LobeWarp warp = {};                  ///< for a highlight
-  bool wasLit = false, isLit = false;  ///< whether the fitted and the edited lobe are not black
+  LobeWarp warp = {};                          ///< for a highlight
+  bool wasNonzero = false, isNonzero = false;  ///< whether the fitted and the edited lobe are not black
 };
 /// The change of each lobe, for the preview's shader. Only for models with lobes.
-std::vector<PartChange> partChanges(const DifferentialEdit& edit);
+std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit);
 
 }  // namespace gonio::editing

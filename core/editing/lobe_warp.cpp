@@ -37,9 +37,9 @@ double cosineToHorizon(const Direction& w, const Direction& axis) {
   const double along = axis.z * glm::dot(axis, w), up = w.z - along, ahead = axis.x * w.y - axis.y * w.x;
   const double radius = std::hypot(up, ahead);
   if (!(radius > 0)) return -1;
-  const double cosine = std::clamp((warpHorizon - along) / radius, -1.0, 1.0), sine = std::sqrt(1 - cosine * cosine);
+  const double cosine = std::clamp((minWarpCosine - along) / radius, -1.0, 1.0), sine = std::sqrt(1 - cosine * cosine);
   if (ahead * cosine + up * sine >= 0) return (up * cosine - ahead * sine) / radius;
-  return ahead < 0 && w.z < warpHorizon ? 1 : -1;
+  return ahead < 0 && w.z < minWarpCosine ? 1 : -1;
 }
 
 HalfTurn endingAtTheHorizon(const HalfTurn& turn, const DirectionPair& pair) {
@@ -57,7 +57,7 @@ DirectionPair withScaledHalfSlopes(const DirectionPair& pair, const glm::dvec2& 
   HalfTurn turn = halfTurn(glm::normalize(sum), scale);
   if (!(glm::dot(turn.axis, turn.axis) > 1e-24)) return pair;
   const DirectionPair turned{turn(pair.wi), turn(pair.wo)};
-  if (std::min(turned.wi.z, turned.wo.z) >= warpHorizon) return turned;
+  if (std::min(turned.wi.z, turned.wo.z) >= minWarpCosine) return turned;
   turn = endingAtTheHorizon(turn, pair);
   return {turn(pair.wi), turn(pair.wo)};
 }

@@ -11,13 +11,13 @@ namespace gonio::editing {
 /// Cosine of 85 degrees, the maximum polar angle of warped directions, up to which models are fitted: beyond it, the
 /// ratio of measurement to fit is an extrapolation of the fit, which would show as a pattern in a highlight that gets
 /// much narrower.
-inline constexpr double warpHorizon = 0.08715574274765817;
+inline constexpr double minWarpCosine = 0.08715574274765817;
 
 /// Scales the slopes h_x / h_z and h_y / h_z of a pair's half vector by `scale`: rotates both directions by the
 /// shortest rotation from the old half vector to the new one, which keeps theta_d. With equal scales the rotation is in
 /// the plane of the normal and the half vector and keeps phi_d too. A rotation that would move a direction to less
-/// than 5 degrees above the horizon stops there (warpHorizon). Returns the pair unchanged if the scale is 1 or the half
-/// vector is the normal.
+/// than 5 degrees above the horizon stops there (minWarpCosine). Returns the pair unchanged if the scale is 1 or the
+/// half vector is the normal.
 /// @param pair with both directions above the horizon. @param scale > 0.
 DirectionPair withScaledHalfSlopes(const DirectionPair& pair, const glm::dvec2& scale);
 

@@ -153,7 +153,7 @@ ExportTarget blenderTarget() {
               "accuracy is that of Blender 3.4; later versions use a different masking term, so results differ "
               "near the horizon.",
           .suffixes = {"_blender.py"},
-          .choosesSnr = true,
+          .usesSnr = true,
           .scene = &blenderSceneFormat(),
           .make = makeScript};
 }

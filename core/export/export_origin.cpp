@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_origin.h"
 
-#include "core/editing/edit_words.h"
+#include "core/editing/edit_summary.h"
 #include "core/export/rgl_fields.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_file.h"

@@ -46,8 +46,8 @@ struct ExportTarget {
   std::string_view description;            ///< the files and their use, one or two sentences
   std::string_view holds;                  ///< what the files can and cannot represent, one sentence
   std::vector<std::string_view> suffixes;  ///< the files are NAME with each suffix, e.g. "_rgb.bsdf"
-  bool choosesSize = false;                ///< uses ExportOptions::size
-  bool choosesSnr = false;                 ///< uses ExportOptions::snr: files grow with it
+  bool usesSize = false;                   ///< uses ExportOptions::size
+  bool usesSnr = false;                    ///< uses ExportOptions::snr: files grow with it
   const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
   /// Makes the export. Takes a few seconds. @throws Error; Cancelled.
   ExportResult (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);

@@ -65,7 +65,7 @@ struct GgxWidths {
 /// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99), without Fresnel term. Finite at the horizon. O(1).
 /// @param masking alpha of G_2, where it differs from that of D.
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha, const GgxWidths& masking) {
-  const double i = ggxShadowedCosine(g.wi, masking.x, masking.y), o = ggxShadowedCosine(g.wo, masking.x, masking.y);
+  const double i = ggxCosineOverG1(g.wi, masking.x, masking.y), o = ggxCosineOverG1(g.wo, masking.x, masking.y);
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
 }
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
@@ -74,7 +74,7 @@ inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& a
 /// The same with the separable term G_1(i) G_1(o) (Walter et al. 2007, "Microfacet Models for Refraction through Rough
 /// Surfaces", eq. 23 and 34).
 inline double separableGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
-  const double i = ggxShadowedCosine(g.wi, alpha.x, alpha.y), o = ggxShadowedCosine(g.wo, alpha.x, alpha.y);
+  const double i = ggxCosineOverG1(g.wi, alpha.x, alpha.y), o = ggxCosineOverG1(g.wo, alpha.x, alpha.y);
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (i * o);
 }
 

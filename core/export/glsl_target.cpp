@@ -104,7 +104,7 @@ ExportTarget glslTarget() {
               "An approximation by a diffuse lobe and up to six GGX lobes; isotropic, or anisotropic with one fixed "
               "direction; reciprocal. Single scattering.",
           .suffixes = {glslSuffix},
-          .choosesSnr = true,
+          .usesSnr = true,
           .make = makeGlsl};
 }
 

@@ -27,7 +27,7 @@ Direction utiaDirection(std::size_t index) {
 }
 
 std::vector<glm::vec3> editedUtia(const UtiaBrdf& file, const Brdf& edited, const TaskControl& control) {
-  const auto own = file.withIncident(IncidentSlot::viewer);
+  const auto own = file.withIncident(IncidentDirection::viewer);
   std::vector<glm::vec3> values = *file.values();
   constexpr std::size_t side = UtiaBrdf::directionCount;
   std::vector<DirectionPair> pairs(side);
@@ -126,19 +126,19 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
   return encodeTableForm(source, gridOf(form), control);
 }
 
-bool isOwnForm(const std::filesystem::path& path) {
+bool isNativeForm(const std::filesystem::path& path) {
   return path.extension() == materials::formatOf(materials::FormatId::rgl).suffix() ||
          path.extension() == materials::formatOf(materials::FormatId::utia).suffix();
 }
 
-std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
-                                      const std::filesystem::path& path, const TaskControl& control) {
+std::vector<std::string> writeNativeForm(const ExportSource& source, const materials::Material& base,
+                                         const std::filesystem::path& path, const TaskControl& control) {
   FormFile file = encodeMaterial(source, base, formBySuffix(path, *base.brdf), control);
   io::writeFileAtomically(path, file.bytes);
   return std::move(file.losses);
 }
 
-double formError(const FormFile& file, const Brdf& material, const TaskControl& control) {
+double formSnr(const FormFile& file, const Brdf& material, const TaskControl& control) {
   RenderOptions pictures;
   pictures.width = pictures.height = 128;
   pictures.samples = 64;

@@ -42,14 +42,14 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
                         const TaskControl& control = {});
 
 /// Whether the suffix of a name is that of a form other than a table (`.bsdf`, `.bin`).
-bool isOwnForm(const std::filesystem::path& path);
+bool isNativeForm(const std::filesystem::path& path);
 /// Writes a material in such a form, atomically. @return FormFile::losses. @throws Error that names the file; as
 /// encodeMaterial().
-std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
-                                      const std::filesystem::path& path, const TaskControl& control = {});
+std::vector<std::string> writeNativeForm(const ExportSource& source, const materials::Material& base,
+                                         const std::filesystem::path& path, const TaskControl& control = {});
 
 /// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB, larger is better;
 /// +infinity for equal pictures. Takes a few seconds. @throws Cancelled.
-double formError(const FormFile& file, const Brdf& material, const TaskControl& control = {});
+double formSnr(const FormFile& file, const Brdf& material, const TaskControl& control = {});
 
 }  // namespace gonio::exports

@@ -143,7 +143,7 @@ ExportTarget materialXTarget() {
               "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic, or anisotropic "
               "with one fixed direction. Multiple scattering is compensated as in MaterialX.",
           .suffixes = {lobesSuffix},
-          .choosesSnr = true,
+          .usesSnr = true,
           .make = makeSchlickLobes};
 }
 

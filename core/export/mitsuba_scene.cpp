@@ -38,7 +38,7 @@ std::string mitsubaSensor(const OrbitCamera& view) {
 
 /// Mitsuba's picture has +z where Gonio's has -z.
 std::string mitsubaEnvironment(const Scene& scene, const std::string& file) {
-  return "  <emitter type=\"envmap\">\n    " + valueLine("string", "filename", quotable(file)) +
+  return "  <emitter type=\"envmap\">\n    " + valueLine("string", "filename", withoutSpecialCharacters(file)) +
          "    <transform name=\"to_world\"><rotate y=\"1\" angle=\"" +
          decimalText(180 - degrees(scene.environmentRotation)) + "\"/></transform>\n  </emitter>\n";
 }
@@ -75,7 +75,7 @@ std::string mitsubaRectangle(const Rectangle& rectangle) {
 std::string mitsubaShape(const SceneObject& object, const std::string& mesh) {
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return mitsubaSphere(*sphere);
   if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) return mitsubaRectangle(*rectangle);
-  return "  <shape type=\"ply\">\n    " + valueLine("string", "filename", quotable(mesh));
+  return "  <shape type=\"ply\">\n    " + valueLine("string", "filename", withoutSpecialCharacters(mesh));
 }
 
 std::string mitsubaSurface(const SceneObject& object) {
@@ -93,8 +93,8 @@ std::string mitsubaText(const Scene& scene, const SceneFileNames& files) {
   std::string text = "<scene version=\"3.0.0\">\n  <integrator type=\"path\">" +
                      valueLine("boolean", "hide_emitters", hides ? "true" : "false") + "  </integrator>\n";
   text += mitsubaSensor(scene.camera);
-  text += "  <bsdf type=\"measured\" id=\"material\">" + valueLine("string", "filename", quotable(files.material)) +
-          "  </bsdf>\n";
+  text += "  <bsdf type=\"measured\" id=\"material\">" +
+          valueLine("string", "filename", withoutSpecialCharacters(files.material)) + "  </bsdf>\n";
   if (scene.environment) text += mitsubaEnvironment(scene, files.environment);
   text += mitsubaLights(scene);
   for (std::size_t i = 0; i < scene.objects.size(); ++i)

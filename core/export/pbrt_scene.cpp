@@ -63,7 +63,7 @@ std::string pbrtShape(const SceneObject& object, const std::string& mesh) {
       for (const double u : {-1.0, 1.0}) corners += (corners.empty() ? "" : "  ") + spaced(rectangle->at(u, v));
     return "  Shape \"bilinearmesh\" \"point3 P\"" + bracketed(corners) + "\n";
   }
-  return "  Shape \"plymesh\" \"string filename\" \"" + quotable(mesh) + "\"\n";
+  return "  Shape \"plymesh\" \"string filename\" \"" + withoutSpecialCharacters(mesh) + "\"\n";
 }
 
 std::string pbrtSurface(const SceneObject& object) {
@@ -76,12 +76,12 @@ std::string pbrtSurface(const SceneObject& object) {
 }
 
 std::string pbrtText(const Scene& scene, const SceneFileNames& files) {
-  std::string text = pbrtCamera(scene.camera) + pbrtFilm(quotable(files.name));
+  std::string text = pbrtCamera(scene.camera) + pbrtFilm(withoutSpecialCharacters(files.name));
   if (scene.environment)
-    text += "LightSource \"infinite\" \"string filename\" \"" + quotable(files.environment) + "\"\n";
+    text += "LightSource \"infinite\" \"string filename\" \"" + withoutSpecialCharacters(files.environment) + "\"\n";
   text += pbrtLights(scene);
   text += "MakeNamedMaterial \"material\" \"string type\" \"measured\" \"string filename\" \"" +
-          quotable(files.material) + "\"\n";
+          withoutSpecialCharacters(files.material) + "\"\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     text += "AttributeBegin\n" + pbrtSurface(scene.objects[i]) + pbrtShape(scene.objects[i], files.meshes[i]) +
             "AttributeEnd\n";

@@ -43,7 +43,7 @@ RglExport exportParameterised(const ExportSource& source, const RglOptions& opti
 }
 
 RglExport exportEdited(const ExportSource& source, const RglOptions& options, const TaskControl& control) {
-  const auto file = source.rgl->withIncident(IncidentSlot::viewer);
+  const auto file = source.rgl->withIncident(IncidentDirection::viewer);
   const EditedRgl edited = editedColours(*file, *source.brdf, control.between(0, 0.2));
   RglExport result;
   result.unchanged = !edited.changed;

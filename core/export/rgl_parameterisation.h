@@ -37,7 +37,7 @@ struct RglParameterisation {
 std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size);
 
 /// Samples any material in an adaptive RGL parameterisation, with the viewer as incident direction
-/// (IncidentSlot::viewer). Of a series of sizes, uses the smallest one that reaches the SNR, or the best within
+/// (IncidentDirection::viewer). Of a series of sizes, uses the smallest one that reaches the SNR, or the best within
 /// `maxBytes`; stops when larger sizes gain nothing. Takes a few seconds: one rendering per size. @throws Cancelled.
 RglParameterisation parameterise(const Brdf& material, const RglOptions& options = {}, const TaskControl& control = {});
 

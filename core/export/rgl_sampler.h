@@ -33,10 +33,10 @@ struct RglSlice {
   std::size_t clipped = 0;    ///< number of negative channel values that were set to 0
 };
 
-/// Samples a material at the nodes of a layout, with the viewer as incident direction (IncidentSlot::viewer). The field
-/// `rgb` is f cos theta_i 4 sigma / D, theta_i the angle of the light, so its mean over the unit square is the integral
-/// of f cos theta_i over the light if the whole square maps to directions above the horizon. size^2 evaluations per
-/// azimuth.
+/// Samples a material at the nodes of a layout, with the viewer as incident direction (IncidentDirection::viewer). The
+/// field `rgb` is f cos theta_i 4 sigma / D, theta_i the angle of the light, so its mean over the unit square is the
+/// integral of f cos theta_i over the light if the whole square maps to directions above the horizon. size^2
+/// evaluations per azimuth.
 RglSlice sampleSlice(const Brdf& material, const RglLayout& layout, double theta, std::size_t size);
 
 /// Assembles slices of ascending polar angles to the data of an RGL file, with the luminance of samplingLuminance().

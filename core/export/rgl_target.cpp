@@ -45,8 +45,8 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
               "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL file "
               "keeps its stored values. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
-          .choosesSize = true,
-          .choosesSnr = true};
+          .usesSize = true,
+          .usesSnr = true};
 }
 
 }  // namespace

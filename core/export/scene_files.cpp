@@ -48,7 +48,7 @@ std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene
   return parts;
 }
 
-std::string quotable(std::string name) {
+std::string withoutSpecialCharacters(std::string name) {
   for (char& c : name)
     if (c == '"' || c == '<' || c == '>' || c == '&' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
   return name;

@@ -39,7 +39,7 @@ std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene
 inline constexpr int scenePixels = 512, scenePictureSamples = 256;
 
 /// Replaces characters that are special in XML attributes and pbrt strings by '_'.
-std::string quotable(std::string name);
+std::string withoutSpecialCharacters(std::string name);
 /// The components separated by spaces, e.g. "1 2 3".
 std::string spaced(const Direction& v);
 

@@ -106,7 +106,7 @@ std::shared_ptr<const RglBrdf> atWavelength(const RglBrdf& file, const Brdf* edi
                                             const TaskControl& control) {
   const RglData& data = file.tables()->data;
   EditedRgl colours{data.rgb};
-  if (edited) colours = editedColours(*file.withIncident(IncidentSlot::viewer), *edited, control);
+  if (edited) colours = editedColours(*file.withIncident(IncidentDirection::viewer), *edited, control);
   const SliceStack<float> plane = SpectralEdit(data, colours.rgb).plane(nanometres);
   SliceStack<glm::vec3> grey{plane.width, plane.height, {}};
   grey.values.reserve(plane.values.size());

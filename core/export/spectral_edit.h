@@ -41,7 +41,7 @@ class SpectralEdit {
 /// A spectral file at one wavelength, in three equal channels, with the incident slot of `file`; importance sampling
 /// follows the values at that wavelength. Takes some ms for an isotropic file; with edits as long as editedColours().
 /// @param file with spectra.
-/// @param edited the material with edits, in IncidentSlot::viewer; null: as measured.
+/// @param edited the material with edits, in IncidentDirection::viewer; null: as measured.
 /// @param nanometres wavelength. @throws Cancelled.
 std::shared_ptr<const RglBrdf> atWavelength(const RglBrdf& file, const Brdf* edited, double nanometres,
                                             const TaskControl& control = {});

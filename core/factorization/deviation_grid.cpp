@@ -47,7 +47,7 @@ void addEnergy(std::vector<double>& energy, const Brdf& brdf, AzimuthCount count
       steps, 50,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j)
-          energy[j] += energyAt(brdf, (double(j) + 0.5) * largestDeviation / steps, counted);
+          energy[j] += energyAt(brdf, (double(j) + 0.5) * maxDeviation / steps, counted);
       },
       control);
 }
@@ -58,12 +58,12 @@ std::vector<double> deviationNodes(std::span<const double> energy, int count) {
   constexpr double smallestGap = 1e-6;
   std::vector<double> cumulative{0};
   for (const double e : energy) cumulative.push_back(cumulative.back() + e);
-  const double total = cumulative.back(), step = largestDeviation / double(energy.size());
+  const double total = cumulative.back(), step = maxDeviation / double(energy.size());
   std::vector<double> nodes;
   std::size_t at = 0;
   for (int k = 0; k < count; ++k) {
     const double fraction = double(k) / (count - 1);
-    double node = largestDeviation * fraction;
+    double node = maxDeviation * fraction;
     if (total > 0) {
       const double wanted = fraction * total;
       while (at + 1 < energy.size() && cumulative[at + 1] < wanted) ++at;
@@ -72,7 +72,7 @@ std::vector<double> deviationNodes(std::span<const double> energy, int count) {
     }
     nodes.push_back(nodes.empty() ? 0 : std::max(node, nodes.back() + smallestGap));
   }
-  nodes.back() = largestDeviation;
+  nodes.back() = maxDeviation;
   for (std::size_t k = nodes.size() - 1; k-- > 1;) nodes[k] = std::min(nodes[k], nodes[k + 1] - smallestGap);
   return nodes;
 }

@@ -13,14 +13,14 @@ namespace gonio::factorization {
 
 inline constexpr int defaultDeviations = 90;
 /// Maximum polar angle of factorisations, rad: closer to the horizon, measurements are unreliable.
-inline const double largestPolarAngle = radians(89);
+inline const double maxPolarAngle = radians(89);
 /// Maximum |Dp|: that of light and viewer in the same direction at that polar angle (retro-reflection).
-inline const double largestDeviation = 2 * std::sin(largestPolarAngle);
+inline const double maxDeviation = 2 * std::sin(maxPolarAngle);
 
 /// Nodes of |Dp|, dense where BRDF values are large: quantiles of the energy ln(1 + rho) over 2,000 uniform steps of
 /// |Dp| (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance
 /// Modeling and Acquisition", eq. 4.24). A third of the energy is distributed uniformly: otherwise a mirror-like
-/// highlight would take nearly all nodes. The first node is 0, the last largestDeviation; distances are at least 1e-6.
+/// highlight would take nearly all nodes. The first node is 0, the last maxDeviation; distances are at least 1e-6.
 /// @param tables one material, or several that share the nodes; black ones give uniform nodes. About 0.1 s per table.
 /// @throws Cancelled.
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
@@ -36,7 +36,7 @@ std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl
 /// prints them).
 std::vector<double> libraryDeviationNodes();
 
-/// The quantiles of a given energy. @param energy of uniform steps up to largestDeviation, >= 0.
+/// The quantiles of a given energy. @param energy of uniform steps up to maxDeviation, >= 0.
 std::vector<double> deviationNodes(std::span<const double> energy, int count);
 
 }  // namespace gonio::factorization

@@ -22,7 +22,7 @@ struct NodeSamples {
   Axes axes;
   std::vector<Rgb> values;          ///< 1/sr, without the cosine; 0 where invalid
   std::vector<double> cosI, cosO;   ///< cosines of the two polar angles; 0 where invalid
-  std::vector<std::uint8_t> valid;  ///< 0 where a direction is beyond largestPolarAngle or the table has no data
+  std::vector<std::uint8_t> valid;  ///< 0 where a direction is beyond maxPolarAngle or the table has no data
 };
 
 /// Samples of which none is valid.
@@ -49,7 +49,7 @@ template <typename Axes, typename ReadingsOf>
 NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t seconds, std::size_t thirds,
                               const ReadingsOf& readingsOf, const TaskControl& control) {
   // The last nodes lie exactly on the limit.
-  const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
+  const double smallestCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
   NodeSamples<Axes> samples = emptySamples(axes);
   const auto sampleNode = [&](std::size_t i, const auto& node) {
     if (!node.valid || node.pair.wi.z < smallestCosine || node.pair.wo.z < smallestCosine) return;

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "core/brdf/pairwise_brdf.h"
-#include "core/factorization/nonparametric_place.h"
+#include "core/factorization/nonparametric_interval.h"
 
 namespace gonio::factorization {
 
 namespace {
 
-double between(const std::array<double, NonparametricFactors::nodes>& curve, const NodePlace& at) {
+double between(const std::array<double, NonparametricFactors::nodes>& curve, const NodeInterval& at) {
   return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
 }
 
@@ -20,7 +20,7 @@ const double smallestCosine = std::cos(radians(89.5));
 
 }  // namespace
 
-NodePlace nonparametricPlace(double position) {
+NodeInterval nonparametricInterval(double position) {
   const double x = std::clamp(position, 0.0, double(NonparametricFactors::nodes - 1));
   const std::size_t index = std::min(std::size_t(x), NonparametricFactors::nodes - 2);
   return {index, x - double(index)};
@@ -32,8 +32,8 @@ std::shared_ptr<const Brdf> makeNonparametricBrdf(NonparametricFactors factors) 
     Rgb result(0);
     if (!at.valid) return result;
     const HalfDifferenceGrid::Position position = HalfDifferenceGrid{}.position(at);
-    const NodePlace d = nonparametricPlace(position.thetaH), fresnel = nonparametricPlace(position.thetaD),
-                    i = maskingPlace(polarAngle(wi)), o = maskingPlace(polarAngle(wo));
+    const NodeInterval d = nonparametricInterval(position.thetaH), fresnel = nonparametricInterval(position.thetaD),
+                       i = maskingInterval(polarAngle(wi)), o = maskingInterval(polarAngle(wo));
     const double cosines = std::max(wi.z, smallestCosine) * std::max(wo.z, smallestCosine);
     for (int channel = 0; channel < 3; ++channel) {
       const NonparametricFactors::Channel& c = f.channels[std::size_t(channel)];

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/factorization/nonparametric.h"
-#include "core/factorization/nonparametric_place.h"
+#include "core/factorization/nonparametric_interval.h"
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
@@ -22,9 +22,9 @@ using NodeValues = std::array<double, nodeCount>;
 /// A valid node of the samples.
 struct Cell {
   std::size_t sample, h, d;
-  NodePlace i, o;  ///< of G
-  double measure;  ///< of both solid angles and of the error in x = rho cos theta_i cos theta_o
-  double cosines;  ///< cos theta_i cos theta_o
+  NodeInterval i, o;  ///< of G
+  double measure;     ///< of both solid angles and of the error in x = rho cos theta_i cos theta_o
+  double cosines;     ///< cos theta_i cos theta_o
 };
 
 std::vector<Cell> cellsOf(const HalfDifferenceSamples& s) {
@@ -37,8 +37,8 @@ std::vector<Cell> cellsOf(const HalfDifferenceSamples& s) {
         cells.push_back({.sample = i,
                          .h = h,
                          .d = d,
-                         .i = maskingPlace(std::acos(std::min(1.0, s.cosI[i]))),
-                         .o = maskingPlace(std::acos(std::min(1.0, s.cosO[i]))),
+                         .i = maskingInterval(std::acos(std::min(1.0, s.cosI[i]))),
+                         .o = maskingInterval(std::acos(std::min(1.0, s.cosO[i]))),
                          .measure = projectedMeasure(s, h, d, p) * cosines,
                          .cosines = cosines});
       }
@@ -81,7 +81,7 @@ class ChannelFit {
   }
 
  private:
-  static double at(const NodeValues& g, const NodePlace& place) {
+  static double at(const NodeValues& g, const NodeInterval& place) {
     return (1 - place.fraction) * g[place.index] + place.fraction * g[place.index + 1];
   }
   double masking(const Cell& cell, const NodeValues& g) const { return at(g, cell.i) * at(g, cell.o) / cell.cosines; }

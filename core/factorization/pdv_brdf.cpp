@@ -18,17 +18,17 @@ namespace gonio::factorization {
 
 namespace {
 
-/// placeBetween() of one set of nodes for many places: a table of even steps gives the node to begin at.
+/// findInterval() of one set of nodes for many places: a table of even steps gives the node to begin at.
 class NodeIndex {
  public:
   explicit NodeIndex(std::span<const double> nodes) {
     if (nodes.size() < 2) return;
     scale_ = steps / nodes.back();
     for (std::size_t step = 0; step < steps; ++step)
-      starts_[step] = std::uint16_t(placeBetween(nodes, double(step) / scale_).index);
+      starts_[step] = std::uint16_t(findInterval(nodes, double(step) / scale_).index);
   }
 
-  NodePlace place(std::span<const double> nodes, double x) const {
+  NodeInterval place(std::span<const double> nodes, double x) const {
     if (!(x > 0)) return {0, 0};
     if (x >= nodes.back()) return {nodes.size() - 2, 1};
     // Rounding may put the first place of a step a node too far.
@@ -78,7 +78,7 @@ class CurveBundle {
       for (std::size_t c = 0; c < width_; ++c) products[c] *= values_[c];
       return;
     }
-    const NodePlace at = index_.place(nodes_, x);
+    const NodeInterval at = index_.place(nodes_, x);
     const HermiteWeights w(at.fraction, nodes_[at.index + 1] - nodes_[at.index]);
     const float before = float(w.before), after = float(w.after);
     const float slopeBefore = float(w.slopeBefore), slopeAfter = float(w.slopeAfter);

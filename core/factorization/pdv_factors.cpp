@@ -27,7 +27,7 @@ PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const
     throw Error("the count of terms is " + std::to_string(options.terms) + "; expected 1 to " +
                 std::to_string(maxPdvTerms));
   PdvFactors axes{.form = options.form, .transform = options.transform};
-  axes.thetaNodes = evenNodes(pdvThetaNodes, largestPolarAngle);
+  axes.thetaNodes = evenNodes(pdvThetaNodes, maxPolarAngle);
   axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(pdvPhiNodes, pi);
   axes.deviationNodes = options.deviationNodes;
   if (axes.deviationNodes.empty()) {

@@ -86,11 +86,11 @@ std::vector<double> smoothed(std::span<const double> curve, double radius) {
   return result;
 }
 
-PdvFactors takeF1(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms) {
+PdvFactors withF1Of(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms) {
   return takeCurve(target, other, terms, &PdvTerm::f1, &PdvFactors::thetaNodes);
 }
 
-PdvFactors takeF2(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms) {
+PdvFactors withF2Of(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms) {
   return takeCurve(target, other, terms, &PdvTerm::f2, &PdvFactors::deviationNodes);
 }
 

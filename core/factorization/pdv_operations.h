@@ -38,10 +38,10 @@ enum class FurtherTerms { drop, keep };
 
 /// The target with F1 (specular strength vs. angle) of another material's first term, per channel. @throws Error if the
 /// transforms differ.
-PdvFactors takeF1(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
+PdvFactors withF1Of(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
 /// The target with F2 (highlight profile) of another material's first term. Exact if both have the same nodes of |Dp|
 /// (PdvOptions); otherwise resampled.
-PdvFactors takeF2(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
+PdvFactors withF2Of(const PdvFactors& target, const PdvFactors& other, FurtherTerms terms = FurtherTerms::drop);
 
 /// Widens the highlight by a factor (below 1: narrows it): F2 of all terms stretched along |Dp|, on the same nodes.
 /// @throws Error if the factor is not a positive number.

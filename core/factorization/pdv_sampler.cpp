@@ -102,7 +102,7 @@ std::size_t DeviationRows::binOf(double deviation) const {
 }
 
 std::size_t DeviationRows::draw(double thetaR, double u) const {
-  const NodePlace at = placeBetween(thetaNodes_, thetaR);
+  const NodeInterval at = findInterval(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1), last = double(bins());
   // A black row has nothing to give: only the other one is sampled.
   const double fraction = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.fraction;
@@ -117,14 +117,14 @@ std::size_t DeviationRows::draw(double thetaR, double u) const {
 }
 
 double DeviationRows::probability(double thetaR, std::size_t bin) const {
-  const NodePlace at = placeBetween(thetaNodes_, thetaR);
+  const NodeInterval at = findInterval(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1);
   const double fraction = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.fraction;
   return (1 - fraction) * (before[bin + 1] - before[bin]) + fraction * (after[bin + 1] - after[bin]);
 }
 
-double DeviationRows::blackShare(double thetaR) const {
-  const NodePlace at = placeBetween(thetaNodes_, thetaR);
+double DeviationRows::blackFraction(double thetaR) const {
+  const NodeInterval at = findInterval(thetaNodes_, thetaR);
   return (1 - at.fraction) * (1 - row(at.index)[bins()]) + at.fraction * (1 - row(at.index + 1)[bins()]);
 }
 
@@ -132,13 +132,13 @@ PdvSampler::PdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,
                        const std::vector<double>& deviationNodes)
     : rows_(brdf, thetaNodes, deviationNodes, DeviationRows::Ring::onDisk) {}
 
-double PdvSampler::cosineShare(double thetaR) const {
-  return leastCosineShare + (1 - leastCosineShare) * rows_.blackShare(thetaR);
+double PdvSampler::cosineFraction(double thetaR) const {
+  return leastCosineShare + (1 - leastCosineShare) * rows_.blackFraction(thetaR);
 }
 
 DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) const {
   const Viewer viewer(wo);
-  const double cosine = cosineShare(viewer.theta);
+  const double cosine = cosineFraction(viewer.theta);
   Direction wi;
   if (u.x < cosine) {
     wi = CosineLobe().sample(wo, {u.y, u.z});
@@ -154,7 +154,7 @@ DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) con
 double PdvSampler::pdf(const Direction& wi, const Direction& wo) const {
   if (!(wi.z > 0) || !(wo.z >= 0)) return 0;
   const Viewer viewer(wo);
-  const double cosine = cosineShare(viewer.theta), matte = cosine * wi.z / pi;
+  const double cosine = cosineFraction(viewer.theta), matte = cosine * wi.z / pi;
   const double deviation = deviationOf(wi, wo), limit = azimuthLimit(deviation, viewer.sine);
   const std::size_t bin = rows_.binOf(deviation);
   if (bin >= rows_.bins() || !(limit > 0)) return matte;

@@ -24,7 +24,7 @@ class DeviationRows {
   /// The probability of a bin.
   double probability(double thetaR, std::size_t bin) const;
   /// Total weight of rows without energy (black) in the interpolation for a viewer; 1 if no bin can be sampled.
-  double blackShare(double thetaR) const;
+  double blackFraction(double thetaR) const;
 
   std::size_t bins() const { return edges_.size() - 1; }
   double low(std::size_t bin) const { return edges_[bin]; }
@@ -60,7 +60,7 @@ class PdvSampler {
   double pdf(const Direction& wi, const Direction& wo) const;
 
  private:
-  double cosineShare(double thetaR) const;
+  double cosineFraction(double thetaR) const;
 
   DeviationRows rows_;
 };

@@ -20,7 +20,7 @@ constexpr double besideShare = 0.01;
 /// Added to all cells, in mean weights: with none, the mirror directions of grazing viewers are left free.
 constexpr double evenSampleShare = 2e-5;
 /// The last nodes stand on the limit itself.
-const double smallestSampleCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
+const double smallestSampleCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
 
 /// Differences of f between the borders of the nodes' cells, which lie midway between nodes and at the ends.
 template <typename Function>
@@ -108,7 +108,7 @@ class Sampler {
       }
       double weight = 1;
       if (weights_ == PdvWeights::projectedSolidAngle)
-        weight = measure * std::sqrt(reflectanceSlope(axes_.transform, rho, cosines));
+        weight = measure * std::sqrt(inverseSlope(axes_.transform, rho, cosines));
       MaskedTensor& t = channels[channel];
       t.values[at] = flat() ? t.values[at] + float(weight * y) : float(y);
       t.weights[at] += float(weight);

@@ -109,11 +109,11 @@ class FigurePainter {
 
   /// @param picture null if it is not rendered yet.
   void paintPicture(const CellLayout& cell, const Image* picture) {
-    Raster raster = picture ? displayedOnPaper(*picture, description_.pictures) : missingPicture();
+    Raster raster = picture ? displayedOnWhite(*picture, description_.pictures) : missingPicture();
     const int size = picture ? picture->width : description_.pictures.size;
     const InsetPixels shown = description_.inset ? insetPixels(*description_.inset, size) : InsetPixels{};
     Raster inset;
-    if (cell.inset) inset = picture ? cutOut(raster, shown) : missingPicture();
+    if (cell.inset) inset = picture ? crop(raster, shown) : missingPicture();
     add(PictureItem{cell.picture, std::move(raster)});
     if (!cell.inset) return;
     const double pixel = cell.picture.width / size;
@@ -170,13 +170,13 @@ InsetPixels insetPixels(const FigureInset& inset, int size) {
   return pixels;
 }
 
-Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures) {
+Raster displayedOnWhite(const Image& picture, const FigurePictures& pictures) {
   Raster raster{picture.width, picture.height, toDisplayBytes(picture, pictures.exposure, pictures.toneMap)};
   putOnPaper(raster);
   return raster;
 }
 
-Raster cutOut(const Raster& raster, const InsetPixels& pixels) {
+Raster crop(const Raster& raster, const InsetPixels& pixels) {
   Raster cut{pixels.side, pixels.side, {}};
   for (int y = pixels.top; y < pixels.top + pixels.side; ++y) {
     const auto begin = raster.rgba.begin() + 4 * (std::ptrdiff_t(y) * raster.width + pixels.left);

@@ -27,9 +27,9 @@ struct InsetPixels {
 InsetPixels insetPixels(const FigureInset& inset, int size);
 
 /// An image with exposure and tone map applied, composited over white.
-Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures);
+Raster displayedOnWhite(const Image& picture, const FigurePictures& pictures);
 /// Crops a picture. Precondition: the pixels are inside it.
-Raster cutOut(const Raster& raster, const InsetPixels& pixels);
+Raster crop(const Raster& raster, const InsetPixels& pixels);
 
 /// Whether a cell has the best value of a number in its row. False for rows of one cell, numbers that are not errors
 /// (FigureNumber::isError) and NaN. Precondition: the cell is measured.

@@ -12,8 +12,8 @@
 #include "core/rendering/environment_file.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
-#include "core/support/naming_file.h"
 
 namespace gonio::figures {
 
@@ -204,7 +204,7 @@ FigureDescription figureFromJson(const nlohmann::json& json) {
 void checkFigure(const FigureDescription& description) { figureFromJson(toJson(description)); }
 
 FigureDescription readFigureDescription(const fs::path& path) {
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     FigureDescription description = figureFromJson(io::parseJson(io::readText(path)));
     eachPath(description, [&](std::string& name) { name = (path.parent_path() / name).string(); });
     return description;

@@ -50,7 +50,7 @@ std::string nameOfPath(const std::string& path) {
   return path.starts_with("library:") ? path.substr(path.rfind('/') + 1) : fs::path(path).stem().string();
 }
 
-FigureCell measuredCell(const study::StudiedRepresentation& studied, const Image& reference, bool timed) {
+FigureCell measuredCell(const study::MeasuredRepresentation& studied, const Image& reference, bool timed) {
   FigureCell cell{.representation = studied.record.representation, .picture = studied.picture, .isTimed = timed};
   for (const FigureNumber& number : figureNumbers())
     cell.values.push_back(number.isTimed && !timed ? std::numeric_limits<double>::quiet_NaN()
@@ -75,7 +75,7 @@ void completeRow(FigureRow& row, const FigureDescription& description, study::St
   const auto table = material.tabulated(control.between(0.5 * readingFraction, readingFraction));
   row.name = material.name;
   options.referenceRendered = [&](const Image& picture) { row.reference = std::make_shared<const Image>(picture); };
-  options.measured = [&](const study::StudiedRepresentation& studied) {
+  options.measured = [&](const study::MeasuredRepresentation& studied) {
     const auto cell = std::make_shared<const FigureCell>(measuredCell(studied, *row.reference, options.timed));
     for (std::size_t i = 0; i < row.cells.size(); ++i)
       if (!row.cells[i] && description.representations[i].representation == cell->representation) row.cells[i] = cell;

@@ -14,7 +14,7 @@ namespace gonio::figures {
 
 namespace {
 
-using study::StudiedRepresentation;
+using study::MeasuredRepresentation;
 
 void addImageMetrics(std::vector<FigureNumber>& numbers) {
   for (const metrics::ImageMetricRecord& metric : metrics::imageMetricRecords())
@@ -23,7 +23,7 @@ void addImageMetrics(std::vector<FigureNumber>& numbers) {
          .name = std::string(metric.name),
          .unit = "",
          .better = metric.higherIsBetter ? Better::higher : Better::lower,
-         .value = [compute = metric.compute](const StudiedRepresentation& studied, const Image& reference) {
+         .value = [compute = metric.compute](const MeasuredRepresentation& studied, const Image& reference) {
            return compute(reference, studied.picture);
          }});
 }
@@ -35,11 +35,11 @@ void addBrdfMetrics(std::vector<FigureNumber>& numbers) {
         {.id = std::string(metrics[i].id),
          .name = std::string(metrics[i].id),
          .unit = std::string(metrics[i].unit),
-         .value = [i](const StudiedRepresentation& studied, const Image&) { return studied.record.errors[i]; }});
+         .value = [i](const MeasuredRepresentation& studied, const Image&) { return studied.record.errors[i]; }});
 }
 
 void addCosts(std::vector<FigureNumber>& numbers) {
-  using S = const StudiedRepresentation&;
+  using S = const MeasuredRepresentation&;
   const auto add = [&](const char* id, const char* name, const char* unit, bool isTimed, auto value) {
     numbers.push_back({.id = id,
                        .name = name,
@@ -61,7 +61,7 @@ std::vector<FigureNumber> makeNumbers() {
        .name = "SNR",
        .unit = "dB",
        .better = Better::higher,
-       .value = [](const StudiedRepresentation& studied, const Image&) { return studied.record.renderedSnr; }}};
+       .value = [](const MeasuredRepresentation& studied, const Image&) { return studied.record.renderedSnr; }}};
   addImageMetrics(numbers);
   addBrdfMetrics(numbers);
   addCosts(numbers);

@@ -22,7 +22,7 @@ struct FigureNumber {
   Better better = Better::lower;
   bool isError = true;   ///< an error or SNR, not a cost
   bool isTimed = false;  ///< a time on this machine, which differs from run to run
-  std::function<double(const study::StudiedRepresentation& studied, const Image& reference)> value;
+  std::function<double(const study::MeasuredRepresentation& studied, const Image& reference)> value;
 
   /// Name and unit, e.g. "SNR [dB]".
   std::string title() const;

@@ -65,7 +65,7 @@ void evaluateBothOrders(const Brdf& brdf, std::span<const Place> places, std::sp
 
 }  // namespace
 
-FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCensus& census) {
+FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& census) {
   const std::size_t count =
       std::size_t(strata.thetaH) * std::size_t(strata.thetaD) * std::size_t(strata.phiD) * std::size_t(strata.phiH);
   std::vector<Place> places(count);

@@ -13,7 +13,7 @@ struct AzimuthStrata {
 };
 
 /// Number of strata that the fit uses, and that it excludes because they are invalid or grazing.
-struct AzimuthCensus {
+struct AzimuthCellCounts {
   std::size_t used = 0, invalid = 0, grazing = 0;
   std::size_t negative = 0;  ///< channel values of used cells below 0, which count as 0
 };
@@ -23,6 +23,6 @@ struct AzimuthCensus {
 /// ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models are
 /// reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
 /// @param maxPolarAngle rad; cells with a direction beyond it are grazing.
-FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCensus& census);
+FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& census);
 
 }  // namespace gonio::fitting

@@ -30,7 +30,7 @@ struct Patch {
   std::vector<std::size_t> cells;
   double measure = 0;
 
-  void collect(const HalfDifferenceGrid& grid, const CellCensus& census, int row, Range thetaD, Range phiD) {
+  void collect(const HalfDifferenceGrid& grid, const CellSelection& census, int row, Range thetaD, Range phiD) {
     cells.clear();
     measure = 0;
     for (int j = thetaD.begin; j < thetaD.end; ++j) {
@@ -61,10 +61,10 @@ void FitCells::normaliseWeights() {
   for (double& weight : rootWeight) weight = std::sqrt(weight / total);
 }
 
-CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
+CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   constexpr std::size_t block = 4096;
   const std::size_t size = table.grid().size();
-  CellCensus census;
+  CellSelection census;
   census.counts.assign(size, 0);
   std::vector<std::size_t> used((size + block - 1) / block, 0);
   // Angles cost more than cosines: they decide only what rounding could turn.
@@ -89,7 +89,7 @@ CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
   return census;
 }
 
-FitCells stratifiedCells(const TabulatedBrdf& table, const CellCensus& census, int thetaDStrata, int phiDStrata) {
+FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& census, int thetaDStrata, int phiDStrata) {
   const HalfDifferenceGrid& grid = table.grid();
   const int strataD = std::min(thetaDStrata, grid.thetaDCount), strataF = std::min(phiDStrata, grid.phiDCount);
   FitCells result;

@@ -12,12 +12,12 @@
 namespace gonio::fitting {
 
 /// The cells of a table that a fit uses.
-struct CellCensus {
+struct CellSelection {
   std::vector<std::uint8_t> counts;  ///< one flag per cell: 1 if used
   std::size_t used = 0, invalid = 0, grazing = 0;
 };
 /// @param maxPolarAngle rad; cells with a direction beyond it are grazing. Parallel, about 20 ms.
-CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle);
+CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle);
 
 /// The cells of a fit as arrays.
 struct FitCells {
@@ -36,6 +36,6 @@ struct FitCells {
 /// A stratified subset of the used cells: each theta_h row is divided into about `thetaDStrata` x `phiDStrata` patches,
 /// and one cell represents its patch with the measure of all its cells. Every row is kept, so the highlight remains
 /// resolved. Deterministic.
-FitCells stratifiedCells(const TabulatedBrdf& table, const CellCensus& census, int thetaDStrata, int phiDStrata);
+FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& census, int thetaDStrata, int phiDStrata);
 
 }  // namespace gonio::fitting

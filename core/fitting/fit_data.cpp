@@ -29,7 +29,7 @@ std::shared_ptr<const TabulatedBrdf> tableOf(const Brdf& base) {
 FitData::FitData(const Brdf& base, const FitOptions& options)
     : base_(base), options_(options), baked_(tableOf(base)), table_(baked_ ? baked_.get() : base.asTable()) {
   if (table_) {
-    census_ = takeCensus(*table_, options.maxPolarAngle);
+    census_ = selectCells(*table_, options.maxPolarAngle);
     warnings_ = measurementWarnings(*table_, census_);
   } else {
     allCells_ = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
@@ -54,7 +54,7 @@ FitTarget FitData::makeTarget(Part part, double costTolerance) const {
     const Strata strata = part == Part::search ? searchStrata : part == Part::fine ? fineStrata : coarseStrata;
     return {stratifiedCells(*table_, census_, strata.thetaD, strata.phiD), metric, costTolerance};
   }
-  AzimuthCensus census;
+  AzimuthCellCounts census;
   const AzimuthStrata strata = part == Part::search ? searchAzimuths
                                : part == Part::fine ? fineAzimuths
                                                     : coarseAzimuths;

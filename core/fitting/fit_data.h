@@ -44,8 +44,8 @@ class FitData {
   FitOptions options_;
   std::shared_ptr<const TabulatedBrdf> baked_;  ///< if the base is isotropic but not a table
   const TabulatedBrdf* table_;                  ///< null for anisotropic data
-  CellCensus census_;                           ///< for a table
-  AzimuthCensus azimuths_;                      ///< for anisotropic data
+  CellSelection census_;                        ///< for a table
+  AzimuthCellCounts azimuths_;                  ///< for anisotropic data
   FitCells allCells_;                           ///< for anisotropic data
   std::vector<std::string> warnings_;
   mutable std::optional<FitTarget> search_, fine_, coarse_;

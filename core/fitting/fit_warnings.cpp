@@ -30,7 +30,7 @@ struct ChannelCensus {
 
 using Channels = std::array<ChannelCensus, 3>;
 
-Channels takeChannelCensus(const TabulatedBrdf& table, const CellCensus& census) {
+Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& census) {
   const HalfDifferenceGrid& grid = table.grid();
   Channels channels;
   double measure = 0;
@@ -76,7 +76,7 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
 
 }  // namespace
 
-std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellCensus& census) {
+std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& census) {
   return warningsOf(takeChannelCensus(table, census), census.used, table.clampedCount(), table.validCount());
 }
 

@@ -110,7 +110,7 @@ class EarClipping {
 
 }  // namespace
 
-std::vector<TriangleIndices> cutPolygon(std::span<const glm::vec3> corners) {
+std::vector<TriangleIndices> triangulatePolygon(std::span<const glm::vec3> corners) {
   if (corners.size() == 3) return {{0, 1, 2}};
   std::vector<glm::dvec2> p = flattened(corners, areaNormal(corners));
   if (corners.size() == 4 && turn(p[3], p[0], p[1]) > 0 && turn(p[0], p[1], p[2]) > 0 && turn(p[1], p[2], p[3]) > 0 &&

@@ -14,6 +14,6 @@ namespace gonio {
 /// along its shorter diagonal. Corners on a straight line are cut last, to avoid triangles without area if possible.
 /// For self-intersecting polygons and those without area the result is some triangulation. O(n) for convex polygons,
 /// otherwise typically O(n^2), limited to 10000 n steps; then the rest becomes a fan.
-std::vector<TriangleIndices> cutPolygon(std::span<const glm::vec3> corners);
+std::vector<TriangleIndices> triangulatePolygon(std::span<const glm::vec3> corners);
 
 }  // namespace gonio

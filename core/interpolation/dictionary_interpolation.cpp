@@ -27,7 +27,7 @@ TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code
 
 class DictionaryInterpolation final : public Interpolation {
  public:
-  DictionaryInterpolation(std::span<const InterpolationEnd> ends, std::shared_ptr<const Ensemble> ensemble,
+  DictionaryInterpolation(std::span<const InterpolationMaterial> ends, std::shared_ptr<const Ensemble> ensemble,
                           std::vector<SparseCode> codes, std::size_t coefficients)
       : Interpolation(ends), ensemble_(std::move(ensemble)), codes_(std::move(codes)), coefficients_(coefficients) {}
 
@@ -56,22 +56,22 @@ class DictionaryInterpolation final : public Interpolation {
 };
 
 /// The code whose transform and scale all have: the first one. Null if there is none.
-const SparseCode* givenCode(std::span<const InterpolationEnd> ends) {
-  for (const InterpolationEnd& end : ends)
+const SparseCode* givenCode(std::span<const InterpolationMaterial> ends) {
+  for (const InterpolationMaterial& end : ends)
     if (end.code) return end.code.get();
   return nullptr;
 }
 
 /// The index of the transform with the least gamma error, summed over the materials.
-std::size_t bestTransform(std::span<const dictionary::Encoded> encoded, std::size_t transforms) {
+std::size_t bestTransform(std::span<const dictionary::EncodeResult> encoded, std::size_t transforms) {
   std::vector<double> errors(transforms, 0.0);
-  for (const dictionary::Encoded& material : encoded)
+  for (const dictionary::EncodeResult& material : encoded)
     for (std::size_t t = 0; t < transforms; ++t) errors[t] += material.candidates[t].gammaError;
   return std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
 }
 
-std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationEnd> ends, const InterpolationOptions& options,
-                                            const TaskControl& control) {
+std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMaterial> ends,
+                                            const InterpolationOptions& options, const TaskControl& control) {
   const dictionary::Encoder encoder(*options.ensemble);
   dictionary::EncodeOptions encode = options.encode;
   const SparseCode* const given = givenCode(ends);
@@ -80,7 +80,7 @@ std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationEnd> en
     encode.scaled = given->scaled;
   }
   std::vector<SparseCode> codes(ends.size());
-  std::vector<dictionary::Encoded> encoded;
+  std::vector<dictionary::EncodeResult> encoded;
   std::vector<std::size_t> materials;  // of `encoded`
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends[i].code && ends[i].code->transform == given->transform && ends[i].code->scaled == given->scaled) {
@@ -100,7 +100,7 @@ std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationEnd> en
 
 }  // namespace
 
-std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationEnd> ends,
+std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationMaterial> ends,
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
   if (!options.ensemble || options.ensemble->dictionaries.empty())

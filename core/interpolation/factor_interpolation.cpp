@@ -14,7 +14,7 @@ using Factors = std::shared_ptr<const PdvFactors>;
 class FactorInterpolation final : public Interpolation {
  public:
   /// @throws Error when the factors cannot be blended.
-  FactorInterpolation(std::span<const InterpolationEnd> materials, std::vector<Factors> factors)
+  FactorInterpolation(std::span<const InterpolationMaterial> materials, std::vector<Factors> factors)
       : Interpolation(materials), factors_(std::move(factors)) {
     factorization::checkBlendable(curves());
   }
@@ -35,9 +35,9 @@ class FactorInterpolation final : public Interpolation {
 };
 
 /// What all factorisations share: that of the first material that has factors, else nodes for the set.
-factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, const InterpolationOptions& options,
-                                        const TaskControl& control) {
-  for (const InterpolationEnd& end : ends)
+factorization::PdvOptions sharedOptions(std::span<const InterpolationMaterial> ends,
+                                        const InterpolationOptions& options, const TaskControl& control) {
+  for (const InterpolationMaterial& end : ends)
     if (end.factors)
       return {.form = end.factors->form,
               .transform = end.factors->transform,
@@ -51,7 +51,7 @@ factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, 
 
 }  // namespace
 
-std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
+std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationMaterial> ends,
                                                     const InterpolationOptions& options, const TaskControl& control) {
   constexpr double nodesFraction = 0.1;
   const factorization::PdvOptions shared = sharedOptions(ends, options, control.between(0, nodesFraction));

@@ -8,7 +8,7 @@
 
 namespace gonio::editing {
 
-Interpolation::Interpolation(std::span<const InterpolationEnd> ends)
+Interpolation::Interpolation(std::span<const InterpolationMaterial> ends)
     : ends_(ends.begin(), ends.end()), tables_(tablesOf(ends)) {
   if (tables_.empty()) throw Error("interpolation: found no material, expected at least one");
 }
@@ -50,7 +50,7 @@ Interpolation::Table Interpolation::blendedTable(std::span<const double> weights
 }
 
 std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace space,
-                                                          std::span<const InterpolationEnd> ends,
+                                                          std::span<const InterpolationMaterial> ends,
                                                           const InterpolationOptions& options,
                                                           const TaskControl& control) {
   switch (space) {

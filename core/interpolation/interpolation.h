@@ -36,7 +36,7 @@ inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear
                                                                          "factors", "dictionary"};
 
 /// One of the materials to blend.
-struct InterpolationEnd {
+struct InterpolationMaterial {
   std::shared_ptr<const TabulatedBrdf> table;
   /// The factors of a material that consists of PDV factors; they are used unchanged. Null: the table is factorised.
   std::shared_ptr<const factorization::PdvFactors> factors = nullptr;
@@ -89,7 +89,7 @@ class Interpolation {
   virtual ~Interpolation() = default;
 
   std::size_t materials() const { return ends_.size(); }
-  const std::vector<InterpolationEnd>& ends() const { return ends_; }
+  const std::vector<InterpolationMaterial>& ends() const { return ends_; }
 
   /// The blend, evaluated directly without a table. @throws Error for invalid weights.
   std::shared_ptr<const Brdf> brdf(std::span<const double> weights) const;
@@ -117,7 +117,7 @@ class Interpolation {
 
  protected:
   /// @throws Error if there are no materials.
-  explicit Interpolation(std::span<const InterpolationEnd> ends);
+  explicit Interpolation(std::span<const InterpolationMaterial> ends);
   const std::vector<Table>& tables() const { return tables_; }
 
   // Precondition: no weight is 1.
@@ -132,7 +132,7 @@ class Interpolation {
   virtual std::optional<dictionary::SparseCode> blendedCode(std::span<const double>) const { return {}; }
 
  private:
-  std::vector<InterpolationEnd> ends_;
+  std::vector<InterpolationMaterial> ends_;
   std::vector<Table> tables_;
 };
 
@@ -140,7 +140,7 @@ class Interpolation {
 /// materials cannot be blended in the space: factors of different transforms, a missing ensemble, or codes of another
 /// one; Cancelled.
 std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace space,
-                                                          std::span<const InterpolationEnd> ends,
+                                                          std::span<const InterpolationMaterial> ends,
                                                           const InterpolationOptions& options = {},
                                                           const TaskControl& control = {});
 

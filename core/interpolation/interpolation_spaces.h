@@ -7,19 +7,20 @@
 /// The implementations of prepareInterpolation(), one file per space.
 namespace gonio::editing {
 
-std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control);
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
+                                                   const TaskControl& control);
 /// The space `differential` with keepDetail, else `parameters`.
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationEnd> ends, bool keepDetail,
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool keepDetail,
                                                        const InterpolationOptions& options, const TaskControl& control);
-std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
+std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationMaterial> ends,
                                                     const InterpolationOptions& options, const TaskControl& control);
-std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationEnd> ends,
+std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationMaterial> ends,
                                                        const InterpolationOptions& options, const TaskControl& control);
 
 /// The tables without transform.
 TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
 /// The table of each end.
-std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends);
+std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends);
 /// The tables resampled on the grid of the first. @throws Cancelled.
 std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
                                             const TaskControl& control);

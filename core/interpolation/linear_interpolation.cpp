@@ -9,13 +9,13 @@ namespace {
 
 class LinearInterpolation final : public Interpolation {
  public:
-  LinearInterpolation(std::span<const InterpolationEnd> ends, const TaskControl& control)
+  LinearInterpolation(std::span<const InterpolationMaterial> ends, const TaskControl& control)
       : Interpolation(ends), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     std::vector<std::shared_ptr<const Brdf>> materials;
-    for (const InterpolationEnd& end : ends()) materials.push_back(end.material());
+    for (const InterpolationMaterial& end : ends()) materials.push_back(end.material());
     return weightedSum(std::move(materials), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
@@ -37,9 +37,9 @@ TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables) {
   return mixture;
 }
 
-std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends) {
+std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends) {
   std::vector<Interpolation::Table> tables;
-  for (const InterpolationEnd& end : ends) tables.push_back(end.table);
+  for (const InterpolationMaterial& end : ends) tables.push_back(end.table);
   return tables;
 }
 
@@ -53,7 +53,8 @@ std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Tab
   return result;
 }
 
-std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control) {
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
+                                                   const TaskControl& control) {
   return std::make_shared<const LinearInterpolation>(ends, control);
 }
 

@@ -15,7 +15,7 @@ using models::ParameterValues;
 /// The model alone at the blended parameters.
 class ParameterInterpolation : public Interpolation {
  public:
-  ParameterInterpolation(std::span<const InterpolationEnd> ends, const models::Model& model,
+  ParameterInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
                          std::vector<ParameterValues> fitted)
       : Interpolation(ends), model_(model), fitted_(std::move(fitted)) {}
 
@@ -34,7 +34,7 @@ class ParameterInterpolation : public Interpolation {
 /// The materials moved to the blended parameters, blended.
 class DifferentialInterpolation final : public ParameterInterpolation {
  public:
-  DifferentialInterpolation(std::span<const InterpolationEnd> ends, const models::Model& model,
+  DifferentialInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
                             std::vector<ParameterValues> fitted, const TaskControl& control)
       : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
 
@@ -69,7 +69,7 @@ class DifferentialInterpolation final : public ParameterInterpolation {
 
 }  // namespace
 
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationEnd> ends, bool keepDetail,
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool keepDetail,
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
   const models::Model& model = options.model ? *options.model : models::ggx();

@@ -71,11 +71,11 @@ struct AngleColumns {
   std::array<std::optional<std::size_t>, 4> columns;
 
   explicit AngleColumns(const CsvText& csv)
-      : columns{csv.neededColumn("theta_i"), csv.column("phi_i"),
+      : columns{csv.requiredColumn("theta_i"), csv.column("phi_i"),
                 firstColumn(csv, {"theta_s", "theta_r", "theta_o", "theta_v"}),
                 firstColumn(csv, {"phi_s", "phi_r", "phi_o", "phi_v"})} {
-    if (!columns[2]) csv.neededColumn("theta_s");
-    if (!columns[3]) csv.neededColumn("phi_s");
+    if (!columns[2]) csv.requiredColumn("theta_s");
+    if (!columns[3]) csv.requiredColumn("phi_s");
   }
   bool contains(std::size_t column) const { return std::ranges::find(columns, column) != columns.end(); }
   std::array<double, 4> at(const CsvText& csv, const CsvText::Row& row) const {
@@ -89,12 +89,12 @@ struct AngleColumns {
 ColourColumns colourColumns(const CsvText& csv, const AngleColumns& angles) {
   if (csv.column("r") || csv.column("g") || csv.column("b")) return rgbColumns(csv);
   if (csv.column("x") && csv.column("y") && csv.column("z"))
-    return {{csv.neededColumn("x"), csv.neededColumn("y"), csv.neededColumn("z")},
+    return {{csv.requiredColumn("x"), csv.requiredColumn("y"), csv.requiredColumn("z")},
             {linearSrgb({1, 0, 0}), linearSrgb({0, 1, 0}), linearSrgb({0, 0, 1})}};
   if (ColourColumns spectrum = wavelengthColumns(csv); !spectrum.empty()) return spectrum;
   for (std::size_t column = 0; column < csv.names.size(); ++column)
     if (!angles.contains(column)) return {{column}, {Rgb(1)}};
-  throw Error("line " + std::to_string(csv.namesLine) + ": found no column of values, expected R, G and B");
+  throw Error("line " + std::to_string(csv.headerLine) + ": found no column of values, expected R, G and B");
 }
 
 /// The factor by which the file's angles become radians.

@@ -41,7 +41,7 @@ ColourColumns wavelengthColumns(const CsvText& csv) {
   for (std::size_t column = 0; column < csv.names.size(); ++column)
     if (const auto wavelength = wavelengthOf(csv.names[column]))
       if (!byWavelength.emplace(*wavelength, column).second)
-        throw Error("line " + std::to_string(csv.namesLine) + ": found two columns of " + numberText(*wavelength) +
+        throw Error("line " + std::to_string(csv.headerLine) + ": found two columns of " + numberText(*wavelength) +
                     " nm, expected one");
   if (byWavelength.size() < minWavelengths) return {};
   std::vector<double> wavelengths;
@@ -55,7 +55,7 @@ ColourColumns wavelengthColumns(const CsvText& csv) {
 }
 
 ColourColumns rgbColumns(const CsvText& csv) {
-  return {{csv.neededColumn("r"), csv.neededColumn("g"), csv.neededColumn("b")},
+  return {{csv.requiredColumn("r"), csv.requiredColumn("g"), csv.requiredColumn("b")},
           {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1)}};
 }
 

@@ -71,7 +71,7 @@ nlohmann::json ContainerReader::description() {
   }
 }
 
-void ContainerReader::expectLeft(std::uint64_t bytes) const {
+void ContainerReader::expectRemaining(std::uint64_t bytes) const {
   if (left_.size() != bytes)
     fail("the size of the file is " + std::to_string(bytes_.size()) + " bytes, expected " +
          std::to_string(bytes_.size() - left_.size() + bytes) + " according to its description");

@@ -71,8 +71,8 @@ class ContainerReader {
     std::memcpy(&value, bytes.data(), sizeof value);
     return value;
   }
-  /// Fills a container with data() and size(). Call expectLeft() before allocating it. @param what name of the value in
-  /// the error for values that are not finite, e.g. "mean".
+  /// Fills a container with data() and size(). Call expectRemaining() before allocating it. @param what name of the
+  /// value in the error for values that are not finite, e.g. "mean".
   template <typename Values>
   void values(Values& target, std::string_view what) {
     using Value = std::remove_cvref_t<decltype(target.data()[0])>;
@@ -94,7 +94,7 @@ class ContainerReader {
   std::span<const std::byte> rest() { return take(left_.size()); }
 
   /// @throws Error unless exactly `bytes` bytes remain.
-  void expectLeft(std::uint64_t bytes) const;
+  void expectRemaining(std::uint64_t bytes) const;
 
   [[noreturn]] void fail(const std::string& fault) const;
 

@@ -69,7 +69,7 @@ std::string listOf(const std::vector<std::string>& names) {
 
 void readNames(CsvText& csv, std::string_view line, std::size_t number) {
   csv.separator = separatorOf(line, ",;\t");
-  csv.namesLine = number;
+  csv.headerLine = number;
   for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowerCase(std::move(name)));
   // Spreadsheets fill rows up with empty fields.
   while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
@@ -113,9 +113,9 @@ std::optional<std::size_t> CsvText::column(std::string_view name) const {
   return std::size_t(found - names.begin());
 }
 
-std::size_t CsvText::neededColumn(std::string_view name) const {
+std::size_t CsvText::requiredColumn(std::string_view name) const {
   if (const auto found = column(name)) return *found;
-  throw Error("line " + std::to_string(namesLine) + ": found the columns " + listOf(names) + ", expected one named " +
+  throw Error("line " + std::to_string(headerLine) + ": found the columns " + listOf(names) + ", expected one named " +
               std::string(name));
 }
 

@@ -23,7 +23,7 @@ struct CsvText {
   };
 
   std::vector<std::string> comments;  ///< without # and surrounding spaces
-  std::size_t namesLine = 0;          ///< number of the header line, from 1; 0: the table has no header
+  std::size_t headerLine = 0;         ///< number of the header line, from 1; 0: the table has no header
   std::vector<std::string> names;     ///< names of the columns, in lower case
   std::vector<Row> rows;              ///< each with one field per name
   char separator = ',';
@@ -31,7 +31,7 @@ struct CsvText {
   /// Index of the column of a name, if it exists.
   std::optional<std::size_t> column(std::string_view name) const;
   /// Index of the column of a name. @throws Error that names the column and lists those of the table.
-  std::size_t neededColumn(std::string_view name) const;
+  std::size_t requiredColumn(std::string_view name) const;
 
   /// A field as a finite number, in decimal notation. @throws Error that names line and column.
   double number(const Row& row, std::size_t column) const;

@@ -10,8 +10,8 @@
 #include "core/io/gltf_parts.h"
 #include "core/io/json_text.h"
 #include "core/support/error.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
-#include "core/support/naming_file.h"
 
 namespace gonio::io {
 
@@ -229,7 +229,7 @@ class GltfReader {
     }
     if (!folder_ || address.find("://") != std::string::npos) buffer.fail("uri", "a file in the same folder");
     const std::filesystem::path path = *folder_ / decodedPath(address);
-    return namingFile(path, [&] { return FileSource(path).readAll(maxGltfBytes); });
+    return withFileInErrors(path, [&] { return FileSource(path).readAll(maxGltfBytes); });
   }
 
   JsonObject root_;

@@ -15,7 +15,7 @@
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
 #include "core/io/exr_header_check.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::io {
 
@@ -102,13 +102,13 @@ Image readImage(std::span<const std::byte> bytes) {
 }
 
 Image readImage(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readImage(FileSource(path).readAll()); });
+  return withFileInErrors(path, [&] { return readImage(FileSource(path).readAll()); });
 }
 
 void writeExr(const Image& image, const std::filesystem::path& path,
               const std::map<std::string, std::string>& attributes) {
   const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
-  const std::vector<std::byte> bytes = namingFile(path, [&] {
+  const std::vector<std::byte> bytes = withFileInErrors(path, [&] {
     checkShape(image.pixels.size() == count && (image.alpha.empty() || image.alpha.size() == count), image.width,
                image.height);
     return encodeExr(image, attributes);
@@ -130,7 +130,7 @@ std::vector<std::byte> encodePng(const std::vector<unsigned char>& rgba, int wid
 }
 
 void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path) {
-  writeFileAtomically(path, namingFile(path, [&] { return encodePng(rgba, width, height); }));
+  writeFileAtomically(path, withFileInErrors(path, [&] { return encodePng(rgba, width, height); }));
 }
 
 }  // namespace gonio::io

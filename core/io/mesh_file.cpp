@@ -8,8 +8,8 @@
 #include "core/io/obj_file.h"
 #include "core/io/ply_file.h"
 #include "core/support/error.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/lower_case.h"
-#include "core/support/naming_file.h"
 
 namespace gonio::io {
 
@@ -37,7 +37,7 @@ bool isMeshFile(const std::filesystem::path& path) {
 TriangleMesh readMesh(const std::filesystem::path& path) {
   const std::string suffix = suffixOf(path);
   if (suffix == ".obj") return readObj(path);
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     if (!isMeshFile(path)) throw Error("found the suffix '" + suffix + "', expected one of " + meshSuffixList());
     const FileSource file(path);
     return suffix == ".ply" ? readPly(file) : readGltf(file, path.parent_path());

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/geometry/polygon.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::io {
 
@@ -157,7 +157,7 @@ class Reader {
       throw Error("found a face of " + std::to_string(corners_.size()) + " corners, expected three or more");
     if (arrays_.triangles.size() + corners_.size() - 2 > maxTriangles)
       throw Error("found more than " + std::to_string(maxTriangles) + " triangles, the maximum");
-    for (const TriangleIndices& triangle : cutPolygon(places_)) {
+    for (const TriangleIndices& triangle : triangulatePolygon(places_)) {
       TriangleIndices& added = arrays_.triangles.emplace_back();
       for (int i = 0; i < 3; ++i) {
         const Corner& from = corners_[triangle[i]];
@@ -187,7 +187,7 @@ TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
 }
 
 TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control) {
-  return namingFile(path, [&] { return readObj(FileSource(path), control); });
+  return withFileInErrors(path, [&] { return readObj(FileSource(path), control); });
 }
 
 }  // namespace gonio::io

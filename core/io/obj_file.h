@@ -9,9 +9,9 @@
 #include "core/support/task_control.h"
 
 /// Meshes in Wavefront OBJ files. Reads the lines v (positions), vn (normals) and f (faces: positions, or positions and
-/// normals, counted from 1, or from the end if negative), all groups and objects as one mesh; cutPolygon() triangulates
-/// faces of more than three corners. Texture coordinates, materials, lines and curves are ignored. Numbers are parsed
-/// strictly, unlike in common loaders, which read invalid numbers as 0.
+/// normals, counted from 1, or from the end if negative), all groups and objects as one mesh; triangulatePolygon()
+/// triangulates faces of more than three corners. Texture coordinates, materials, lines and curves are ignored. Numbers
+/// are parsed strictly, unlike in common loaders, which read invalid numbers as 0.
 namespace gonio::io {
 
 /// @throws Error that names the file and the line, what was found and what was expected; also without faces, over 2 GB

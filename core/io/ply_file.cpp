@@ -237,7 +237,7 @@ class PlyReader {
       if (!std::isfinite(glm::dot(places_.back(), glm::vec3(1))))
         throw Error("found a vertex with a coordinate that is not finite");
     }
-    for (const TriangleIndices& triangle : cutPolygon(places_))
+    for (const TriangleIndices& triangle : triangulatePolygon(places_))
       arrays_.triangles.push_back({corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});
   }
 

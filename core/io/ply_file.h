@@ -10,8 +10,8 @@
 
 /// Meshes in Stanford PLY files (Turk 1994, "The PLY Polygon File Format"), text or binary in either byte order: the
 /// properties x, y, z and, if present, nx, ny, nz of the element "vertex", and the list vertex_indices or vertex_index
-/// of the element "face"; cutPolygon() triangulates faces of more than three corners. All other content is ignored.
-/// Parsed strictly by our own reader, because Assimp 5.2 crashed on damaged files.
+/// of the element "face"; triangulatePolygon() triangulates faces of more than three corners. All other content is
+/// ignored. Parsed strictly by our own reader, because Assimp 5.2 crashed on damaged files.
 namespace gonio::io {
 
 /// @throws Error that states the line of the header or the element, what was found and what was expected; also without

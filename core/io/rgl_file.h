@@ -13,7 +13,7 @@
 namespace gonio::io {
 
 struct RglFile {
-  std::shared_ptr<const RglBrdf> brdf;  ///< with IncidentSlot::viewer
+  std::shared_ptr<const RglBrdf> brdf;  ///< with IncidentDirection::viewer
   std::string description;
   bool isSpectral = false;          ///< whether it is a `_spec` file, with `spectra` instead of `rgb`
   std::vector<int> grid;            ///< sizes of the field `rgb` or `spectra`

@@ -10,7 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
 #include "core/materials/grid_json.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -65,7 +65,7 @@ Sizes basisSizes(const io::ContainerReader& file, const JsonObject& root) {
   if (precision != "single" && precision != "half")
     file.fail("found the precision '" + precision + "', expected single or half");
   sizes.precision = precision == "half" ? BasisPrecision::half : BasisPrecision::single;
-  file.expectLeft(sizes.bytes());
+  file.expectRemaining(sizes.bytes());
   return sizes;
 }
 
@@ -182,7 +182,7 @@ std::shared_ptr<const BasisFile> readBasis(const io::ByteSource& source) {
 }
 
 std::shared_ptr<const BasisFile> readBasis(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readBasis(io::FileSource(path)); });
+  return withFileInErrors(path, [&] { return readBasis(io::FileSource(path)); });
 }
 
 }  // namespace gonio::materials

@@ -29,7 +29,8 @@ std::vector<std::function<std::shared_ptr<const Brdf>()>> trainingMaterials() {
   for (const MeasuredMaterial& measured : measuredMaterials())
     result.push_back([&measured] { return measuredMaterial(measured).brdf; });
   for (const NearMeasuredMaterial& copy : nearMeasuredMaterials())
-    if (!isMeasuredToo(copy)) result.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
+    if (!isOriginalBundled(copy))
+      result.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
   return result;
 }
 

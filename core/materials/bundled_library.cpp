@@ -83,7 +83,7 @@ std::vector<std::string> libraryTrainingPaths() {
   const auto add = [&paths](const auto& entry) { paths.push_back(std::string(libraryScheme) + idOf(entry)); };
   for (const MeasuredMaterial& measured : measuredMaterials()) add(measured);
   for (const NearMeasuredMaterial& copy : nearMeasuredMaterials())
-    if (!isMeasuredToo(copy)) add(copy);
+    if (!isOriginalBundled(copy)) add(copy);
   return paths;
 }
 

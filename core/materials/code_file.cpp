@@ -8,7 +8,7 @@
 #include "core/dictionary/decode.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -77,7 +77,7 @@ CodeFile readCode(const io::ByteSource& source) {
 }
 
 CodeFile readCode(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readCode(io::FileSource(path)); });
+  return withFileInErrors(path, [&] { return readCode(io::FileSource(path)); });
 }
 
 void expectCode(const io::ByteSource& source) { io::expectSignature(source, codeFormat); }

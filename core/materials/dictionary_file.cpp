@@ -6,7 +6,7 @@
 #include "core/io/container.h"
 #include "core/io/sha256.h"
 #include "core/materials/grid_json.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -57,7 +57,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
   const auto sizes = dictionary::modeSizes(named->ensemble.grid);
   std::uint64_t numbers = 0;
   for (const int size : sizes) numbers += std::uint64_t(size) * std::uint64_t(size);
-  file.expectLeft(sparsities.size() * numbers * sizeof(float));
+  file.expectRemaining(sparsities.size() * numbers * sizeof(float));
   for (const json& sparsity : sparsities) {
     Dictionary& dictionary = named->ensemble.dictionaries.emplace_back();
     dictionary.sparsity = sparsity.is_number_integer() ? sparsity.get<int>() : 0;
@@ -68,7 +68,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
 }
 
 std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readDictionary(io::FileSource(path)); });
+  return withFileInErrors(path, [&] { return readDictionary(io::FileSource(path)); });
 }
 
 }  // namespace gonio::materials

@@ -9,7 +9,7 @@
 #include "core/io/csv_text.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
 namespace gonio::materials {
@@ -66,7 +66,7 @@ FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxe
   FactorReadings readings{.plan = {.axes = axes, .plan = parsePlan(text), .curves = {}}, .values = {}};
   readings.values = parseValues(text, readings.plan.plan);
   const io::CsvText csv = io::readCsvText(text);
-  const std::size_t indexColumn = csv.neededColumn("index"), curveColumn = csv.neededColumn("curve");
+  const std::size_t indexColumn = csv.requiredColumn("index"), curveColumn = csv.requiredColumn("curve");
   std::map<int, acquisition::FactorCurve> curves;
   for (const io::CsvText::Row& row : csv.rows)
     curves[csv.integer(row, indexColumn)] = curveOf(row, row.fields[curveColumn]);
@@ -76,7 +76,7 @@ FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxe
 }
 
 FactorReadings readFactorReadings(const std::filesystem::path& path, acquisition::FactorAxes axes) {
-  return namingFile(path, [&] { return parseFactorReadings(io::readText(path), axes); });
+  return withFileInErrors(path, [&] { return parseFactorReadings(io::readText(path), axes); });
 }
 
 }  // namespace gonio::materials

@@ -11,8 +11,8 @@ namespace gonio::materials {
 const std::vector<LibraryRow>& libraryRows() {
   static const std::vector<LibraryRow> rows = [] {
     const io::CsvText csv = io::readCsvText(libraryListText());
-    const std::size_t source = csv.neededColumn("source"), name = csv.neededColumn("name"),
-                      kind = csv.neededColumn("kind"), snr = csv.neededColumn("rendered_snr");
+    const std::size_t source = csv.requiredColumn("source"), name = csv.requiredColumn("name"),
+                      kind = csv.requiredColumn("kind"), snr = csv.requiredColumn("rendered_snr");
     std::vector<LibraryRow> result;
     for (const io::CsvText::Row& row : csv.rows) {
       LibraryRow& read = result.emplace_back(LibraryRow{row.fields[source], row.fields[name], row.fields[kind], {}});

@@ -12,7 +12,7 @@
 #include "core/materials/material_file.h"
 #include "core/materials/material_formats.h"
 #include "core/materials/npf_file.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -47,7 +47,7 @@ Material readMaterial(const io::ByteSource& source, const TaskControl& control) 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string(), control);
   if (isNpfRow(path)) return readNpfRow(path);
-  return namingFile(path, [&] {
+  return withFileInErrors(path, [&] {
     Material material = readMaterial(io::FileSource(path), control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();

@@ -8,7 +8,7 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/library_list.h"
 #include "core/materials/measured_library.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -26,7 +26,7 @@ std::vector<std::byte> bundledFile(const MaterialSource& source) {
 
 std::vector<std::byte> materialFile(const MaterialSource& source) {
   if (source.path.native().starts_with(libraryScheme)) return bundledFile(source);
-  return namingFile(source.path, [&] {
+  return withFileInErrors(source.path, [&] {
     std::vector<std::byte> found = io::FileSource(source.path).readAll();
     if (io::sha256Hex(found) != source.sha256) throw Error("the file has changed since it was read; open it again");
     return found;

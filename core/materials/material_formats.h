@@ -27,9 +27,9 @@ struct MaterialFormat {
   std::string_view name;                       ///< MaterialSource::format, e.g. "MERL"
   std::string_view label;                      ///< for display, e.g. "MERL table"
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
-  bool hasCommonSuffix;  ///< whether other kinds of files use the same suffix, so that only the content determines the
-                         ///< format
-  bool isMeasurement;    ///< false: a model of a measurement, which training sets exclude
+  bool isSuffixAmbiguous;  ///< whether other kinds of files use the same suffix, so that only the content determines
+                           ///< the format
+  bool isMeasurement;      ///< false: a model of a measurement, which training sets exclude
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);
@@ -46,7 +46,7 @@ std::span<const MaterialFormat> materialFormats();
 const MaterialFormat& formatOf(FormatId id);
 
 /// The first format with the suffix of a name, in upper or lower case; null if there is none or the suffix is common
-/// (hasCommonSuffix).
+/// (isSuffixAmbiguous).
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path);
 bool hasSuffixOf(FormatId id, const std::filesystem::path& path);
 

@@ -51,7 +51,7 @@ const std::vector<NearMeasuredMaterial>& nearMeasuredMaterials() {
   return materials;
 }
 
-bool isMeasuredToo(const NearMeasuredMaterial& copy) {
+bool isOriginalBundled(const NearMeasuredMaterial& copy) {
   return copy.source == rglCopySource &&
          std::ranges::any_of(measuredMaterials(), [&](const MeasuredMaterial& one) { return one.name == copy.name; });
 }

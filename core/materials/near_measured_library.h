@@ -34,7 +34,7 @@ struct NearMeasuredMaterial {
 const std::vector<NearMeasuredMaterial>& nearMeasuredMaterials();
 
 /// Whether the measured material is bundled too; then training sets exclude the copy.
-bool isMeasuredToo(const NearMeasuredMaterial& copy);
+bool isOriginalBundled(const NearMeasuredMaterial& copy);
 
 /// Evaluates the network on the MERL grid. About 0.2 s on two cores. @throws Cancelled.
 Material nearMeasuredMaterial(const NearMeasuredMaterial& copy, const TaskControl& control = {});

@@ -6,7 +6,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -30,13 +30,13 @@ void writeNeural(std::span<const float, NeuralBrdf::weightCount> weights, const 
 NeuralBrdf readNeural(const io::ByteSource& source) {
   io::ContainerReader file(neuralFormat, source);
   std::array<float, NeuralBrdf::weightCount> weights;
-  file.expectLeft(sizeof weights);
+  file.expectRemaining(sizeof weights);
   file.values(weights, "weight");
   return NeuralBrdf(weights);
 }
 
 NeuralBrdf readNeural(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readNeural(io::FileSource(path)); });
+  return withFileInErrors(path, [&] { return readNeural(io::FileSource(path)); });
 }
 
 void expectNeural(const io::ByteSource& source) { io::expectSignature(source, neuralFormat); }

@@ -8,7 +8,7 @@
 
 #include "core/io/csv_text.h"
 #include "core/io/sha256.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::materials {
 
@@ -72,8 +72,8 @@ std::size_t rowCount(const io::ByteSource& source) {
 /// The row of each name.
 std::map<std::string, std::size_t, std::less<>> namedRows(std::string_view rowNames, std::size_t rows) {
   std::map<std::string, std::size_t, std::less<>> result;
-  const io::CsvText names = namingFile("npf_row_order.csv", [&] { return io::readCsvText(rowNames); });
-  const std::size_t rowColumn = names.neededColumn("row"), materialColumn = names.neededColumn("material");
+  const io::CsvText names = withFileInErrors("npf_row_order.csv", [&] { return io::readCsvText(rowNames); });
+  const std::size_t rowColumn = names.requiredColumn("row"), materialColumn = names.requiredColumn("material");
   for (const io::CsvText::Row& line : names.rows) {
     const int row = names.integer(line, rowColumn);
     if (row < 0 || std::size_t(row) >= rows)
@@ -86,7 +86,7 @@ std::map<std::string, std::size_t, std::less<>> namedRows(std::string_view rowNa
 
 std::string namesBeside(const std::filesystem::path& table) {
   const std::filesystem::path path = table.parent_path() / "npf_row_order.csv";
-  return namingFile(path, [&] { return io::readText(path); });
+  return withFileInErrors(path, [&] { return io::readText(path); });
 }
 
 std::optional<std::size_t> numberOf(std::string_view text) {
@@ -137,7 +137,7 @@ NpfTable readNpf(const io::ByteSource& source, std::string_view rowNames) {
 
 NpfTable readNpf(const std::filesystem::path& path) {
   const std::string names = namesBeside(path);
-  return namingFile(path, [&] { return readNpf(io::FileSource(path), names); });
+  return withFileInErrors(path, [&] { return readNpf(io::FileSource(path), names); });
 }
 
 bool isNpfRow(const std::filesystem::path& path) {
@@ -149,7 +149,7 @@ bool isNpfRow(const std::filesystem::path& path) {
 
 Material readNpfRow(const std::filesystem::path& path) {
   const RowPath parts = partsOf(path);
-  return namingFile(parts.table, [&] {
+  return withFileInErrors(parts.table, [&] {
     const io::FileSource source(parts.table);
     const std::size_t number = rowOf(parts.row, parts.table, rowCount(source));
     const NpfRow row(source, number);

@@ -8,7 +8,7 @@
 #include "core/factorization/deviation_grid.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
 namespace gonio::materials {
@@ -85,7 +85,7 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
   check("the count of terms", termsAt, 1, std::uint32_t(maxPdvTerms));
   if (!std::isfinite(highest)) fail(file, "the maximum transformed BRDF value", "not finite", "a finite number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
-  file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));
+  file.expectRemaining(sizeof(float) * floatCount(nodes, header[termsAt]));
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ PdvFactors readPdv(const io::ByteSource& source) {
 }
 
 PdvFactors readPdv(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readPdv(io::FileSource(path)); });
+  return withFileInErrors(path, [&] { return readPdv(io::FileSource(path)); });
 }
 
 bool isPdv(const std::filesystem::path& path) {

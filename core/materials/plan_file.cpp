@@ -9,7 +9,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
 namespace gonio::materials {
@@ -118,9 +118,9 @@ void writePlan(const SamplingPlan& plan, const std::filesystem::path& path, cons
 
 SamplingPlan parsePlan(std::string_view text) {
   const io::CsvText csv = io::readCsvText(text);
-  const std::size_t indexColumn = csv.neededColumn("index");
+  const std::size_t indexColumn = csv.requiredColumn("index");
   std::array<std::size_t, 4> columns;
-  for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.neededColumn(angleNames[c]);
+  for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.requiredColumn(angleNames[c]);
   const auto orderColumn = csv.column("order");
   if (csv.rows.size() > maxSamples)
     throw Error("found " + std::to_string(csv.rows.size()) + " samples, expected at most " +
@@ -157,7 +157,7 @@ SamplingPlan parsePlan(std::string_view text) {
 }
 
 SamplingPlan readPlan(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return parsePlan(io::readText(path)); });
+  return withFileInErrors(path, [&] { return parsePlan(io::readText(path)); });
 }
 
 }  // namespace gonio::materials

@@ -30,24 +30,24 @@ std::string SgdFit::sha256() const {
   return io::sha256Hex(std::string_view(models::parametersToJson(models::findModel("sgd").spec(), parameters).dump()));
 }
 
-std::vector<SgdFit> parseSgdFigures(std::string_view text) {
+std::vector<SgdFit> parseSgdTable(std::string_view text) {
   const models::ModelSpec& spec = models::findModel("sgd").spec();
   const io::CsvText csv = io::readCsvText(text);
-  const std::size_t name = csv.neededColumn("material");
+  const std::size_t name = csv.requiredColumn("material");
   std::vector<SgdFit> fits;
   for (const io::CsvText::Row& row : csv.rows) {
     SgdFit& fit = fits.emplace_back(SgdFit{row.fields[name], {}});
     for (const models::ParameterSpec& parameter : spec.parameters) {
       Rgb& value = fit.parameters.values.emplace_back(0);
       for (int channel = 0; channel < 3; ++channel)
-        value[channel] = csv.number(row, csv.neededColumn(columnOf(parameter.id, channel)));
+        value[channel] = csv.number(row, csv.requiredColumn(columnOf(parameter.id, channel)));
     }
   }
   return fits;
 }
 
 const std::vector<SgdFit>& sgdFits() {
-  static const std::vector<SgdFit> fits = parseSgdFigures(sgdFigures());
+  static const std::vector<SgdFit> fits = parseSgdTable(sgdTableCsv());
   return fits;
 }
 

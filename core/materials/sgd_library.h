@@ -14,7 +14,7 @@
 namespace gonio::materials {
 
 /// The published table of parameters, CSV with a header line, compiled into the program.
-std::string_view sgdFigures();
+std::string_view sgdTableCsv();
 
 /// MaterialSource::format of a fit.
 inline constexpr std::string_view sgdFormat = "SGD fit";
@@ -28,7 +28,7 @@ struct SgdFit {
 };
 
 /// Parses the table. @throws Error that names the line and the column.
-std::vector<SgdFit> parseSgdFigures(std::string_view csv);
+std::vector<SgdFit> parseSgdTable(std::string_view csv);
 
 /// The bundled fits, parsed once.
 const std::vector<SgdFit>& sgdFits();

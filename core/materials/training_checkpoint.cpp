@@ -4,8 +4,8 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
-#include "core/support/naming_file.h"
 
 namespace gonio::materials {
 
@@ -66,7 +66,7 @@ TrainingState stateOf(io::ContainerReader file, const std::string& training) {
     auto& ensemble = state.ensembles.emplace_back();
     for (int d = 0; d < dictionaries; ++d) ensemble.push_back(take(file, state.subspace.ranks));
   }
-  file.expectLeft(0);
+  file.expectRemaining(0);
   return state;
 }
 
@@ -88,7 +88,7 @@ void writeCheckpoint(const TrainingState& state, const std::string& training, co
 }
 
 TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path) {
-  return namingFile(path, [&] { return stateOf({checkpointFormat, io::FileSource(path)}, training); });
+  return withFileInErrors(path, [&] { return stateOf({checkpointFormat, io::FileSource(path)}, training); });
 }
 
 }  // namespace gonio::materials

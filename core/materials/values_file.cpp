@@ -11,7 +11,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/colour_columns.h"
 #include "core/io/csv_text.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
 namespace gonio::materials {
@@ -34,7 +34,7 @@ io::ColourColumns valueColumns(const io::CsvText& csv) {
 std::optional<NoiseColumns> noiseColumns(const io::CsvText& csv) {
   if (const auto all = csv.column("noise")) return NoiseColumns{*all, *all, *all};
   if (!csv.column("noise_r") && !csv.column("noise_g") && !csv.column("noise_b")) return std::nullopt;
-  return NoiseColumns{csv.neededColumn("noise_r"), csv.neededColumn("noise_g"), csv.neededColumn("noise_b")};
+  return NoiseColumns{csv.requiredColumn("noise_r"), csv.requiredColumn("noise_g"), csv.requiredColumn("noise_b")};
 }
 
 double notNegative(const io::CsvText& csv, const io::CsvText::Row& row, std::size_t column) {
@@ -63,7 +63,7 @@ Rgb noiseOf(const io::CsvText& csv, const io::CsvText::Row& row, const NoiseColu
 
 /// Which row is that of each sample.
 std::vector<const io::CsvText::Row*> rowsOf(const io::CsvText& csv, const SamplingPlan& plan) {
-  const std::size_t column = csv.neededColumn("index");
+  const std::size_t column = csv.requiredColumn("index");
   std::map<int, const io::CsvText::Row*> byIndex;
   for (const auto& sample : plan.samples) byIndex[sample.index] = nullptr;
   for (const io::CsvText::Row& row : csv.rows) {
@@ -119,7 +119,7 @@ MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan) {
 }
 
 MeasuredValues readValues(const std::filesystem::path& path, const SamplingPlan& plan) {
-  return namingFile(path, [&] { return parseValues(io::readText(path), plan); });
+  return withFileInErrors(path, [&] { return parseValues(io::readText(path), plan); });
 }
 
 }  // namespace gonio::materials

@@ -38,7 +38,7 @@ std::vector<double> monotoneSlopes(std::span<const double> nodes, std::span<cons
   return slopes;
 }
 
-NodePlace placeBetween(std::span<const double> nodes, double x) {
+NodeInterval findInterval(std::span<const double> nodes, double x) {
   if (nodes.size() < 2 || !(x > nodes.front())) return {0, 0};
   if (x >= nodes.back()) return {nodes.size() - 2, 1};
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), x);
@@ -49,7 +49,7 @@ NodePlace placeBetween(std::span<const double> nodes, double x) {
 double evaluateMonotoneCubic(std::span<const double> nodes, std::span<const double> values,
                              std::span<const double> slopes, double x) {
   if (nodes.size() < 2) return values[0];
-  const NodePlace at = placeBetween(nodes, x);
+  const NodeInterval at = findInterval(nodes, x);
   const HermiteWeights w(at.fraction, nodes[at.index + 1] - nodes[at.index]);
   return w.before * values[at.index] + w.after * values[at.index + 1] + w.slopeBefore * slopes[at.index] +
          w.slopeAfter * slopes[at.index + 1];

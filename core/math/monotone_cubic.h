@@ -13,11 +13,11 @@ namespace gonio {
 std::vector<double> monotoneSlopes(std::span<const double> nodes, std::span<const double> values);
 
 /// The interval of nodes that contains a coordinate, and the position in it, clamped to the ends.
-struct NodePlace {
+struct NodeInterval {
   std::size_t index;  ///< of the lower node; index + 1 is a node too, unless there is only one
   double fraction;    ///< position between the nodes, [0, 1]
 };
-NodePlace placeBetween(std::span<const double> nodes, double x);
+NodeInterval findInterval(std::span<const double> nodes, double x);
 
 /// Hermite weights of the values and slopes of two nodes; those of the slopes include the distance of the nodes.
 struct HermiteWeights {

@@ -24,7 +24,8 @@ constexpr double daylightTable[] = {49.9755, 54.6482, 82.7549, 91.486,  93.4318,
                                     100,     96.3342, 95.788,  88.6856, 90.0062, 89.5991, 87.6987, 83.2886, 83.6992,
                                     80.0268, 80.2146, 82.2778, 78.2842, 69.7213, 71.6091, 74.349,  61.604,  69.8856,
                                     75.087,  63.5927, 46.4182, 66.8054, 63.3828};
-static_assert(std::size(daylightTable) == std::size_t((longestVisible - shortestVisible) / daylightStep) + 1);
+static_assert(std::size(daylightTable) ==
+              std::size_t((maxVisibleWavelength - minVisibleWavelength) / daylightStep) + 1);
 
 }  // namespace
 
@@ -35,8 +36,9 @@ glm::dvec3 colourMatching(double nanometres) {
           1.217 * bell(x, 437.0, 11.8, 36.0) + 0.681 * bell(x, 459.0, 26.0, 13.8)};
 }
 
-double daylightPower(double nanometres) {
-  const double at = (std::clamp(nanometres, shortestVisible, longestVisible) - shortestVisible) / daylightStep;
+double illuminantD65(double nanometres) {
+  const double at =
+      (std::clamp(nanometres, minVisibleWavelength, maxVisibleWavelength) - minVisibleWavelength) / daylightStep;
   const auto below = std::min(std::size_t(at), std::size(daylightTable) - 2);
   return std::lerp(daylightTable[below], daylightTable[below + 1], at - double(below));
 }
@@ -50,9 +52,9 @@ std::vector<Rgb> spectrumWeights(std::span<const double> nanometres) {
   assert(!nanometres.empty() && std::is_sorted(nanometres.begin(), nanometres.end()));
   std::vector<Rgb> weights(nanometres.size(), Rgb(0));
   Rgb white(0);
-  for (int step = 0; step <= int(longestVisible - shortestVisible); ++step) {
-    const double at = shortestVisible + step;
-    const Rgb colour = linearSrgb(daylightPower(at) * colourMatching(at));
+  for (int step = 0; step <= int(maxVisibleWavelength - minVisibleWavelength); ++step) {
+    const double at = minVisibleWavelength + step;
+    const Rgb colour = linearSrgb(illuminantD65(at) * colourMatching(at));
     white += colour;
     const auto above = std::lower_bound(nanometres.begin(), nanometres.end(), at);
     const auto right = std::size_t(std::min(above, nanometres.end() - 1) - nanometres.begin());

@@ -11,7 +11,7 @@
 namespace gonio {
 
 /// Limits of the visible range, nm.
-inline constexpr double shortestVisible = 380, longestVisible = 780;
+inline constexpr double minVisibleWavelength = 380, maxVisibleWavelength = 780;
 
 /// X, Y, Z of the CIE 1931 observer (2 degrees) at a wavelength, nm, within 0.05: the sums of Gaussians of Wyman, Sloan
 /// and Shirley 2013, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions".
@@ -19,7 +19,7 @@ glm::dvec3 colourMatching(double nanometres);
 
 /// Relative power of the CIE standard illuminant D65 at a wavelength, nm: 100 at 560 nm, linear between steps of 10 nm,
 /// as ISO 11664-2 defines it. Constant beyond the visible range.
-double daylightPower(double nanometres);
+double illuminantD65(double nanometres);
 
 /// Linear sRGB of CIE 1931 tristimulus values, D65 white at Y = 1 (IEC 61966-2-1).
 Rgb linearSrgb(const glm::dvec3& xyz);

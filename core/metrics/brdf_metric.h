@@ -53,7 +53,7 @@ enum class MetricWeight { one, cosO, cosines };
 inline constexpr double logRelativeOffset = 1e-3;
 /// Default exponent of BrdfMetric::gamma.
 inline constexpr double defaultGamma = 2;
-inline constexpr double smallestGamma = 1, largestGamma = 3;
+inline constexpr double minGamma = 1, maxGamma = 3;
 
 /// The complete definition of one metric, for computation and documentation.
 struct MetricRecord {

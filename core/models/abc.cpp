@@ -47,12 +47,12 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double albedo = 8 * pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
-        return kd + a * (abcLobe(g.oneMinusCosH, b, c) * fresnel(g.cosD) * foldedVCavity(g));
+        return kd + a * (abcLobe(g.oneMinusCosH, b, c) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
-                   const double s = std::sin(thetaH / 2);
-                   return abcLobe(2 * s * s, b, c);
-                 })}));
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+                       const double s = std::sin(thetaH / 2);
+                       return abcLobe(2 * s * s, b, c);
+                     })}));
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + a * (abcLobe(glm::dot(sum, sum), b, c) * fresnel(cosD));
       },
       // The integral over the plane is pi times that over the squared radius.
-      diffuseAnd(maxChannel(p.values[diffuse]), pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine),
-                 DiskLobe{RationalRadial{b, c}}));
+      diffuseMixture(maxChannel(p.values[diffuse]), pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine),
+                     DiskLobe{RationalRadial{b, c}}));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
 
-#include "core/brdf/turned_lobe.h"
+#include "core/brdf/rotated_lobe.h"
 #include "core/brdf/visible_normal_lobe.h"
 #include "core/models/anisotropic_parameters.h"
 #include "core/models/common_parameters.h"
@@ -63,12 +63,12 @@ constexpr ModelSpec beckmannSpec = {
 /// A distribution, cos theta (1 + Lambda) of its masking, and its sampler.
 struct Ggx {
   static double density(const Direction& h, double x, double y) { return ggxDensity(h, x, y); }
-  static double shadowedCosine(const Direction& w, double x, double y) { return ggxShadowedCosine(w, x, y); }
+  static double shadowedCosine(const Direction& w, double x, double y) { return ggxCosineOverG1(w, x, y); }
   using Lobe = VisibleNormalLobe;
 };
 struct Beckmann {
   static double density(const Direction& h, double x, double y) { return beckmannDensity(h, x, y); }
-  static double shadowedCosine(const Direction& w, double x, double y) { return beckmannShadowedCosine(w, x, y); }
+  static double shadowedCosine(const Direction& w, double x, double y) { return beckmannCosineOverG1(w, x, y); }
   using Lobe = BeckmannVisibleLobe;
 };
 
@@ -87,8 +87,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
             heightCorrelated ? g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO : shadowedI * shadowedO;
         return kd + ks * (Facets::density(toGrain(g.half), alphaX, alphaY) * fresnel(g.cosD) / cosines);
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                 TurnedLobe(typename Facets::Lobe{alphaX, alphaY}, angle)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                     RotatedLobe(typename Facets::Lobe{alphaX, alphaY}, angle)),
       alphaX == alphaY);
 }
 
@@ -98,7 +98,7 @@ ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roug
 
 template <typename Facets>
 std::vector<ModelLobe> parts(const ParameterValues& p) {
-  return bodyAndHighlight(create<Facets>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
+  return diffuseAndHighlight(create<Facets>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
 }
 
 template <typename Facets>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/turned_lobe.h"
+#include "core/brdf/rotated_lobe.h"
 #include "core/models/anisotropic_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -69,8 +69,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
         return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
-                 TurnedLobe(HalfVectorLobe{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
+                     RotatedLobe(HalfVectorLobe{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
       nx == ny);
 }
 
@@ -78,8 +78,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
 double widthOf(const ParameterValues& p, Index exponent) { return std::sqrt(2 / p.values[exponent].x); }
 
 std::vector<ModelLobe> parts(const ParameterValues& p) {
-  return bodyAndHighlight(create, p, {widthOf(p, exponentX), widthOf(p, exponentY), p.values[rotation].x},
-                          {p.values[normalReflectance], p.values[diffuseTerm]});
+  return diffuseAndHighlight(create, p, {widthOf(p, exponentX), widthOf(p, exponentY), p.values[rotation].x},
+                             {p.values[normalReflectance], p.values[diffuseTerm]});
 }
 
 std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }

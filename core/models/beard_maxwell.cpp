@@ -75,8 +75,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                                obscuration(g, inverseTau, onset) / (g.cosI * g.cosO);
         return kd + kv / (g.cosI + g.cosO) + ks * surface;
       },
-      diffuseAnd(maxChannel(p.values[diffuse] + p.values[volume]),
-                 maxChannel(p.values[specular]) * fresnel(typicalCosine), HalfVectorLobe{BeckmannNormals{m, m}}));
+      diffuseMixture(maxChannel(p.values[diffuse] + p.values[volume]),
+                     maxChannel(p.values[specular]) * fresnel(typicalCosine), HalfVectorLobe{BeckmannNormals{m, m}}));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ constexpr ModelSpec blinnPhongSpec = {
 
 double normaliser(double n, int choice) {
   if (choice == halfVector) return (n + 2) / (8 * pi);
-  if (choice == unitAlbedo) return halfVectorUnitAlbedo(n);
+  if (choice == unitAlbedo) return halfVectorNormalisation(n);
   return 1;
 }
 
@@ -45,8 +45,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi;
   const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
   return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
-                          diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                                     HalfVectorLobe{CosinePowerNormals{n, n}}));
+                          diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                                         HalfVectorLobe{CosinePowerNormals{n, n}}));
 }
 
 }  // namespace

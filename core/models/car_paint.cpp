@@ -108,10 +108,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         for (const Lobe& lobe : all)
           sum +=
               lobe.strength * (beckmannDistribution(g, 1 / (lobe.roughness * lobe.roughness)) * lobe.fresnel(g.cosD));
-        return kd + sum * foldedVCavity(g);
+        return kd + sum * vCavityOverCosines(g);
       },
-      LobeMixture(lobeShares(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}), CosineLobe{},
-                  normals(0), normals(1), normals(2)));
+      LobeMixture(lobeFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
+                  CosineLobe{}, normals(0), normals(1), normals(2)));
 }
 
 }  // namespace

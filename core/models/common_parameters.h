@@ -112,15 +112,15 @@ inline constexpr double typicalCosine = 0.7;
 
 /// Model::lobes() for models whose first parameters are k_d and k_s: the diffuse term and the highlight, each evaluated
 /// by the model's formula with the other term set to 0. The highlight depends on all other parameters. @param width of
-/// the highlight. @param ofBody parameters besides k_d on which the diffuse term depends.
+/// the highlight. @param ofDiffuse parameters besides k_d on which the diffuse term depends.
 template <typename Create>
-std::vector<ModelLobe> bodyAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
-                                        std::vector<Rgb> ofBody = {}) {
+std::vector<ModelLobe> diffuseAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
+                                           std::vector<Rgb> ofDiffuse = {}) {
   constexpr std::size_t kd = 0, ks = 1;
   ParameterValues body = p, highlight = p;
   body.values[ks] = highlight.values[kd] = Rgb(0);
   std::vector<ModelLobe> result;
-  result.push_back({create(body), {}, {p.values[kd]}, std::move(ofBody)});
+  result.push_back({create(body), {}, {p.values[kd]}, std::move(ofDiffuse)});
   result.push_back({create(highlight), width, {p.values[ks]}, {p.values.begin() + ks + 1, p.values.end()}});
   return result;
 }

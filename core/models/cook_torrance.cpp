@@ -52,10 +52,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
-        return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
+        return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                 HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                     HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
 }
 
 }  // namespace

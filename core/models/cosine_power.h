@@ -38,8 +38,8 @@ inline double halfVectorPower(const SurfaceGeometry& g, double n) {
 
 /// Normalisation factor of cos^n theta_h, 1/sr: its directional albedo becomes 1 at normal incidence, where it is
 /// largest.
-inline double halfVectorUnitAlbedo(double n) { return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2))); }
+inline double halfVectorNormalisation(double n) { return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2))); }
 /// The same for cos^n alpha.
-inline double reflectionUnitAlbedo(double n) { return (n + 2) / (2 * pi); }
+inline double reflectionNormalisation(double n) { return (n + 2) / (2 * pi); }
 
 }  // namespace gonio::models

@@ -108,16 +108,16 @@ class Lobe {
 };
 
 /// theta_d as a fraction of 90 degrees, by its sine too: acos loses half the digits near 1.
-double shareOf(const SurfaceGeometry& g) { return std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
+double fractionOf(const SurfaceGeometry& g) { return std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[0] / pi;
   const Lobe first(p, firstLobe), second(p, secondLobe);
   const auto lobes = [=](double logCosH, double t) { return first(logCosH, t) + second(logCosH, t); };
-  return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + lobes(std::log1p(-g.oneMinusCosH), shareOf(g)); },
-                          excessSampler(maxChannel(p.values[0]), [&](double thetaH) {
-                            return luminance(lobes(std::log(std::cos(thetaH)), 0));
-                          }));
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) { return kd + lobes(std::log1p(-g.oneMinusCosH), fractionOf(g)); },
+      excessSampler(maxChannel(p.values[0]),
+                    [&](double thetaH) { return luminance(lobes(std::log(std::cos(thetaH)), 0)); }));
 }
 
 /// The lobes with their polynomials and normalisation.

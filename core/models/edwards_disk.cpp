@@ -40,7 +40,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
       [=](const SurfaceGeometry& g) {
         return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
       edwardsDiskSpec.reciprocal);
 }
 

@@ -16,7 +16,7 @@ LobeMixture<CosineLobe, HalfVectorLobe<TabulatedNormals>> excessSampler(double d
   // d omega_i = 4 cos theta_d d omega_h, and about the mirror direction of a vertical viewer theta_d = theta_h.
   const TabulatedNormals normals(
       [&](double thetaH) { return 4 * std::max(0.0, excess(thetaH)) * std::cos(thetaH) * std::cos(thetaH); });
-  return diffuseAnd(diffuseAlbedo, normals.total(), HalfVectorLobe{normals});
+  return diffuseMixture(diffuseAlbedo, normals.total(), HalfVectorLobe{normals});
 }
 
 }  // namespace gonio::models

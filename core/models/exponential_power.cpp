@@ -95,15 +95,15 @@ double ExponentialPowerDistribution::density(double sin2H, double cosH) const {
   return std::exp(logPeak_ - std::pow(sin2H / cos2H * inverseBeta2_, power_) - 2 * std::log(cos2H));
 }
 
-double ExponentialPowerDistribution::foldedLambda(double cosTheta, double sinTheta) const {
+double ExponentialPowerDistribution::cosLambda(double cosTheta, double sinTheta) const {
   const double slope = meanSlope_ * sinTheta, s = cosTheta / (cosTheta + maskingScale * slope);
   return slope * interpolate(s * (maskingNodes - 1), maskingNodes, [this](std::size_t n) { return masking_[n]; });
 }
 
-double foldedSmithMasking(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets) {
+double smithMaskingOverCosines(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets) {
   const double sinI = std::hypot(g.wi.x, g.wi.y), sinO = std::hypot(g.wo.x, g.wo.y);
-  const double lambdaI = facets.foldedLambda(g.cosI, sinI) * g.cosO;
-  const double lambdaO = facets.foldedLambda(g.cosO, sinO) * g.cosI;
+  const double lambdaI = facets.cosLambda(g.cosI, sinI) * g.cosO;
+  const double lambdaO = facets.cosLambda(g.cosO, sinO) * g.cosI;
   const double phi = std::atan2(std::abs(g.wi.x * g.wo.y - g.wi.y * g.wo.x), g.wi.x * g.wo.x + g.wi.y * g.wo.y);
   const double correlation = 4.41 * phi / (4.41 * phi + 1);
   return 1 / (g.cosI * g.cosO + std::max(lambdaI, lambdaO) + correlation * std::min(lambdaI, lambdaO));

@@ -26,7 +26,7 @@ class ExponentialPowerDistribution {
   double density(double sin2H, double cosH) const;
   /// cos theta Lambda(theta), with Smith's Lambda by cubic interpolation; G1 = 1 / (1 + Lambda) is accurate to 1e-4.
   /// O(1).
-  double foldedLambda(double cosTheta, double sinTheta) const;
+  double cosLambda(double cosTheta, double sinTheta) const;
 
   /// ln D at the pole.
   double logPeak() const { return logPeak_; }
@@ -47,6 +47,6 @@ class ExponentialPowerDistribution {
 /// Smith's masking of both directions divided by the product of the cosines. The masking is 1 / (1 + max(Lambda) +
 /// lambda min(Lambda)), lambda = 4.41 phi / (4.41 phi + 1), with the correlation of azimuths that differ by phi of van
 /// Ginneken, Stavridi and Koenderink 1998.
-double foldedSmithMasking(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets);
+double smithMaskingOverCosines(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets);
 
 }  // namespace gonio::models

@@ -61,13 +61,13 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double distribution = alpha2 / (pi * slope * slope);
         return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
-                 VisibleNormalLobe{p.values[roughness].x}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
+                     VisibleNormalLobe{p.values[roughness].x}));
 }
 
 std::vector<ModelLobe> parts(const ParameterValues& p) {
   const double alpha = p.values[roughness].x;
-  return bodyAndHighlight(create, p, {alpha, alpha});
+  return diffuseAndHighlight(create, p, {alpha, alpha});
 }
 
 }  // namespace

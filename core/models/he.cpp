@@ -93,8 +93,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         }
         return kd + ks * lobe * common;
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                 HalfVectorLobe{BeckmannNormals{width, width}}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                     HalfVectorLobe{BeckmannNormals{width, width}}));
 }
 
 }  // namespace

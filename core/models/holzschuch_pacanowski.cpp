@@ -134,7 +134,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const double density = facets.density(g.sin2H, g.half.z);
-        const double common = fresnel(g.cosD) * foldedSmithMasking(g, facets);
+        const double common = fresnel(g.cosD) * smithMaskingOverCosines(g, facets);
         Rgb lobes;
         for (int channel = 0; channel < 3; ++channel) {
           const Diffraction& d = nano[std::size_t(channel)];
@@ -142,8 +142,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         }
         return kd + ks * lobes * common;
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                 HalfVectorLobe{normals}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                     HalfVectorLobe{normals}));
 }
 
 /// Behind the values stand ln D(0), the mean slope, the mean square slope and the masking's nodes, three an entry:

@@ -66,15 +66,15 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double n = p.values[exponent].x, xy = p.values[cXY].x, z = p.values[cZ].x;
   const double largest = std::max(std::abs(xy), z);
   const bool normalised = chosen(p.values[normalisation].x) == 0;
-  const double factor = normalised ? reflectionUnitAlbedo(n) : std::exp(n * std::log(largest));
+  const double factor = normalised ? reflectionNormalisation(n) : std::exp(n * std::log(largest));
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (largest > smallest ? factor : 0);
   const double scale = std::max(largest, smallest), a = std::abs(xy) / scale, b = z / scale;
   return makeGeometryBrdf(
       [=, backward = xy > 0](const SurfaceGeometry& g) {
         return kd + ks * powerOfComplement(complementOfCosine(g, a, b, backward), n);
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n),
-                 CosinePowerLobe{n, {xy, xy, z}}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n),
+                     CosinePowerLobe{n, {xy, xy, z}}));
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return value;
       },
       LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe, RetroLobe>(
-          lobeShares(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
+          lobeFractions(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
           RetroLobe{VisibleNormalLobe{alphaR}}));
 }
 

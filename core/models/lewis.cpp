@@ -44,11 +44,11 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(ks);
   if (chosen(p.values[lobeKind].x) == 0)
     return makeGeometryBrdf(
-        [=, ks = ks * reflectionUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-        diffuseAnd(diffuseAlbedo, albedo, CosinePowerLobe{n}));
+        [=, ks = ks * reflectionNormalisation(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+        diffuseMixture(diffuseAlbedo, albedo, CosinePowerLobe{n}));
   return makeGeometryBrdf(
-      [=, ks = ks * halfVectorUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
-      diffuseAnd(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
+      [=, ks = ks * halfVectorNormalisation(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
+      diffuseMixture(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
 }
 
 }  // namespace

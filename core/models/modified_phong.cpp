@@ -34,10 +34,10 @@ constexpr ModelSpec modifiedPhongSpec = {
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double n = p.values[exponent].x;
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * reflectionUnitAlbedo(n);
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * reflectionNormalisation(n);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerLobe{n}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerLobe{n}));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::unique_ptr<const Brdf> makeCosineBrdf(const ParameterValues& p, double boun
   const double factor = chosen(p.values[normalisation].x) == 0 ? bound : 1;
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * factor;
   return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * (power(g) / std::max(g.cosI, g.cosO)); },
-                          diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / bound, lobe));
+                          diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / bound, lobe));
 }
 
 std::unique_ptr<const Brdf> createBlinn(const ParameterValues& p) {

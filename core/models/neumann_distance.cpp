@@ -60,12 +60,12 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
   if (chosen(p.values[falloff].x) == gaussian)
     return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * std::exp(-squaredDistance(g) / s2); },
-                            diffuseAnd(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
+                            diffuseMixture(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         return kd + ks * ((c - 1) * std::exp(-c * std::log1p(squaredDistance(g) / s2)));
       },
-      diffuseAnd(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
+      diffuseMixture(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
 }
 
 }  // namespace

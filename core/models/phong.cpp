@@ -35,7 +35,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n), CosinePowerLobe{n}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n), CosinePowerLobe{n}));
 }
 
 }  // namespace

@@ -154,7 +154,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
                    evaluateChannel(channels[2], g, angles));
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), HalfVectorLobe{makeNormals(channels)}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                     HalfVectorLobe{makeNormals(channels)}));
 }
 
 /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.

@@ -68,11 +68,11 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const double thetaH = std::atan2(std::sqrt(g.sin2H), g.half.z);
-        return kd + ks * (std::exp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
+        return kd + ks * (std::exp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
-      diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
-                   return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
-                 })}));
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+                       return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
+                     })}));
 }
 
 /// K stands behind the values: the shader does no quadrature.

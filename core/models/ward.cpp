@@ -122,7 +122,7 @@ ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roug
 
 template <double (*fade)(const SurfaceGeometry&)>
 std::vector<ModelLobe> parts(const ParameterValues& p) {
-  return bodyAndHighlight(create<fade>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
+  return diffuseAndHighlight(create<fade>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
 }
 
 template <double (*fade)(const SurfaceGeometry&)>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/turned_lobe.h"
+#include "core/brdf/rotated_lobe.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {
@@ -38,12 +38,11 @@ class WardLobe {
 template <typename Fade>
 std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, double rotation,
                                          Fade fade) {
-  return makeGeometryBrdf(
-      [kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY, rotation), fade](const SurfaceGeometry& g) {
-        return kd + ks * (lobe(g) * fade(g));
-      },
-      diffuseAnd(maxChannel(kd), maxChannel(ks), TurnedLobe(HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}, rotation)),
-      alphaX == alphaY);
+  return makeGeometryBrdf([kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY, rotation),
+                           fade](const SurfaceGeometry& g) { return kd + ks * (lobe(g) * fade(g)); },
+                          diffuseMixture(maxChannel(kd), maxChannel(ks),
+                                         RotatedLobe(HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}, rotation)),
+                          alphaX == alphaY);
 }
 
 }  // namespace gonio::models

@@ -100,18 +100,18 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
-        const double folded = foldedVCavity(g), unmasked = folded * g.cosI * g.cosO;
+        const double folded = vCavityOverCosines(g), unmasked = folded * g.cosI * g.cosO;
         const double transmitted = fresnelTransmittance(g.cosD, eta);
         const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
         const SurfaceGeometry inside = refracted(g, eta);
         const Rgb absorbed = glm::exp(-depth * (1 / inside.cosI + 1 / inside.cosO));
-        const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * foldedVCavity(inside);
+        const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * vCavityOverCosines(inside);
         const double surface = beckmannDistribution(g, coatSharpness) * fresnelDielectric(g.cosD, eta) * folded;
         return kc * surface + (kd + ks * base) * absorbed * leaving;
       },
       LobeMixture(
-          lobeShares(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
-                                maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
+          lobeFractions(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
+                                   maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
           CosineLobe{}, HalfVectorLobe{BeckmannNormals{m1, m1}}, HalfVectorLobe{BeckmannNormals{m2, m2}}));
 }
 

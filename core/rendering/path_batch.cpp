@@ -85,7 +85,7 @@ void PathTracer::PathBatch::addSurface(Path& path, std::size_t object, const Ray
   path.position = hit.position;
   path.geometricNormal = hit.geometricNormal;
   path.wo = backFaced ? Direction(0, 0, -1) : path.frame.toLocal(-ray.direction);
-  if (tracer_.sendsRays_[object]) path.origin = leavingPoint(shape, hit);
+  if (tracer_.sendsRays_[object]) path.origin = offsetRayOrigin(shape, hit);
 }
 
 void PathTracer::PathBatch::sampleLights(int reflection) {

@@ -61,7 +61,7 @@ void refinePicture(const PathTracer& tracer, Film& film, const RefinementLimits&
   } while (film.samples < limits.samples && spent * (film.samples + 1) / film.samples <= limits.seconds);
 }
 
-double PictureEstimate::noise(int samples) const { return noiseOfSample * std::pow(double(samples), -order); }
+double PictureEstimate::noise(int samples) const { return noisePerSample * std::pow(double(samples), -order); }
 
 PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                 const EffectPlan& plan, int width, int height, const TaskControl& control) {
@@ -79,12 +79,12 @@ PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::share
     many[i] = film.image();
   }
   const double pixelRatio = double(width) * height / (double(trialWidth) * trialHeight);
-  PictureEstimate estimate{.secondsOfSample = secondsSince(start) / (2 * trialSamples) * pixelRatio};
+  PictureEstimate estimate{.secondsPerSample = secondsSince(start) / (2 * trialSamples) * pixelRatio};
   const double noise = relativeNoise(many[0], many[1]);
   if (!(noise > 0)) return estimate;
   const double fall = std::log(relativeNoise(few[0], few[1]) / noise) / std::log(double(trialSamples) / fewSamples);
   estimate.order = std::clamp(fall, 0.5, maxOrder);
-  estimate.noiseOfSample = noise * std::pow(trialSamples, estimate.order);
+  estimate.noisePerSample = noise * std::pow(trialSamples, estimate.order);
   return estimate;
 }
 

@@ -22,13 +22,13 @@ void refinePicture(const PathTracer& tracer, Film& film, const RefinementLimits&
 
 /// Estimated cost of a picture, from a small picture of the same scene.
 struct PictureEstimate {
-  double secondsOfSample = 0;  ///< time to add one sample to every pixel
-  double noiseOfSample = 0;    ///< RMS noise over the pixels relative to the mean radiance, extrapolated to one sample
-                               ///< per pixel
-  double order = 0.5;          ///< noise decreases as samples^-order: 1/2 for random samples, more with effective
-                               ///< stratification
+  double secondsPerSample = 0;  ///< time to add one sample to every pixel
+  double noisePerSample = 0;    ///< RMS noise over the pixels relative to the mean radiance, extrapolated to one sample
+                                ///< per pixel
+  double order = 0.5;           ///< noise decreases as samples^-order: 1/2 for random samples, more with effective
+                                ///< stratification
 
-  double seconds(int samples) const { return secondsOfSample * samples; }
+  double seconds(int samples) const { return secondsPerSample * samples; }
   double noise(int samples) const;
 };
 

@@ -12,8 +12,8 @@
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
 #include "core/rendering/render_picture.h"
+#include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
-#include "core/support/naming_file.h"
 
 namespace gonio {
 
@@ -265,7 +265,7 @@ namespace {
 
 Scene sceneOfFile(const std::filesystem::path& path, int materials) {
   if (io::isMeshFile(path)) return meshScene(path);
-  Scene scene = namingFile(path, [&] {
+  Scene scene = withFileInErrors(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return parseScene(text, materials, path.parent_path());

@@ -87,7 +87,7 @@ std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray) {
   return shapeHit(shape, ray, distance);
 }
 
-Direction leavingPoint(const Shape& shape, const ShapeHit& hit) {
+Direction offsetRayOrigin(const Shape& shape, const ShapeHit& hit) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
     return offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);
   const Sphere bound = boundingSphere(shape);

@@ -50,7 +50,7 @@ ShapeHit shapeHit(const Shape& shape, const Ray& ray, double distance);
 std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray);
 /// The origin of rays that leave the surface on the side of the geometric normal, offset by more than the rounding
 /// errors so that they do not hit a convex surface again (see offsetOrigin()).
-Direction leavingPoint(const Shape& shape, const ShapeHit& hit);
+Direction offsetRayOrigin(const Shape& shape, const ShapeHit& hit);
 /// Whether the ray hits the shape at a t in (tMin, tMax).
 bool blocks(const Shape& shape, const Ray& ray, double tMin, double tMax);
 

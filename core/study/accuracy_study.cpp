@@ -33,10 +33,10 @@ double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf,
   return quantile(std::move(frames), 0.5);
 }
 
-StudiedRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
-                              const TabulatedBrdf& table, const RenderedComparison& comparison,
-                              const StudyOptions& options, const TaskControl& stop) {
-  StudiedRepresentation studied{
+MeasuredRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
+                               const TabulatedBrdf& table, const RenderedComparison& comparison,
+                               const StudyOptions& options, const TaskControl& stop) {
+  MeasuredRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
       .brdf = built.brdf,
       .picture = {},
@@ -74,7 +74,7 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
       const double begin = referenceShare + double(records.size()) * fraction;
       const BuiltRepresentation built =
           builder.build(representation, control.between(begin, begin + buildShare * fraction));
-      const StudiedRepresentation studied =
+      const MeasuredRepresentation studied =
           measure(representation, built, *subject.table, comparison, options, {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);
       if (options.measured) options.measured(studied);

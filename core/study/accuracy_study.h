@@ -13,7 +13,7 @@
 namespace gonio::study {
 
 /// A measured representation.
-struct StudiedRepresentation {
+struct MeasuredRepresentation {
   StudyRecord record;
   std::shared_ptr<const Brdf> brdf;
   Image picture;  ///< in the study's scene, linear RGB
@@ -30,7 +30,7 @@ struct StudyOptions {
   /// Whether to measure the times of an evaluation and a frame; false: one frame is rendered without timing.
   bool timed = true;
   /// Called after each representation, in order, on the calling thread.
-  std::function<void(const StudiedRepresentation&)> measured = {};
+  std::function<void(const MeasuredRepresentation&)> measured = {};
   /// Called first, with the picture of the reference.
   std::function<void(const Image&)> referenceRendered = {};
 };

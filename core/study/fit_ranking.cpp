@@ -15,7 +15,7 @@ std::vector<RankedFit> rankFits(const StudySubject& subject, const RankingOption
   std::vector<RankedFit> ranking;
   const auto symmetry =
       subject.reference->isIsotropic() ? fitting::DataSymmetry::isotropic : fitting::DataSymmetry::anisotropic;
-  const auto add = [&](const StudiedRepresentation& studied) {
+  const auto add = [&](const MeasuredRepresentation& studied) {
     ranking.push_back({*studied.fit, studied.record.renderedSnr, studied.picture,
                        fitting::fittedParameterCount(studied.fit->model->spec(), symmetry)});
     if (options.modelDone) options.modelDone(ranking.back());

@@ -11,7 +11,7 @@ namespace gonio::study {
 namespace {
 
 constexpr double gammaStep = 0.25;
-constexpr int gammaCount = int((metrics::largestGamma - metrics::smallestGamma) / gammaStep) + 1;
+constexpr int gammaCount = int((metrics::maxGamma - metrics::minGamma) / gammaStep) + 1;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, con
     for (int i = 0; i < gammaCount; ++i) {
       fitting::FitOptions gammaOptions = options;
       gammaOptions.metric = metrics::BrdfMetric::gamma;
-      gammaOptions.gamma = metrics::smallestGamma + i * gammaStep;
+      gammaOptions.gamma = metrics::minGamma + i * gammaStep;
       fitting::FitResult result = fitting::fit(base, model, gammaOptions, {control.stop, {}});
       control.throwIfStopped();
       const ComparisonPicture rendered = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});

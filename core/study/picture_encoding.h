@@ -8,8 +8,8 @@
 namespace gonio::study {
 
 struct PictureEncoding {
-  dictionary::Encoded encoded;  ///< with one candidate per transform: its best code
-  double renderedSnr = 0;       ///< in comparisonScene(), dB
+  dictionary::EncodeResult encoded;  ///< with one candidate per transform: its best code
+  double renderedSnr = 0;            ///< in comparisonScene(), dB
 };
 
 /// Encodes with the smallest number of coefficients that reaches a rendered SNR: starts with 8, doubles until one of

@@ -180,7 +180,7 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
     encoder_.emplace(options_.dictionary->ensemble);
     codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
   }
-  const dictionary::Encoded encoded = encoder_->encode(*codedTable_, encodeOptionsOf(representation), control);
+  const dictionary::EncodeResult encoded = encoder_->encode(*codedTable_, encodeOptionsOf(representation), control);
   const std::vector<std::byte> file = materials::encodeCode(encoded.code, options_.dictionary->id);
   // Of what the file holds: with the values as they are rounded.
   const dictionary::SparseCode stored = materials::readCode(io::MemorySource(file)).code;

@@ -57,7 +57,7 @@ std::string axisTitle(Quality quality) {
 
 std::string axisTitle(Cost cost) { return std::string(costName(cost)) + " [" + std::string(costUnit(cost)) + "]"; }
 
-std::vector<Trade> tradesOf(std::span<const StudyRecord> records, Cost cost, Quality quality) {
+std::vector<Trade> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality) {
   std::vector<Trade> trades;
   for (const StudyRecord& record : records)
     trades.push_back({costOf(record, cost), quality ? qualityOf(record, quality) : -record.renderedSnr});

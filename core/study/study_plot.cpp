@@ -87,7 +87,7 @@ class PanelPainter {
     paintLines();
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (!places_[i]) continue;
-      const SeriesLook look = lookOf(records_[i].representation);
+      const SeriesStyle look = lookOf(records_[i].representation);
       svg_.marker(look.marker, *places_[i], markerSize, look.colour, look.hollow, numbersText(records_[i]));
       taken_.push_back({*places_[i] - markerSize, *places_[i] + markerSize});
     }
@@ -131,7 +131,7 @@ class PanelPainter {
     }
     for (const auto& [id, points] : lines)
       if (points.size() > 1) svg_.polyline(points, {colours[id], 0.8});
-    front_ = paretoFront(tradesOf(records_, panel_.cost, panel_.quality));
+    front_ = paretoFront(costsAndErrors(records_, panel_.cost, panel_.quality));
     // Steps: between two points there is nothing to be had but the cheaper one.
     std::vector<glm::dvec2> steps;
     for (const std::size_t i : front_) {
@@ -179,7 +179,7 @@ class PanelPainter {
 };
 
 struct LegendEntry {
-  SeriesLook look;
+  SeriesStyle look;
   glm::dvec2 at;
 };
 
@@ -187,7 +187,7 @@ struct LegendEntry {
 std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double width) {
   std::vector<LegendEntry> legend;
   for (const StudyRecord& record : records)
-    if (const SeriesLook look = lookOf(record.representation);
+    if (const SeriesStyle look = lookOf(record.representation);
         std::ranges::none_of(legend, [&](const LegendEntry& entry) { return entry.look.name == look.name; }))
       legend.push_back({look, {}});
   legend.push_back({{.marker = {}, .colour = frontColour, .hollow = false, .name = "Pareto front"}, {}});
@@ -214,7 +214,7 @@ void paintLegend(SvgDrawing& svg, const glm::dvec2& origin, const std::vector<Le
 
 }  // namespace
 
-SeriesLook lookOf(const Representation& r) {
+SeriesStyle lookOf(const Representation& r) {
   const FamilyLook& look = looks[std::size_t(r.family)];
   if (r.family == RepresentationFamily::baselines) {
     const Shape shape = baselineShape(r.id);

@@ -11,13 +11,13 @@ namespace gonio::study {
 
 /// Style of the points of representations in all plots: colour and shape of the family, hollow for the simpler of two
 /// variants (nearest cell, two curves). Each baseline has its own shape.
-struct SeriesLook {
+struct SeriesStyle {
   plots::Marker marker;
   std::string_view colour;
   bool hollow;
   std::string name;  ///< in a legend
 };
-SeriesLook lookOf(const Representation& representation);
+SeriesStyle lookOf(const Representation& representation);
 
 /// The axes of a plot.
 struct StudyAxes {

@@ -99,8 +99,7 @@ struct Limits {
 };
 
 MeasurableDirections measurable(const Limits& limits) {
-  MeasurableDirections result{
-      .largestPolarAngle = limits.maxPolar, .smallestSeparation = limits.minSeparation, .forbidden = {}};
+  MeasurableDirections result{.maxPolarAngle = limits.maxPolar, .minSeparation = limits.minSeparation, .forbidden = {}};
   for (const auto& box : limits.forbidden)
     result.forbidden.push_back({{box[0], box[1]}, {box[2], box[3]}, {box[4], box[5]}});
   result.check();

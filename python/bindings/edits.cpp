@@ -62,8 +62,8 @@ PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original,
 using Blends = std::shared_ptr<const Interpolation>;
 
 /// Of a material: its factors and code where it is such.
-InterpolationEnd endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
-  InterpolationEnd end{.table = material.table(control)};
+InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
+  InterpolationMaterial end{.table = material.table(control)};
   end.factors = factorization::pdvFactorsOf(*material.brdf());
   if (bundled) end.code = material.shown().code;
   if (!material.shown().table) end.base = material.brdf();
@@ -85,7 +85,7 @@ Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& s
       const auto ensemble = dictionary ? dictionary : materials::bundledDictionary();
       options.ensemble = {ensemble, &ensemble->ensemble};
     }
-    std::vector<InterpolationEnd> ends;
+    std::vector<InterpolationMaterial> ends;
     for (const PyMaterialPtr& material : materials) ends.push_back(endOf(*material, !dictionary, {control.stop, {}}));
     return prepareInterpolation(chosen, ends, options, control);
   });

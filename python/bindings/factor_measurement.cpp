@@ -28,8 +28,8 @@ py::tuple planOfCurves(const std::string& axes, double fixedAngle, int angles, i
                                 .fixedAngle = fixedAngle,
                                 .angles = angles,
                                 .distances = distances,
-                                .largestPolarAngle = maxPolar,
-                                .smallestSeparation = minSeparation}));
+                                .maxPolarAngle = maxPolar,
+                                .minSeparation = minSeparation}));
 }
 
 FactorPlan planOf(const SamplingPlan& plan, const std::string& axes, const std::vector<std::string>& curves) {

@@ -207,7 +207,8 @@ std::vector<std::string> save(const PyMaterial& material, const std::string& pat
     return {};
   }
   return resultOf(progress, [&](const TaskControl& control) -> std::vector<std::string> {
-    if (exports::isOwnForm(path)) return exports::writeOwnForm(material.exported(), material.base(), path, control);
+    if (exports::isNativeForm(path))
+      return exports::writeNativeForm(material.exported(), material.base(), path, control);
     // Only what was not edited may be a copy of its file.
     if (material.edits().empty())
       materials::writeMaterial(material.shown(), path, control);
@@ -225,7 +226,7 @@ py::dict statistics(const PyMaterial& material, const py::object& progress) {
   for (const ChannelRange& range : found.channels) channels.append(py::make_tuple(range.min, range.max));
   py::dict result;
   result["channels"] = channels;
-  result["invalid_fraction"] = found.invalidShare;
+  result["invalid_fraction"] = found.invalidFraction;
   result["dynamic_range"] = found.dynamicRange;
   return result;
 }

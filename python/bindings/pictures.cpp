@@ -165,8 +165,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   const exports::ExportTarget& target = targetOf(id);
   exports::ExportOptions options{.snr = snr};
   if (thetaCount > 0) options.size = {thetaCount, size};
-  if (options.size && !target.choosesSize)
-    throw Error("grid: only targets that write .bsdf files accept it, found " + id);
+  if (options.size && !target.usesSize) throw Error("grid: only targets that write .bsdf files accept it, found " + id);
   if (!sceneName.empty() && !target.scene) throw Error("scene: " + id + " has no scenes");
   std::vector<exports::ExportFile> files;
   const exports::ExportResult made = resultOf(progress, [&](const TaskControl& control) {

@@ -170,7 +170,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     const auto& ensemble = result.dictionary->ensemble;
     const auto sampled = onGrid(table, ensemble.grid, {control.stop, {}});
     const dictionary::Encoder encoder(ensemble);
-    dictionary::Encoded encoded;
+    dictionary::EncodeResult encoded;
     if (renderedSnr) {
       auto found = study::encodeForPictures(encoder, *sampled, *renderedSnr, options, control.between(0.1, 1));
       encoded = std::move(found.encoded);

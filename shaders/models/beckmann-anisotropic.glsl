@@ -16,7 +16,7 @@ float beckmannDensity(vec3 h, vec2 alpha) {
   // cos^4 leaves float toward the horizon: it goes into the exponent.
   return exp(-dot(slope, slope) - 4.0 * log(h.z)) / (pi * alpha.x * alpha.y);
 }
-float beckmannShadowedCosine(vec3 w, vec2 alpha) {
+float beckmannCosineOverG1(vec3 w, vec2 alpha) {
   float slope = length(alpha * w.xy);
   // Beyond, no facet is masked that float would notice.
   const float open = 9.0;
@@ -32,8 +32,8 @@ void lobes_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMAN
   lobes[0] = lobes[1] = vec3(0.0);
   if (!surfaceGeometry(wi, wo, g)) return;
   vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
-  float shadowedI = beckmannShadowedCosine(inGrain(wi, axis), alpha);
-  float shadowedO = beckmannShadowedCosine(inGrain(wo, axis), alpha);
+  float shadowedI = beckmannCosineOverG1(inGrain(wi, axis), alpha);
+  float shadowedO = beckmannCosineOverG1(inGrain(wo, axis), alpha);
   float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
   lobes[0] = p[0] / pi;
   lobes[1] = p[1] * (beckmannDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));

@@ -7,7 +7,7 @@ const int PARAMETER_COUNT_BLINN_PHONG = 4;
 
 float blinnPhongNormaliser(float n, float choice) {
   if (choice < 0.5) return (n + 2.0) / (8.0 * pi);
-  if (choice < 1.5) return halfVectorUnitAlbedo(n);
+  if (choice < 1.5) return halfVectorNormalisation(n);
   return 1.0;
 }
 

@@ -13,5 +13,5 @@ vec3 evaluate_car_paint(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_CAR_PAINT]) {
   vec3 sum = vec3(0.0);
   for (int lobe = 1; lobe < 10; lobe += 3)
     sum += p[lobe] * (beckmannDistribution(g, p[lobe + 1].x) * fresnel(g.cosD, p[lobe + 2].x, p[12].x, p[11].x));
-  return p[0] / pi + sum * (foldedVCavity(g) / (p[10].x < 0.5 ? 4.0 : pi));
+  return p[0] / pi + sum * (vCavityOverCosines(g) / (p[10].x < 0.5 ? 4.0 : pi));
 }

@@ -13,5 +13,5 @@ vec3 evaluate_cook_torrance(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_COOK_TORRAN
   float distribution = beckmannDistribution(g, p[2].x);
   float denominator = p[4].x < 0.5 ? 4.0 : (p[4].x < 1.5 ? pi : 1.0);
   return p[0] / pi +
-         p[1] * (distribution * fresnel(g.cosD, p[3].x, p[6].x, p[5].x) * foldedVCavity(g) / denominator);
+         p[1] * (distribution * fresnel(g.cosD, p[3].x, p[6].x, p[5].x) * vCavityOverCosines(g) / denominator);
 }

@@ -17,8 +17,8 @@ void lobes_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTRO
   lobes[0] = lobes[1] = vec3(0.0);
   if (!surfaceGeometry(wi, wo, g)) return;
   vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
-  float shadowedI = ggxShadowedCosine(inGrain(wi, axis), alpha);
-  float shadowedO = ggxShadowedCosine(inGrain(wo, axis), alpha);
+  float shadowedI = ggxCosineOverG1(inGrain(wi, axis), alpha);
+  float shadowedO = ggxCosineOverG1(inGrain(wo, axis), alpha);
   float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
   lobes[0] = p[0] / pi;
   lobes[1] = p[1] * (ggxDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));

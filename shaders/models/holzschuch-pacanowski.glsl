@@ -13,7 +13,7 @@ float facetMaskingNode(int n, vec3 p[PARAMETER_COUNT_HOLZSCHUCH_PACANOWSKI]) {
   return p[11 + node / 3][node % 3];
 }
 
-// Twin of ExponentialPowerDistribution::foldedLambda().
+// Twin of ExponentialPowerDistribution::cosLambda().
 float facetFoldedLambda(float cosTheta, float sinTheta, vec3 p[PARAMETER_COUNT_HOLZSCHUCH_PACANOWSKI]) {
   float slope = p[10].y * sinTheta, position = 47.0 * cosTheta / (cosTheta + 2.0 * slope);
   int left = min(int(position), 46);

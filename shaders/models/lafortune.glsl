@@ -15,5 +15,5 @@ vec3 evaluate_lafortune(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAFORTUNE]) {
   vec2 apart = wi.xy + (xy > 0.0 ? -wo.xy : wo.xy);
   float lean = a > b ? (a - b) * (wi.z * wi.z + wo.z * wo.z) : (b - a) * (dot(wi.xy, wi.xy) + dot(wo.xy, wo.xy));
   float lobe = powerOfComplement(0.5 * (a * dot(apart, apart) + b * dz * dz + lean), n);
-  return p[0] / pi + p[1] * (lobe * (p[5].x < 0.5 ? reflectionUnitAlbedo(n) : exp(n * log(largest))));
+  return p[0] / pi + p[1] * (lobe * (p[5].x < 0.5 ? reflectionNormalisation(n) : exp(n * log(largest))));
 }

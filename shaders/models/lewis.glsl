@@ -9,7 +9,7 @@ vec3 evaluate_lewis(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LEWIS]) {
   SurfaceGeometry g;
   if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
   float n = p[2].x;
-  float lobe = p[3].x < 0.5 ? reflectionUnitAlbedo(n) * reflectionPower(wi, wo, n)
-                            : halfVectorUnitAlbedo(n) * halfVectorPower(g, n);
+  float lobe = p[3].x < 0.5 ? reflectionNormalisation(n) * reflectionPower(wi, wo, n)
+                            : halfVectorNormalisation(n) * halfVectorPower(g, n);
   return p[0] / pi + p[1] * lobe;
 }

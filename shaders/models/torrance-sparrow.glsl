@@ -13,5 +13,5 @@ vec3 evaluate_torrance_sparrow(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_TORRANCE
   float tilt = acuteAngle(sqrt(g.sin2H), g.h.z) / p[2].x;
   float distribution = p[7].x * exp(-tilt * tilt);
   return p[0] / pi +
-         p[1] * (0.25 * distribution * fresnel(g.cosD, p[3].x, p[5].x, p[4].x) * foldedVCavity(g));
+         p[1] * (0.25 * distribution * fresnel(g.cosD, p[3].x, p[5].x, p[4].x) * vCavityOverCosines(g));
 }

@@ -8,13 +8,13 @@ vec3 turnedBy(vec3 w, vec3 axis, float cosine) {
   return w * cosine + cross(axis, w) + axis * (dot(axis, w) / (1.0 + cosine));
 }
 
-const float warpHorizon = 0.08715574;
+const float minWarpCosine = 0.08715574;
 
 float cosineToHorizon(vec3 w, vec3 axis) {
   float along = axis.z * dot(axis, w), up = w.z - along, ahead = axis.x * w.y - axis.y * w.x;
   float inverse = inversesqrt(max(up * up + ahead * ahead, 1e-30));
-  float cosine = clamp((warpHorizon - along) * inverse, -1.0, 1.0), sine = sqrt(1.0 - cosine * cosine);
-  float beyond = ahead < 0.0 && w.z < warpHorizon ? 1.0 : -1.0;
+  float cosine = clamp((minWarpCosine - along) * inverse, -1.0, 1.0), sine = sqrt(1.0 - cosine * cosine);
+  float beyond = ahead < 0.0 && w.z < minWarpCosine ? 1.0 : -1.0;
   return ahead * cosine + up * sine >= 0.0 ? (up * cosine - ahead * sine) * inverse : beyond;
 }
 
@@ -28,7 +28,7 @@ void scaleHalfSlopes(inout vec3 wi, inout vec3 wo, vec2 scale) {
   float cosine = inverse * dot(h, scaled), inverseSine = inversesqrt(max(dot(axis, axis), 1e-30));
   float lowest = min(turnedBy(wi, axis, cosine).z, turnedBy(wo, axis, cosine).z);
   float last = max(cosineToHorizon(wi, axis * inverseSine), cosineToHorizon(wo, axis * inverseSine));
-  bool ends = lowest < warpHorizon && last > cosine;
+  bool ends = lowest < minWarpCosine && last > cosine;
   axis *= ends ? inverseSine * sqrt(max(0.0, 1.0 - last * last)) : 1.0;
   cosine = ends ? last : cosine;
   wi = turnedBy(wi, axis, cosine);

@@ -88,7 +88,7 @@ vec3 sampleGrain(vec3 wo, vec2 u) {
 float grainDensity(vec3 w, vec3 wo) {
   vec3 sum = w + wo;
   if (sum.z <= 0.0) return 0.0;
-  return ggxDensity(normalize(sum), lobeGrain.xy) / (4.0 * ggxShadowedCosine(wo, lobeGrain.xy));
+  return ggxDensity(normalize(sum), lobeGrain.xy) / (4.0 * ggxCosineOverG1(wo, lobeGrain.xy));
 }
 
 // A direction on the wrong side means that nothing was drawn.

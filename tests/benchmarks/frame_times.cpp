@@ -67,7 +67,7 @@ class TimedApplication : public QApplication {
 
 PreviewSubject modelAlone(const char* id, double roughness) {
   const models::Model& model = models::findModel(id);
-  widgets::ModelAlone shown{&model, models::defaultParameters(model.spec())};
+  widgets::StandaloneModel shown{&model, models::defaultParameters(model.spec())};
   if (const auto place = model.spec().find("roughness")) shown.parameters.values[*place] = Rgb(roughness);
   return {shown};
 }

@@ -98,7 +98,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   PreviewFixture& fixture = PreviewFixture::instance();
   const models::Model& model = *fixture.edit.model;
   static const auto materials = [&model] {
-    std::vector<editing::InterpolationEnd> ends;
+    std::vector<editing::InterpolationMaterial> ends;
     for (const double roughness : {0.1, 0.2, 0.4, 0.7}) {
       models::ParameterValues values = models::defaultParameters(model.spec());
       values.values[*model.spec().find("roughness")] = Rgb(roughness);

@@ -27,7 +27,7 @@ std::vector<double> evenNodes(int count, double last) {
 
 /// ln(1 + rho) at the nodes, phi fastest; below 0 where there is none.
 struct Nodes {
-  std::vector<double> theta = evenNodes(90, largestPolarAngle), deviation, phi = evenNodes(180, pi);
+  std::vector<double> theta = evenNodes(90, maxPolarAngle), deviation, phi = evenNodes(180, pi);
   std::vector<Rgb> values;
 
   Rgb& at(std::size_t i, std::size_t j, std::size_t k) { return values[(i * deviation.size() + j) * phi.size() + k]; }
@@ -38,14 +38,14 @@ struct Nodes {
 
 Rgb sample(const Brdf& symmetric, const ProjectedDeviation& node) {
   const ProjectedDirections at = fromProjectedDeviation(node);
-  if (!at.valid || at.pair.wi.z < std::cos(largestPolarAngle) * (1 - 1e-9)) return Rgb(-1);
+  if (!at.valid || at.pair.wi.z < std::cos(maxPolarAngle) * (1 - 1e-9)) return Rgb(-1);
   const Rgb rho = symmetric.evaluate(at.pair.wi, at.pair.wo);
   return {std::log1p(rho.x), std::log1p(rho.y), std::log1p(rho.z)};
 }
 
 Rgb valueAt(const Nodes& nodes, const ProjectedDeviation& at) {
-  const NodePlace places[] = {placeBetween(nodes.theta, at.thetaR), placeBetween(nodes.deviation, at.deviation),
-                              placeBetween(nodes.phi, std::abs(at.phi))};
+  const NodeInterval places[] = {findInterval(nodes.theta, at.thetaR), findInterval(nodes.deviation, at.deviation),
+                                 findInterval(nodes.phi, std::abs(at.phi))};
   Rgb sum(0);
   double weights = 0;
   for (int corner = 0; corner < 8; ++corner) {

@@ -68,7 +68,7 @@ const Change changes[] = {
 
 using models::ParameterRole;
 
-bool isBody(ParameterRole role) { return role == ParameterRole::body; }
+bool isDiffuse(ParameterRole role) { return role == ParameterRole::body; }
 bool isSpecular(ParameterRole role) {
   return role == ParameterRole::highlight || role == ParameterRole::peak || role == ParameterRole::edge ||
          role == ParameterRole::coat || role == ParameterRole::coatEdge;
@@ -81,8 +81,8 @@ struct Recolouring {
   bool ofSgd;  ///< a grey k_s leaves the widths and the Fresnel term of each channel of an SGD fit: that is not grey
 };
 const Recolouring recolourings[] = {
-    {"body tint", isBody, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }, true},
-    {"body grey", isBody, [](const Rgb& c) { return Rgb(luminance(c)); }, true},
+    {"body tint", isDiffuse, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }, true},
+    {"body grey", isDiffuse, [](const Rgb& c) { return Rgb(luminance(c)); }, true},
     {"highlight tint", isSpecular, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }, true},
     {"highlight grey", isSpecular, [](const Rgb& c) { return Rgb(luminance(c)); }, false},
 };

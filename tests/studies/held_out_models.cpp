@@ -24,7 +24,7 @@ ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
 }  // namespace
 
 EnsembleModels ensembleModels(const Encoder& encoder, const TabulatedBrdf& table, std::size_t coefficients) {
-  const Encoded encoded = encoder.encode(table, {.coefficients = coefficients});
+  const EncodeResult encoded = encoder.encode(table, {.coefficients = coefficients});
   const auto least = [&](double EncodedCandidate::*error) {
     return std::ranges::min_element(encoded.candidates, {}, error);
   };

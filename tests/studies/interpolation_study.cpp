@@ -81,7 +81,7 @@ void print(const Ends& ends) {
                                  std::pow(ends.secondRoughness / ends.firstRoughness, double(m) / (members - 1)));
     family.pictures.push_back(renderPicture(*ggx(diffuse, family.roughnesses.back()), scene, render));
   }
-  const std::vector<editing::InterpolationEnd> materials{
+  const std::vector<editing::InterpolationMaterial> materials{
       {.table = bakeTable(*ggx(ends.firstDiffuse, ends.firstRoughness))},
       {.table = bakeTable(*ggx(ends.secondDiffuse, ends.secondRoughness))}};
   std::printf("\n| roughness %g and %g, truth %.3g | SNR, dB | nearest: roughness | SNR, dB |\n|---|---|---|---|\n",

@@ -23,7 +23,8 @@ int study(int argumentCount, char** arguments) {
   if (materials.empty()) materials = test::mitsubaMaterials();
   for (const std::string& material : materials) {
     std::printf("%-22s", material.c_str());
-    for (const IncidentSlot slot : {IncidentSlot::viewer, IncidentSlot::light, IncidentSlot::mean}) {
+    for (const IncidentDirection slot :
+         {IncidentDirection::viewer, IncidentDirection::light, IncidentDirection::mean}) {
       const auto found = test::parityWithMitsuba(arguments[1], material, samples, slot);
       std::printf(" %8.1f (%5.1f)", test::Parity::decibels(found.error),
                   test::Parity::decibels(found.error + 2 * found.standardError));

@@ -131,7 +131,7 @@ dictionary::TrainingMaterials bundledTraining() {
     all.push_back([&one] { return materials::measuredMaterial(one).brdf; });
   }
   for (const materials::NearMeasuredMaterial& copy : materials::nearMeasuredMaterials())
-    if (!materials::isMeasuredToo(copy)) {
+    if (!materials::isOriginalBundled(copy)) {
       training.names.push_back(copy.name);
       all.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
     }

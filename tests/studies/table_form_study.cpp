@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 #include "core/materials/measured_library.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/study_program.h"
@@ -95,7 +95,7 @@ int run(const std::vector<std::string>& names) {
     if (!names.empty() && std::ranges::find(names, one.name) == names.end()) continue;
     const auto brdf = materials::measuredMaterial(one).brdf;
     const RenderedComparison comparison(*brdf, options);
-    const auto mean = withIncident(brdf, IncidentSlot::mean);
+    const auto mean = withIncident(brdf, IncidentDirection::mean);
     means.push_back(comparison.signalToNoiseRatio(comparison.render(*mean)));
     const double meanLow = grazingRatio(*mean, *brdf);
     std::printf("%s, %.1f (%.1f)", one.name.c_str(), means.back(), meanLow);

@@ -50,7 +50,7 @@ inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap
 /// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.
 /// @param samples a pixel of ours, 256 x 256.
 inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
-                                IncidentSlot slot = IncidentSlot::viewer) {
+                                IncidentDirection slot = IncidentDirection::viewer) {
   const auto brdf =
       io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(slot);
   Scene scene = openScene("sphere", 1);

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/io/csv_text.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::test {
 
@@ -202,11 +202,11 @@ Figures figuresOf(const io::CsvText& csv, const io::CsvText::Row& row) {
 }
 
 std::vector<std::pair<std::string, Figures>> readFigures(const std::string& path) {
-  const std::string text = namingFile(path, [&] { return io::readText(path); });
+  const std::string text = withFileInErrors(path, [&] { return io::readText(path); });
   std::vector<std::pair<std::string, Figures>> rows;
   if (path.ends_with(".csv")) {
     const io::CsvText csv = io::readCsvText(text);
-    const std::size_t material = csv.neededColumn("material");
+    const std::size_t material = csv.requiredColumn("material");
     for (const io::CsvText::Row& row : csv.rows) rows.emplace_back(row.fields[material], figuresOf(csv, row));
     return rows;
   }

@@ -16,7 +16,7 @@ const Scene& studio() {
 }
 
 widgets::PreviewSubject alone(const test::Grain& grain) {
-  return {widgets::ModelAlone{&models::findModel(grain.model), test::grainParameters(grain)}};
+  return {widgets::StandaloneModel{&models::findModel(grain.model), test::grainParameters(grain)}};
 }
 
 Image blockMeans(const Image& image) {

@@ -36,6 +36,12 @@ class ArithmeticTest : public QObject {
     QCOMPARE(*result, value);
   }
 
+  void degrees() {
+    for (const char* text : {"2 * 15", "30\u00b0", "30 deg"})
+      QCOMPARE(evaluateArithmetic(QString::fromUtf8(text), QStringLiteral("°")), std::optional(30.0));
+    QVERIFY(!evaluateArithmetic(QStringLiteral("30 deg"), QStringLiteral("1/sr")));
+  }
+
   void refuses_data() {
     QTest::addColumn<QString>("text");
     for (const char* text : {"", "abc", "1+", "1 2", "1/0", "(1", "1)", "1..2", "0/0", "1e", "--", "inf", "nan"})

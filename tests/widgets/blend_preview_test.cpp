@@ -23,16 +23,17 @@ std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colou
 }
 
 /// Four materials that nobody takes for each other; the last on a grid of its own.
-std::vector<editing::InterpolationEnd> ends(int count) {
-  static const std::vector<editing::InterpolationEnd> all{{material(0.15, {0.9, 0.5, 0.2}, {30, 30, 36})},
-                                                          {material(0.5, {0.2, 0.6, 0.9}, {30, 30, 36})},
-                                                          {material(0.3, {0.8, 0.8, 0.8}, {30, 30, 36})},
-                                                          {material(0.4, {0.1, 0.9, 0.1}, {25, 28, 45})}};
+std::vector<editing::InterpolationMaterial> ends(int count) {
+  static const std::vector<editing::InterpolationMaterial> all{{material(0.15, {0.9, 0.5, 0.2}, {30, 30, 36})},
+                                                               {material(0.5, {0.2, 0.6, 0.9}, {30, 30, 36})},
+                                                               {material(0.3, {0.8, 0.8, 0.8}, {30, 30, 36})},
+                                                               {material(0.4, {0.1, 0.9, 0.1}, {25, 28, 45})}};
   return {all.begin(), all.begin() + count};
 }
 
 /// With few curves: the shader sums them all alike.
-widgets::PreparedBlendPtr prepared(InterpolationSpace space, const std::vector<editing::InterpolationEnd>& materials) {
+widgets::PreparedBlendPtr prepared(InterpolationSpace space,
+                                   const std::vector<editing::InterpolationMaterial>& materials) {
   editing::InterpolationOptions options = editing::blendOptions();
   options.pdv.terms = 2;
   return widgets::prepareBlend(space, materials, options);
@@ -141,7 +142,7 @@ class BlendPreviewTest : public QObject {
   /// A measured file beside a table: itself at the end, near the native forms' mixture before it, and no step where
   /// another material takes the lead.
   void filesInTheirOwnForm() {
-    std::vector<editing::InterpolationEnd> materials = ends(2);
+    std::vector<editing::InterpolationMaterial> materials = ends(2);
     const materials::Material file = materials::readMaterial("library:rgl/satin_purple");
     materials[0] = {.table = file.tabulated(), .base = file.brdf};
     const Image alone = drawn(widgets::measuredSubject(file.brdf), sphereScene(), 64);

@@ -205,7 +205,8 @@ void main() {
     for (int d = 0; d < 3; ++d)
       ensemble->dictionaries.push_back(
           {dictionary::test_support::randomDictionary(dictionary::modeSizes(grid), random), 10});
-    std::vector<editing::InterpolationEnd> ends{{material(0.3, {0.9, 0.5, 0.2})}, {material(0.6, {0.2, 0.6, 0.9})}};
+    std::vector<editing::InterpolationMaterial> ends{{material(0.3, {0.9, 0.5, 0.2})},
+                                                     {material(0.6, {0.2, 0.6, 0.9})}};
     for (std::size_t m = 0; m < 2; ++m) {
       dictionary::SparseCode code{.grid = grid, .transform = DataTransform(transform), .channels = {}};
       for (std::size_t c = 0; c < 3; ++c) {

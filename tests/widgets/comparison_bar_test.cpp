@@ -67,7 +67,7 @@ class ComparisonBarTest : public QObject {
   /// The last entry asks for a material and leaves the side as it was until there is one.
   void anotherMaterialIsAskedFor() {
     bar_->setComparison({.mode = CompareMode::split});
-    QSignalSpy wanted(bar_.get(), &ComparisonBar::referenceWanted);
+    QSignalSpy wanted(bar_.get(), &ComparisonBar::referenceRequested);
     choose("Second side", 4);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(list(*bar_, "Second side")->currentIndex(), int(ComparedSubject::measured));

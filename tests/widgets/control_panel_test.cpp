@@ -37,7 +37,7 @@ class ControlPanelTest : public QObject {
     panel.setEdit(&edit);
     QVERIFY(panel.row(ArtistControl::roughness));
     panel.setEdit(nullptr);
-    QVERIFY(!panel.row(ArtistControl::roughness) && !panel.bodyRow());
+    QVERIFY(!panel.row(ArtistControl::roughness) && !panel.diffuseRow());
   }
 
   /// What a control does appears below it when the hand leaves the slider: under the hand no row moves.
@@ -132,17 +132,17 @@ class ControlPanelTest : public QObject {
     panel.setEdit(&edit);
     int parameter = -1;
     Rgb value(0);
-    connect(&panel, &ControlPanel::bodyEdited, &panel, [&](int index, const Rgb& colour) {
+    connect(&panel, &ControlPanel::diffuseEdited, &panel, [&](int index, const Rgb& colour) {
       parameter = index;
       value = colour;
     });
-    QCOMPARE(line(panel.bodyRow())->label()->text(), QStringLiteral("Diffuse colour"));
-    Q_EMIT line(panel.bodyRow())->valueEdited(0.5);
+    QCOMPARE(line(panel.diffuseRow())->label()->text(), QStringLiteral("Diffuse colour"));
+    Q_EMIT line(panel.diffuseRow())->valueEdited(0.5);
     QCOMPARE(parameter, int(*models::ggx().spec().find("diffuse")));
     QVERIFY(value == Rgb(0.5));
     const editing::DifferentialEdit without = editOf(models::findModel("rational"));
     panel.setEdit(&without);
-    QVERIFY(!panel.bodyRow());
+    QVERIFY(!panel.diffuseRow());
   }
 };
 

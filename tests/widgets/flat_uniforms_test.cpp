@@ -107,7 +107,7 @@ class FlatUniformsTest : public QObject {
         {{widgets::EditedMaterial{table, {{layers, wholeEdit("sgd", Composition::additive), layers}}}}, sphereScene()},
         {{widgets::EditedMaterial{table, {{layers}}}, std::make_shared<const TabulatedLobe>(*table)},
          sphereScene(studioEnvironment())},
-        {{widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, openScene("row")},
+        {{widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}}, openScene("row")},
     };
     for (const auto& [subject, scene] : cases) {
       const Image plain = drawn(resources, subject, scene, false), flat = drawn(resources, subject, scene, true);

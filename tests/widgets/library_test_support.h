@@ -8,12 +8,12 @@
 #include "widgets/library/library_view.h"
 
 namespace gonio::test {
-using widgets::LibraryItem, widgets::LibraryLook, widgets::LibraryModel, widgets::LibraryView;
+using widgets::LibraryItem, widgets::LibraryThumbnail, widgets::LibraryModel, widgets::LibraryView;
 
 inline std::vector<LibraryItem> threeMaterials() {
   return {{"a", "gold", "MERL file"}, {"b", "chrome", "MERL file"}, {"c", "felt", "RGL file"}};
 }
-inline LibraryLook look(double hue, double roughness) {
+inline LibraryThumbnail look(double hue, double roughness) {
   QImage image(8, 8, QImage::Format_RGBA8888);
   image.fill(Qt::gray);
   return {image, hue, roughness};

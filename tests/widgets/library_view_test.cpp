@@ -11,7 +11,7 @@
 #include "tests/widgets/library_test_support.h"
 #include "widgets/library/library_chips.h"
 #include "widgets/library/library_selection.h"
-#include "widgets/library/look_colour.h"
+#include "widgets/library/thumbnail_colour.h"
 
 namespace library_view_test {
 using namespace gonio::widgets;
@@ -25,9 +25,9 @@ class LibraryViewTest : public QObject {
     model.setItems(threeMaterials());
     QCOMPARE(model.pending(), QStringList({"a", "b", "c"}));
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    model.setLook("b", look(10, 0.1));
+    model.setThumbnail("b", look(10, 0.1));
     model.setFailure("c", "c.bsdf: too short");
-    model.setLook("gone", look(0, 0));
+    model.setThumbnail("gone", look(0, 0));
     QCOMPARE(changed.count(), 2);
     QCOMPARE(model.pending(), QStringList{"a"});
     QVERIFY(!model.index(1).data(Qt::DecorationRole).isNull());
@@ -42,9 +42,9 @@ class LibraryViewTest : public QObject {
     model.setItems(threeMaterials());
     QSignalSpy opened(&view.selection(), &LibrarySelection::openRequested);
     QCOMPARE(idsOf(view), QStringList({"b", "c", "a"}));
-    model.setLook("a", look(45, 0.2));
-    model.setLook("b", look(-1, 0.01));
-    model.setLook("c", look(120, 0.9));
+    model.setThumbnail("a", look(45, 0.2));
+    model.setThumbnail("b", look(-1, 0.01));
+    model.setThumbnail("c", look(120, 0.9));
     view.setSortMode(1);
     QCOMPARE(idsOf(view), QStringList({"b", "a", "c"}));
     view.setSortMode(2);
@@ -92,13 +92,13 @@ class LibraryViewTest : public QObject {
     LibraryView view(&model);
     model.setItems(threeMaterials());
     const auto coloured = [](const QColor& colour, double roughness) {
-      LibraryLook made = look(0, roughness);
+      LibraryThumbnail made = look(0, roughness);
       made.thumbnail.fill(colour);
       return made;
     };
-    model.setLook("a", coloured(QColor(200, 30, 30), 0.1));
-    model.setLook("b", coloured(QColor(210, 200, 200), 0.1));
-    model.setLook("c", coloured(QColor(30, 10, 10), 0.4));
+    model.setThumbnail("a", coloured(QColor(200, 30, 30), 0.1));
+    model.setThumbnail("b", coloured(QColor(210, 200, 200), 0.1));
+    model.setThumbnail("c", coloured(QColor(30, 10, 10), 0.4));
     view.setSortMode(3);
     QCOMPARE(idsOf(view), QStringList({"b", "a", "c"}));
     view.setSortMode(4);
@@ -183,7 +183,7 @@ class LibraryViewTest : public QObject {
   void looksStay() {
     LibraryModel model;
     model.setItems({{.id = "a", .version = 1}, {.id = "b", .version = 1}});
-    for (const char* id : {"a", "b"}) model.setLook(id, {QImage(4, 4, QImage::Format_RGB32), 0, 0.5});
+    for (const char* id : {"a", "b"}) model.setThumbnail(id, {QImage(4, 4, QImage::Format_RGB32), 0, 0.5});
     model.setItems({{.id = "c"}, {.id = "b", .version = 2}, {.id = "a", .version = 1}});
     QCOMPARE(model.pending(), QStringList({"c", "b"}));
   }

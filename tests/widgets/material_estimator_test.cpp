@@ -15,7 +15,7 @@ widgets::PreviewSubject ggx(double roughness) {
   const models::Model& model = models::findModel("ggx");
   models::ParameterValues parameters = models::defaultParameters(model.spec());
   parameters.values[*model.spec().find("roughness")] = Rgb(roughness);
-  return {widgets::ModelAlone{&model, parameters}};
+  return {widgets::StandaloneModel{&model, parameters}};
 }
 
 class MaterialEstimatorTest : public QObject {
@@ -49,7 +49,7 @@ class MaterialEstimatorTest : public QObject {
   /// What cannot be estimated is told, and the next request gets its chance.
   void aFailureIsTold() {
     widgets::PreviewSubject wrong = ggx(0.3);
-    std::get<widgets::ModelAlone>(wrong.shown).parameters.values.clear();
+    std::get<widgets::StandaloneModel>(wrong.shown).parameters.values.clear();
     {
       MaterialEstimator estimator;
       estimator.request(wrong);  // destroyed with the failure

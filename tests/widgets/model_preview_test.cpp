@@ -47,7 +47,7 @@ class ModelPreviewTest : public QObject {
       if (fit.name != "chrome" && fit.name != "blue-fabric" && fit.name != "alum-bronze") continue;
       const auto base = materials::sgdMaterial(fit).brdf;
       if (fit.name != "chrome") verify(base, {});
-      const widgets::ModelAlone alone{&models::findModel("sgd"), fit.parameters};
+      const widgets::StandaloneModel alone{&models::findModel("sgd"), fit.parameters};
       const Image picture = spheres_->drawn({alone}, sphereScene(), 64);
       QVERIFY(spheres_->drawn({widgets::EditedMaterial{base}}, sphereScene(), 64).pixels == picture.pixels);
     }

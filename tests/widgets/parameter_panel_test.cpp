@@ -236,7 +236,7 @@ class ParameterPanelTest : public QObject {
     const Rgb fitted(0.25);
     const QString text = parameterToolTip(roughness, &fitted);
     for (const auto& part : {roughness.label, roughness.symbol, roughness.description, roughness.reference})
-      QVERIFY(text.contains(fromView(part).toHtmlEscaped()));
+      QVERIFY(text.contains(toQString(part).toHtmlEscaped()));
     QVERIFY(text.contains("0.25"));
   }
 

@@ -29,20 +29,20 @@ class PreviewRendererTest : public QObject {
   /// one.
   void modelAlone() {
     for (const models::Model* model : models::allModels()) {
-      const double snr = agreement(*spheres_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}},
-                                   sphereScene(), 40);
+      const double snr = agreement(
+          *spheres_, {widgets::StandaloneModel{model, models::defaultParameters(model->spec())}}, sphereScene(), 40);
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
     const models::Model& ggx = models::findModel("ggx");
-    const double snr =
-        agreement(*spheres_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene(), 30);
+    const double snr = agreement(*spheres_, {widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}},
+                                 comparisonScene(), 30);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
   /// A model alone is the same picture whatever table was shown before it.
   void modelAloneIgnoresTheTable() {
     const models::Model& ggx = models::findModel("ggx");
-    const widgets::PreviewSubject subject{widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}};
+    const widgets::PreviewSubject subject{widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}};
     test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     renderer_->setSubject(subject);

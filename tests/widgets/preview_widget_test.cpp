@@ -288,7 +288,7 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     const models::Model& model = models::findModel("cook-torrance");
     bool hasReason = false;
-    content().setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
+    content().setSubject({widgets::StandaloneModel{&model, models::defaultParameters(model.spec())}});
     while (frames.isEmpty()) {
       QVERIFY(widget_->picture().pixelColor(110, 110).red() > 60);
       QTest::qWait(1);
@@ -304,11 +304,11 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
     const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");
     qputenv("GONIO_SHADER_DIR", "/nowhere");
-    content().setSubject({widgets::ModelAlone{&ward, models::defaultParameters(ward.spec())}});
+    content().setSubject({widgets::StandaloneModel{&ward, models::defaultParameters(ward.spec())}});
     QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, 20000);
     QVERIFY(failures[0][0].toString().contains("/nowhere"));
     qunsetenv("GONIO_SHADER_DIR");
-    content().setSubject({widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}});
+    content().setSubject({widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QCOMPARE(failures.count(), 1);
   }
@@ -344,10 +344,10 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= samples, 20000);
     // So many samples may be those of a coarse picture, and the first sample of a fine one may lie in a shadow.
-    const auto isLit = [this](const Image& picture) {
+    const auto isNonzero = [this](const Image& picture) {
       return picture.width == widget_->width() && picture.at(picture.width / 2, picture.height / 2).x > 0.02f;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isLit(widget_->linearPicture()), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(isNonzero(widget_->linearPicture()), 60000);
   }
 
   std::shared_ptr<const TabulatedBrdf> table_;

@@ -61,7 +61,7 @@ class RglPreviewTest : public QObject {
     const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
     verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 50);
     // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
-    for (const IncidentSlot slot : {IncidentSlot::light, IncidentSlot::mean})
+    for (const IncidentDirection slot : {IncidentDirection::light, IncidentDirection::mean})
       verify({widgets::EditedMaterial{brdf->withIncident(slot)}, lobe}, sphereScene(), 24);
     verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 50);
   }

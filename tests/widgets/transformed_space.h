@@ -34,8 +34,8 @@ class TransformedMean final : public Brdf {
   std::vector<double> weights_;
 };
 
-inline std::vector<editing::InterpolationEnd> endsOf(const std::vector<editing::Interpolation::Table>& tables) {
-  std::vector<editing::InterpolationEnd> ends;
+inline std::vector<editing::InterpolationMaterial> endsOf(const std::vector<editing::Interpolation::Table>& tables) {
+  std::vector<editing::InterpolationMaterial> ends;
   for (const auto& table : tables) ends.push_back({.table = table});
   return ends;
 }

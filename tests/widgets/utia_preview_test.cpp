@@ -82,7 +82,7 @@ class UtiaPreviewTest : public QObject {
   void pairsOfDirections() {
     test::ShaderValues shader(testPairs());
     const auto brdf = randomMaterial();
-    for (const IncidentSlot slot : allIncidentSlots) {
+    for (const IncidentDirection slot : allIncidentSlots) {
       const auto ordered = brdf->withIncident(slot);
       const double error = worst(shader, {ordered});
       qInfo("%s: %.1e of the largest value", incidentSlotId(slot), error / largest);
@@ -91,7 +91,8 @@ class UtiaPreviewTest : public QObject {
   }
 
   void picturesOfEveryOrder() {
-    for (const IncidentSlot slot : allIncidentSlots) verify(brushedMaterial()->withIncident(slot), {}, sphereScene());
+    for (const IncidentDirection slot : allIncidentSlots)
+      verify(brushedMaterial()->withIncident(slot), {}, sphereScene());
     verify(brushedMaterial(), {}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
   }
 

@@ -16,7 +16,7 @@ class HemisphereChart : public SampleChart {
 
   /// Shades larger polar angles, which the rig cannot reach. Rad.
   void setMaxPolarAngle(double angle);
-  double largestPolarAngle() const { return m_maxPolarAngle; }
+  double maxPolarAngle() const { return m_maxPolarAngle; }
 
   /// Position of a direction, in widget pixels.
   QPointF placeOf(const Direction& direction) const;

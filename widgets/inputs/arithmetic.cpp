@@ -115,7 +115,8 @@ class Parser {
 
 std::optional<double> evaluateArithmetic(const QString& text, const QString& unit) {
   QString expression = text.trimmed();
-  if (!unit.isEmpty() && expression.endsWith(unit)) expression.chop(unit.size());
+  for (const QString& suffix : {unit, unit == QStringLiteral("°") ? QStringLiteral("deg") : QString()})
+    if (!suffix.isEmpty() && expression.endsWith(suffix)) expression.chop(suffix.size());
   return Parser(expression.trimmed()).parse();
 }
 

@@ -55,9 +55,9 @@ void ParameterSlider::setModified(bool modified) {
 }
 
 /// Screen readers see the position in thousandths; the number itself is kept in full precision.
-void ParameterSlider::syncAccessibleValue() { setValue(int(std::lround(shareOf(m_number) * accessibleSteps))); }
+void ParameterSlider::syncAccessibleValue() { setValue(int(std::lround(fractionOf(m_number) * accessibleSteps))); }
 
-double ParameterSlider::shareOf(double value) const {
+double ParameterSlider::fractionOf(double value) const {
   if (!(m_max > m_min)) return 0;
   if (m_scale == models::ParameterScale::logarithmic)
     return value <= m_min ? 0 : std::clamp(std::log(value / m_min) / std::log(m_max / m_min), 0.0, 1.0);
@@ -113,7 +113,7 @@ void ParameterSlider::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QPalette& colours = palette();
   const QRectF track = groove();
-  const double x = track.left() + shareOf(m_number) * track.width();
+  const double x = track.left() + fractionOf(m_number) * track.width();
   const QColor text = isEnabled() ? colours.color(QPalette::Text) : colours.color(QPalette::Disabled, QPalette::Text);
 
   painter.setPen(Qt::NoPen);
@@ -127,7 +127,7 @@ void ParameterSlider::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(track.left(), track.top(), x - track.left(), track.height()), 2, 2);
 
   if (m_reference && m_modified) {
-    const double mark = track.left() + shareOf(*m_reference) * track.width();
+    const double mark = track.left() + fractionOf(*m_reference) * track.width();
     painter.fillRect(QRectF(mark - 1, track.center().y() - 6, 2, 12), text);
   }
   const double radius = handleRadius() - (m_hovered || m_dragging ? 0 : 1);
@@ -148,7 +148,7 @@ void ParameterSlider::mousePressEvent(QMouseEvent* event) {
   const bool fine = event->modifiers() & Qt::ShiftModifier;
   // A fine drag starts where the value is; a plain press jumps to the pointer, unless it holds the handle.
   const double under = (m_lastX - groove().left()) / groove().width();
-  const double held = shareOf(m_number);
+  const double held = fractionOf(m_number);
   const bool onHandle = std::abs(under - held) * groove().width() <= handleRadius() + 1;
   m_dragFraction = fine || onHandle ? held : under;
   begin();
@@ -179,7 +179,7 @@ void ParameterSlider::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ParameterSlider::keyPressEvent(QKeyEvent* event) {
   const double step = keyFraction * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1);
-  double fraction = shareOf(m_number);
+  double fraction = fractionOf(m_number);
   switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
@@ -220,7 +220,7 @@ void ParameterSlider::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();
   const int delta = event->angleDelta().y() ? event->angleDelta().y() : event->angleDelta().x();
   begin();
-  editTo(shareOf(m_number) + delta / 120.0 * keyFraction * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1),
+  editTo(fractionOf(m_number) + delta / 120.0 * keyFraction * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1),
          false);
   m_wheelPause->start();
   event->accept();

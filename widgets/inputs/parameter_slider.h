@@ -48,7 +48,7 @@ class ParameterSlider : public QAbstractSlider {
   bool event(QEvent* event) override;
 
  private:
-  double shareOf(double value) const;
+  double fractionOf(double value) const;
   double valueAt(double fraction) const;
   double snapped(double fraction) const;
   QRectF groove() const;

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 
 namespace gonio::widgets {
 

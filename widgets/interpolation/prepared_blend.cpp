@@ -29,13 +29,13 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
 }
 
 /// Only where values are mixed, not transformed ones; an edited material is mixed as its table.
-bool mixesItself(const PreparedBlend& blend, const editing::InterpolationEnd& end) {
+bool mixesItself(const PreparedBlend& blend, const editing::InterpolationMaterial& end) {
   return blend.mixture->transform == DataTransform::none && fitsBesideBlends(*end.base) &&
          editing::isIdentity(end.edits);
 }
 
 void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heaviest) {
-  const editing::InterpolationEnd& end = blend.ends[heaviest];
+  const editing::InterpolationMaterial& end = blend.ends[heaviest];
   if (!end.base || !mixesItself(blend, end)) return;
   double second = 0;
   for (std::size_t i = 0; i < shown.weights.size(); ++i)
@@ -51,13 +51,13 @@ bool mixesTables(const PreparedBlend& blend) {
   return std::ranges::any_of(blend.ends, [](const auto& end) { return end.base != nullptr; });
 }
 
-PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
+PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationMaterial>& ends,
                               const editing::InterpolationOptions& options, const TaskControl& control) {
   auto blend = std::make_shared<PreparedBlend>();
   blend->space = space;
   blend->ends = ends;
   blend->model = options.model ? options.model : &models::ggx();
-  for (const editing::InterpolationEnd& end : ends)
+  for (const editing::InterpolationMaterial& end : ends)
     blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.material()));
   blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedFraction));
   control.throwIfStopped();
@@ -69,7 +69,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  const editing::InterpolationEnd& end = blend.ends[heaviest];
+  const editing::InterpolationMaterial& end = blend.ends[heaviest];
   EditedMaterial material{end.table};
   const auto& lobe = blend.lobes[heaviest];
   if (weights[heaviest] == 1) return {end.base ? EditedMaterial{end.base, end.edits} : material, lobe};
@@ -79,7 +79,7 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
     return {std::move(shown), lobe};
   }
   if (const auto parameters = blend.interpolation->parameters(weights))
-    return {ModelAlone{blend.model, *parameters, blend.ends[heaviest].table->grid()}, lobe};
+    return {StandaloneModel{blend.model, *parameters, blend.ends[heaviest].table->grid()}, lobe};
   if (auto factors = blend.interpolation->factors(weights)) material.edits = {{curvesAlone(std::move(*factors))}};
   return {material, lobe};
 }

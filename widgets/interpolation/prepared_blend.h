@@ -12,7 +12,7 @@ namespace gonio::widgets {
 /// Materials ready to be blended in one space, for the preview and for pictures. Immutable.
 struct PreparedBlend {
   editing::InterpolationSpace space;
-  std::vector<editing::InterpolationEnd> ends;
+  std::vector<editing::InterpolationMaterial> ends;
   std::vector<std::shared_ptr<const TabulatedLobe>> lobes;  ///< of the materials
   const models::Model* model = nullptr;                     ///< for `parameters` and `differential`
   std::shared_ptr<const editing::Interpolation> interpolation;
@@ -22,7 +22,8 @@ struct PreparedBlend {
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
 /// Computes the fits, factors or codes for a space: up to a few seconds. @throws Error, Cancelled.
-PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
+PreparedBlendPtr prepareBlend(editing::InterpolationSpace space,
+                              const std::vector<editing::InterpolationMaterial>& ends,
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 

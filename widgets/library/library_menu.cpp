@@ -29,8 +29,7 @@ void addRatings(QMenu& menu, const QStringList& ids, int rating, const LibraryAc
 
 }  // namespace
 
-QMenu* libraryMenu(const QStringList& ids, const LibraryCommon& common, const LibraryActions& actions,
-                   QWidget* parent) {
+QMenu* libraryMenu(const QStringList& ids, const CommonNotes& common, const LibraryActions& actions, QWidget* parent) {
   auto* menu = new QMenu(parent);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const bool single = ids.size() == 1;

@@ -21,12 +21,12 @@ struct LibraryActions {
 };
 
 /// Common properties of the selected materials; false or 0 if they differ.
-struct LibraryCommon {
+struct CommonNotes {
   bool favourites = false;
   int rating = 0;
 };
 
 /// A menu that deletes itself when it closes.
-QMenu* libraryMenu(const QStringList& ids, const LibraryCommon& common, const LibraryActions& actions, QWidget* parent);
+QMenu* libraryMenu(const QStringList& ids, const CommonNotes& common, const LibraryActions& actions, QWidget* parent);
 
 }  // namespace gonio::widgets

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "widgets/library/look_colour.h"
 #include "widgets/library/material_drag.h"
+#include "widgets/library/thumbnail_colour.h"
 
 namespace gonio::widgets {
 
@@ -83,7 +83,7 @@ int LibraryModel::find(const QString& id) const {
   return found == m_entries.end() ? -1 : int(found - m_entries.begin());
 }
 
-void LibraryModel::setLook(const QString& id, const LibraryLook& look) {
+void LibraryModel::setThumbnail(const QString& id, const LibraryThumbnail& look) {
   const int row = find(id);
   if (row < 0) return;
   Entry& entry = m_entries[std::size_t(row)];
@@ -100,13 +100,13 @@ void LibraryModel::setFailure(const QString& id, const QString& reason) {
   Q_EMIT dataChanged(index(row), index(row));
 }
 
-void LibraryModel::setReference(const std::optional<LibraryLook>& look) {
+void LibraryModel::setReference(const std::optional<LibraryThumbnail>& look) {
   m_reference.reset();
   if (look) m_reference = Reference{meanLab(look->thumbnail), look->roughness};
   if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {DissimilarityRole});
 }
 
-const LibraryLook* LibraryModel::look(const QString& id) const {
+const LibraryThumbnail* LibraryModel::look(const QString& id) const {
   const int row = find(id);
   return row < 0 || !m_entries[std::size_t(row)].look ? nullptr : &*m_entries[std::size_t(row)].look;
 }

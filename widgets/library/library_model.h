@@ -29,7 +29,7 @@ struct LibraryItem {
 enum class LibraryGrouping { none, source, kind };
 
 /// Properties of a material from its rendered thumbnail.
-struct LibraryLook {
+struct LibraryThumbnail {
   QImage thumbnail;
   double hue = 0;        ///< of the thumbnail, degrees; -1 for greys
   double roughness = 0;  ///< width of the highlight, GGX alpha
@@ -66,13 +66,13 @@ class LibraryModel : public QAbstractListModel {
   /// Removes all materials until setItems() is called.
   void beginListing();
   bool isListing() const { return m_listing; }
-  void setLook(const QString& id, const LibraryLook& look);
+  void setThumbnail(const QString& id, const LibraryThumbnail& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
   /// The look with which DissimilarityRole compares; empty: no order.
-  void setReference(const std::optional<LibraryLook>& look);
+  void setReference(const std::optional<LibraryThumbnail>& look);
   /// Null if it is not known yet.
-  const LibraryLook* look(const QString& id) const;
+  const LibraryThumbnail* look(const QString& id) const;
   void setNotes(LibraryNotes notes);
   LibraryNote note(const QString& id) const { return m_notes.value(id); }
   void setNote(const QString& id, const LibraryNote& note);
@@ -102,7 +102,7 @@ class LibraryModel : public QAbstractListModel {
  private:
   struct Entry {
     LibraryItem item;
-    std::optional<LibraryLook> look;
+    std::optional<LibraryThumbnail> look;
     Rgb lab{0};  ///< of the look
     QPixmap pixmap;
     QString failure;

@@ -89,7 +89,7 @@ void LibrarySelection::editTags(const QStringList& ids) {
   });
 }
 
-LibraryCommon LibrarySelection::common(const QStringList& ids) const {
+CommonNotes LibrarySelection::common(const QStringList& ids) const {
   const auto note = [this](const QString& id) { return m_model.note(id); };
   const int rating = note(ids.front()).rating;
   return {std::ranges::all_of(ids, [&](const QString& id) { return note(id).favourite; }),
@@ -130,7 +130,7 @@ void LibrarySelection::showLook() {
   const QModelIndex index = m_list.currentIndex();
   if (!index.isValid()) return m_look->hide();
   const QString id = index.data(LibraryModel::IdRole).toString();
-  const LibraryLook* look = m_model.look(id);
+  const LibraryThumbnail* look = m_model.look(id);
   m_look->showMaterial(id, index.data(Qt::ToolTipRole).toString(), look ? look->thumbnail : QImage());
   Q_EMIT largePictureRequested(id);
 }

@@ -11,7 +11,7 @@ namespace gonio::widgets {
 
 class LibraryModel;
 class QuickLook;
-struct LibraryCommon;
+struct CommonNotes;
 
 /// The selection in a library's grid, which is kept when the library is listed again, and the user's actions on it
 /// (double-click, keys, menu).
@@ -63,7 +63,7 @@ class LibrarySelection : public QObject {
   void setRating(const QStringList& ids, int rating);
   /// Asks the user for tags, initially those common to all.
   void editTags(const QStringList& ids);
-  LibraryCommon common(const QStringList& ids) const;
+  CommonNotes common(const QStringList& ids) const;
   void toggleLook();
   void showLook();
 

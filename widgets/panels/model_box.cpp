@@ -12,8 +12,8 @@ namespace gonio::widgets {
 
 QString modelToolTip(const models::ModelSpec& spec) {
   return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p><p>%4</p>")
-      .arg(fromView(spec.name).toHtmlEscaped(), fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula),
-           fromView(spec.reference).toHtmlEscaped());
+      .arg(toQString(spec.name).toHtmlEscaped(), toQString(spec.description).toHtmlEscaped(), formulaHtml(spec.formula),
+           toQString(spec.reference).toHtmlEscaped());
 }
 
 namespace {
@@ -52,7 +52,7 @@ void ModelBox::fill() {
     m_entries.push_back(nullptr);
     for (const models::Model* one : models::allModels()) {
       if (one->spec().family != family) continue;
-      addItem(fromView(one->spec().name));
+      addItem(toQString(one->spec().name));
       setItemData(count() - 1, modelToolTip(one->spec()), Qt::ToolTipRole);
       m_entries.push_back(one);
     }

@@ -19,7 +19,7 @@ namespace {
 constexpr qsizetype maxNamedChanges = 2;
 
 /// The colour of the body is set where an artist looks for it.
-constexpr ArtistControl controlBeforeBody = ArtistControl::tint;
+constexpr ArtistControl controlBeforeDiffuse = ArtistControl::tint;
 
 const models::ParameterSpec& specOf(ArtistControl control) {
   return editing::artistControls().parameters[std::size_t(control)];
@@ -38,7 +38,7 @@ QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& ed
   for (const editing::ControlledParameter& one : editing::changesBy(control, spec, edit.edited, edit.controls)) {
     const models::ParameterSpec& parameter = spec.parameters[one.parameter];
     changes << ControlPanel::tr("%1 %2 \u2192 %3")
-                   .arg(fromView(parameter.label), displayValue(parameter, one.before),
+                   .arg(toQString(parameter.label), displayValue(parameter, one.before),
                         displayValue(parameter, one.after) + limitText(parameter, one.after));
   }
   return changes;
@@ -63,8 +63,8 @@ void ControlPanel::setEdit(const editing::DifferentialEdit* edit, const QString&
   for (std::size_t i = 0; i < m_controls.size(); ++i)
     m_controls[i].row->setValue(edit->controls.values[i], Rgb(specOf(ArtistControl(i)).defaultValue));
   if (m_body)
-    m_body->setValue(edit->edited.values[std::size_t(m_bodyParameter)],
-                     edit->fitted.values[std::size_t(m_bodyParameter)]);
+    m_body->setValue(edit->edited.values[std::size_t(m_diffuseParameter)],
+                     edit->fitted.values[std::size_t(m_diffuseParameter)]);
   showChanges(*edit);
 }
 
@@ -93,7 +93,7 @@ void ControlPanel::build(const models::ModelSpec& spec) {
   layout->setSpacing(fontMetrics().height() / 3);
   for (std::size_t i = 0; i < editing::artistControls().parameters.size(); ++i) {
     addControl(ArtistControl(i));
-    if (ArtistControl(i) == controlBeforeBody) addBody();
+    if (ArtistControl(i) == controlBeforeDiffuse) addDiffuse();
   }
 }
 
@@ -120,7 +120,7 @@ void ControlPanel::addControl(ArtistControl control) {
   row->setActive(editing::actsOn(control, *m_spec),
                  tr("The model %1 has no parameter for this control. The model Layered lobes has parameters "
                     "for every control.")
-                     .arg(fromView(m_spec->name)));
+                     .arg(toQString(m_spec->name)));
   auto* changes = new QLabel(m_content);
   changes->setWordWrap(true);
   changes->setForegroundRole(QPalette::PlaceholderText);
@@ -130,16 +130,16 @@ void ControlPanel::addControl(ArtistControl control) {
   m_controls.push_back({row, changes});
 }
 
-void ControlPanel::addBody() {
+void ControlPanel::addDiffuse() {
   const auto body = std::ranges::find(m_spec->parameters, models::ParameterRole::body, &models::ParameterSpec::role);
   if (body == m_spec->parameters.end()) return;
-  m_bodyParameter = int(body - m_spec->parameters.begin());
-  m_bodySpec = *body;
-  m_bodySpec->label = "Diffuse colour";
-  m_body = addRow(*m_bodySpec);
+  m_diffuseParameter = int(body - m_spec->parameters.begin());
+  m_diffuseSpec = *body;
+  m_diffuseSpec->label = "Diffuse colour";
+  m_body = addRow(*m_diffuseSpec);
   connect(m_body, &ParameterRow::valueEdited, this,
-          [this](const Rgb& value) { Q_EMIT bodyEdited(m_bodyParameter, value); });
-  connect(m_body, &ParameterRow::resetRequested, this, [this] { Q_EMIT bodyResetRequested(m_bodyParameter); });
+          [this](const Rgb& value) { Q_EMIT diffuseEdited(m_diffuseParameter, value); });
+  connect(m_body, &ParameterRow::resetRequested, this, [this] { Q_EMIT diffuseResetRequested(m_diffuseParameter); });
 }
 
 void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
@@ -184,9 +184,9 @@ std::optional<ArtistControl> ControlPanel::currentControl() const {
   return {};
 }
 
-std::optional<int> ControlPanel::currentBodyParameter() const {
+std::optional<int> ControlPanel::currentDiffuseParameter() const {
   if (!m_body || currentRow() != m_body) return {};
-  return m_bodyParameter;
+  return m_diffuseParameter;
 }
 
 }  // namespace gonio::widgets

@@ -29,28 +29,28 @@ class ControlPanel : public QWidget {
 
   /// Null if nothing can be edited.
   ParameterRow* row(editing::ArtistControl control) const;
-  ParameterRow* bodyRow() const { return m_body; }
+  ParameterRow* diffuseRow() const { return m_body; }
   /// The text below a control; empty if it has no effect.
   QString changesText(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
   std::optional<editing::ArtistControl> currentControl() const;
   /// The model's parameter of the diffuse colour if its row is under the pointer or has the focus.
-  std::optional<int> currentBodyParameter() const;
+  std::optional<int> currentDiffuseParameter() const;
 
  Q_SIGNALS:
   void editingStarted();
   void controlEdited(gonio::editing::ArtistControl control, const gonio::Rgb& value);
   void controlResetRequested(gonio::editing::ArtistControl control);
   /// The model's own parameter for the colour of the diffuse term.
-  void bodyEdited(int parameter, const gonio::Rgb& value);
-  void bodyResetRequested(int parameter);
+  void diffuseEdited(int parameter, const gonio::Rgb& value);
+  void diffuseResetRequested(int parameter);
   void editingFinished();
 
  private:
   void build(const models::ModelSpec& spec);
   void showEmpty(const QString& text);
   void addControl(editing::ArtistControl control);
-  void addBody();
+  void addDiffuse();
   ParameterRow* addRow(const models::ParameterSpec& spec);
   void showChanges(const editing::DifferentialEdit& edit);
   void placeChanges();
@@ -67,8 +67,8 @@ class ControlPanel : public QWidget {
   QWidget* m_content = nullptr;
   std::vector<Control> m_controls;  ///< in the order of ArtistControl; empty while nothing can be edited
   ParameterRow* m_body = nullptr;
-  std::optional<models::ParameterSpec> m_bodySpec;  ///< of the model, with the name used in this panel
-  int m_bodyParameter = -1;
+  std::optional<models::ParameterSpec> m_diffuseSpec;  ///< of the model, with the name used in this panel
+  int m_diffuseParameter = -1;
   bool m_editing = false;  ///< whether an interaction is running
 };
 

@@ -89,7 +89,7 @@ void ParameterPanel::setValues(const models::ParameterValues& values, const mode
     const models::ParameterSpec& choice = m_spec->parameters[switching];
     const bool active = std::lround(values.values[switching].x) == spec.activeChoice;
     m_rows[i]->setActive(active, tr("Has an effect only if %1 is set to \"%2\".")
-                                     .arg(fromView(choice.label), displayValue(choice, Rgb(spec.activeChoice))));
+                                     .arg(toQString(choice.label), displayValue(choice, Rgb(spec.activeChoice))));
   }
 }
 

@@ -19,7 +19,7 @@ ParameterRow::ParameterRow(const models::ParameterSpec& spec, QWidget* parent) :
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  m_line = new ParameterLine(spec, fromView(spec.label), this);
+  m_line = new ParameterLine(spec, toQString(spec.label), this);
   layout->addWidget(m_line);
   connectLine(m_line);
   if (!spec.choices.empty())
@@ -56,7 +56,7 @@ void ParameterRow::buildChannels() {
   m_disclosure->setAutoRaise(true);
   m_disclosure->setIcon(glyphIcon(Glyph::collapsed));
   m_disclosure->setToolTip(tr("Shows the red, green and blue values"));
-  m_disclosure->setAccessibleName(tr("Channels of %1").arg(fromView(m_spec->label)));
+  m_disclosure->setAccessibleName(tr("Channels of %1").arg(toQString(m_spec->label)));
   m_line->setLeading(m_disclosure);
   connect(m_disclosure, &QToolButton::toggled, this, &ParameterRow::setChannelsShown);
 
@@ -84,10 +84,10 @@ void ParameterRow::buildChannels() {
   }
   if (!isColour(*m_spec)) return;
   m_swatch = new ColourSwatch(this);
-  m_swatch->setAccessibleName(tr("Colour of %1").arg(fromView(m_spec->label)));
+  m_swatch->setAccessibleName(tr("Colour of %1").arg(toQString(m_spec->label)));
   m_swatch->setToolTip(tr("Opens a dialog for the colour of %1; Pick Screen Color takes a colour from the screen, "
                           "such as from the preview")
-                           .arg(fromView(m_spec->label)));
+                           .arg(toQString(m_spec->label)));
   m_line->setTrailing(m_swatch);
   connect(m_swatch, &ColourSwatch::editingStarted, this, &ParameterRow::editingStarted);
   connect(m_swatch, &ColourSwatch::colourEdited, this, [this](const Rgb& value) { offer(value); });
@@ -97,7 +97,7 @@ void ParameterRow::buildChannels() {
 void ParameterRow::buildChoice() {
   m_choice = new QComboBox(this);
   m_choice->setFocusPolicy(Qt::StrongFocus);
-  for (const std::string_view& choice : m_spec->choices) m_choice->addItem(fromView(choice));
+  for (const std::string_view& choice : m_spec->choices) m_choice->addItem(toQString(choice));
   m_line->replaceNumber(m_choice);
   connect(m_line, &ParameterLine::resetRequested, this, &ParameterRow::resetRequested);
   connect(m_choice, &QComboBox::activated, this, [this](int index) {
@@ -116,7 +116,7 @@ void ParameterRow::setValue(const Rgb& value, const Rgb& reference) {
 }
 
 void ParameterRow::describe() {
-  const QString name = fromView(m_spec->label);
+  const QString name = toQString(m_spec->label);
   QString toolTip = parameterToolTip(*m_spec, &m_reference);
   if (!m_inactiveReason.isEmpty()) toolTip.prepend(QStringLiteral("<p>%1</p>").arg(m_inactiveReason.toHtmlEscaped()));
   m_line->setDescription(toolTip, name);

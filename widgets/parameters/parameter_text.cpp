@@ -30,7 +30,7 @@ QString displayNumber(const models::ParameterSpec& spec, double value) {
 void setRoughnessDisplay(RoughnessDisplay display) { chosenRoughness = display; }
 RoughnessDisplay roughnessDisplay() { return chosenRoughness; }
 
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 double displayFactor(const models::ParameterSpec& spec) {
   return spec.scale == models::ParameterScale::angle ? degrees(1.0) : 1.0;
@@ -39,13 +39,13 @@ double displayFactor(const models::ParameterSpec& spec) {
 double displayPower(const models::ParameterSpec& spec) { return isShownAsRoot(spec) ? 0.5 : 1; }
 
 QString displayUnit(const models::ParameterSpec& spec) {
-  return spec.scale == models::ParameterScale::angle ? QStringLiteral("°") : fromView(spec.unit);
+  return spec.scale == models::ParameterScale::angle ? QStringLiteral("°") : toQString(spec.unit);
 }
 
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
   if (!spec.choices.empty()) {
     const auto index = std::size_t(std::lround(std::max(0.0, value.x)));
-    return fromView(spec.choices[std::min(index, spec.choices.size() - 1)]);
+    return toQString(spec.choices[std::min(index, spec.choices.size() - 1)]);
   }
   const QString unit = displayUnit(spec).isEmpty() ? QString() : QChar(0x202f) + displayUnit(spec);
   if (!spec.perChannel) return displayNumber(spec, value.x) + unit;
@@ -61,8 +61,8 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
   const QString shownAsRoot =
       isShownAsRoot(spec) ? QStringLiteral("<p>%1</p>").arg(ParameterText::tr("The slider shows √α.")) : QString();
   QString text = QStringLiteral("<p><b>%1</b> &nbsp;%2</p><p>%3</p><p>%4</p>%5<table>")
-                     .arg(fromView(spec.label).toHtmlEscaped(), formulaHtml(spec.symbol),
-                          fromView(spec.description).toHtmlEscaped(), formulaHtml(spec.formula), shownAsRoot);
+                     .arg(toQString(spec.label).toHtmlEscaped(), formulaHtml(spec.symbol),
+                          toQString(spec.description).toHtmlEscaped(), formulaHtml(spec.formula), shownAsRoot);
   if (spec.choices.empty()) {
     const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
     const auto range = [&](double from, double to) {
@@ -74,7 +74,7 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
   }
   text += line(ParameterText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
   if (fitted) text += line(ParameterText::tr("Fitted"), displayValue(spec, *fitted));
-  if (!spec.reference.empty()) text += line(ParameterText::tr("Source"), fromView(spec.reference));
+  if (!spec.reference.empty()) text += line(ParameterText::tr("Source"), toQString(spec.reference));
   return text + QStringLiteral("</table>");
 }
 

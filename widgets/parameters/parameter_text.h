@@ -11,7 +11,7 @@
 namespace gonio::widgets {
 
 /// The QString of UTF-8 text.
-QString fromView(std::string_view text);
+QString toQString(std::string_view text);
 /// Display of roughness parameters: as the models define them (alpha), or as the square root, the roughness of other
 /// programs (Burley 2012). Does not change the values.
 enum class RoughnessDisplay { alpha, squareRoot };

@@ -124,7 +124,7 @@ double PolarGeometry::angleOf(const QPointF& point) const {
   return std::atan2(point.x() - centre.x(), centre.y() - point.y());
 }
 
-double PolarGeometry::shareOf(const QPointF& point) const {
+double PolarGeometry::fractionOf(const QPointF& point) const {
   return std::hypot(point.x() - centre.x(), point.y() - centre.y()) / radius;
 }
 

@@ -22,7 +22,7 @@ struct PolarGeometry {
   /// Signed polar angle of a point, rad, (-pi, pi].
   double angleOf(const QPointF& point) const;
   /// Fraction of the axis at a point: its distance from the centre divided by `radius`.
-  double shareOf(const QPointF& point) const;
+  double fractionOf(const QPointF& point) const;
 };
 
 struct PolarPicture {

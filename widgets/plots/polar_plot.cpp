@@ -101,7 +101,7 @@ bool PolarPlot::isOnLight(const QPointF& position) const {
   const QPointF toHandle = position - handle();
   const double em = fontMetrics().height();
   if (std::hypot(toHandle.x(), toHandle.y()) < em) return true;
-  const double fraction = place.shareOf(position);
+  const double fraction = place.fractionOf(position);
   const double aside = fraction * place.radius * std::abs(std::sin(place.angleOf(position) + settings().thetaI));
   return fraction > 0.3 && fraction < 1.05 && place.angleOf(position) < 0 && aside < 0.4 * em;
 }

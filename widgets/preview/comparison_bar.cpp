@@ -174,7 +174,7 @@ void ComparisonBar::emitSides(int changed) {
   const int entry = m_sides[std::size_t(changed)]->currentIndex();
   const auto before = m_chosen;
   setSides(before[0], before[1]);  // until it is set otherwise
-  if (entry == otherMaterialEntry) return referenceWanted();
+  if (entry == otherMaterialEntry) return referenceRequested();
   auto after = before;
   after[std::size_t(changed)] = ComparedSubject(entry);
   // Choosing the other side's subject exchanges the two.

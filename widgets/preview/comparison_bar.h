@@ -36,7 +36,7 @@ class ComparisonBar : public QWidget {
   void comparisonEdited(const gonio::widgets::PreviewComparison& comparison);
   void sidesEdited(gonio::widgets::ComparedSubject first, gonio::widgets::ComparedSubject second);
   /// The user wants to choose another material as the reference.
-  void referenceWanted();
+  void referenceRequested();
   /// A file or a material of the library was dropped here, to become the reference.
   void referenceDropped(const QString& path);
   /// The button that shows the other side was pressed or released.

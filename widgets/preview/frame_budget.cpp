@@ -13,7 +13,7 @@ FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted,
   };
   const int full = affordable(pixels);
   if (accumulated == 0 && !resting && full < minFirstSamples) {
-    const double scale = nsPerSample_ * pixels / 4 > longestFirstMs * 1e6 ? 0.25 : 0.5;
+    const double scale = nsPerSample_ * pixels / 4 > maxFirstFrameMs * 1e6 ? 0.25 : 0.5;
     return {affordable(pixels * scale * scale), scale};
   }
   return {std::min(full, std::max(1, wanted - accumulated)), 1.0};

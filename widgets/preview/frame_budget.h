@@ -12,9 +12,9 @@ class FrameBudget {
   static constexpr double restingMs = 80;
   static constexpr int maxSamplesPerFrame = 64;
   /// If the time allows fewer samples than this, the first frame has half the resolution; if one sample at half
-  /// resolution takes longer than longestFirstMs, a quarter.
+  /// resolution takes longer than maxFirstFrameMs, a quarter.
   static constexpr int minFirstSamples = 6;
-  static constexpr double longestFirstMs = 100;
+  static constexpr double maxFirstFrameMs = 100;
 
   struct Frame {
     int samples;

@@ -141,7 +141,7 @@ void PreviewWidget::adopt(const PictureState& state) {
     m_overlay->setRange(m_content.comparison().difference, state.range);
   if (state.isNew && m_content.hasMaterial()) {
     const bool isTraced = state.sides[0].isTraced;
-    const double milliseconds = isTraced ? m_content.first().tracer().millisecondsOfSample() : state.milliseconds;
+    const double milliseconds = isTraced ? m_content.first().tracer().millisecondsPerSample() : state.milliseconds;
     showStatus(milliseconds);
     Q_EMIT frameRendered(milliseconds, state.sides[0].samples);
   }

@@ -34,7 +34,7 @@ class SceneTracer : public QObject {
   /// The newest picture; null before the first one. Smaller than requested while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
   /// Time of the last pass, of one sample per pixel at full size.
-  double millisecondsOfSample() const { return m_milliseconds; }
+  double millisecondsPerSample() const { return m_milliseconds; }
 
  Q_SIGNALS:
   void advanced();

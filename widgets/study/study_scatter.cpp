@@ -35,7 +35,7 @@ QCPScatterStyle scatterStyle(plots::Marker marker, const QColor& colour, const Q
 }
 
 /// That of the exported plot, legible on the background.
-QColor colourOn(const PlotStyle& style, const study::SeriesLook& look, study::RepresentationFamily family) {
+QColor colourOn(const PlotStyle& style, const study::SeriesStyle& look, study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::table) return style.text;
   const QColor colour(QString::fromUtf8(look.colour.data(), qsizetype(look.colour.size())));
   return style.dark ? colour.lighter(145) : colour;
@@ -163,7 +163,7 @@ void StudyScatter::addSeries(const PlotStyle& style) {
   std::map<std::string, QCPCurve*> curves;
   for (int i = 0; i < int(m_records.size()); ++i) {
     const study::Representation& representation = m_records[std::size_t(i)].representation;
-    const study::SeriesLook look = study::lookOf(representation);
+    const study::SeriesStyle look = study::lookOf(representation);
     QCPCurve*& curve = curves[look.name];
     if (!curve) {
       curve = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
@@ -187,7 +187,7 @@ void StudyScatter::addFront(const PlotStyle& style) {
   front->setPen(QPen(colour, 2, Qt::DashLine));
   std::optional<QPointF> last;
   int t = 0;
-  for (const std::size_t i : study::paretoFront(study::tradesOf(m_records, m_axes.cost, m_axes.quality))) {
+  for (const std::size_t i : study::paretoFront(study::costsAndErrors(m_records, m_axes.cost, m_axes.quality))) {
     const auto at = fraction(int(i));
     // Steps: between two points there is nothing to be had but the cheaper one.
     if (last) front->addData(t++, at->x(), last->y());

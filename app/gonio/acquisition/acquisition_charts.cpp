@@ -99,7 +99,7 @@ void AcquisitionCharts::showSlice() {
   std::span<const float> deviations;
   if (known && m_uncertainty->isChecked()) deviations = result->reconstruction->deviation;
   const acquisition::MeasurableDirections measurable = m_controls.planSettings().measurable;
-  m_hemisphere->setMaxPolarAngle(measurable.largestPolarAngle);
+  m_hemisphere->setMaxPolarAngle(measurable.maxPolarAngle);
   m_chart->setSlice(sliceAt(m_slice->value(), grid, measurable, basis ? &basis->mapping : nullptr, deviations));
   if (known) m_chart->setRange(result->deviationRange);
   m_sliceText->setText(tr("%1°").arg(degrees(m_chart->slice().phiD), 0, 'f', 0));

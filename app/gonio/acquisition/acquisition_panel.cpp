@@ -111,7 +111,7 @@ void AcquisitionPanel::connectSession() {
 }
 
 void AcquisitionPanel::connectParts() {
-  connect(&m_controls->subject(), &SubjectRows::wanted, this, &AcquisitionPanel::subjectWanted);
+  connect(&m_controls->subject(), &SubjectRows::wanted, this, &AcquisitionPanel::subjectRequested);
   connect(m_files, &AcquisitionFiles::exported, this, &AcquisitionPanel::exported);
   connect(m_files, &AcquisitionFiles::failed, this, &AcquisitionPanel::failed);
   connect(m_charts, &AcquisitionCharts::currentChanged, this, &AcquisitionPanel::mark);
@@ -172,13 +172,13 @@ void AcquisitionPanel::refresh() {
 
 void AcquisitionPanel::openResult() {
   if (!m_session.result()) return;
-  m_subject->keepOpenMaterial();
+  m_subject->fixOpenMaterial();
   m_session.open(m_document, reconstructionFolder());
 }
 
 void AcquisitionPanel::openPrediction() {
   if (!m_factors->result()) return;
-  m_subject->keepOpenMaterial();
+  m_subject->fixOpenMaterial();
   m_session.openTable(m_document, m_factors->result()->table, m_factors->resultName(), reconstructionFolder());
 }
 

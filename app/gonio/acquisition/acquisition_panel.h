@@ -54,7 +54,7 @@ class AcquisitionPanel : public QWidget {
 
  Q_SIGNALS:
   /// The user wants to choose the measured material.
-  void subjectWanted();
+  void subjectRequested();
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 

@@ -20,7 +20,7 @@ widgets::CellState stateOf(const HalfDifferenceGrid& grid, std::size_t cell,
                            const acquisition::MeasurableDirections& measurable, bool learned) {
   using widgets::CellState;
   if (!grid.nodeAboveHorizon(cell)) return CellState::belowHorizon;
-  if (!grid.nodeWithin(cell, measurable.largestPolarAngle)) return CellState::grazing;
+  if (!grid.nodeWithin(cell, measurable.maxPolarAngle)) return CellState::grazing;
   if (!measurable.allows(grid.directions(cell))) return CellState::forbidden;
   return learned ? CellState::measurable : CellState::unlearned;
 }

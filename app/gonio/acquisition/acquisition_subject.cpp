@@ -41,7 +41,7 @@ void AcquisitionSubject::choose(const QString& id) {
   m_controls.subject().choose(id, m_session.referenceReader().name());
 }
 
-void AcquisitionSubject::keepOpenMaterial() {
+void AcquisitionSubject::fixOpenMaterial() {
   if (m_controls.subject().subject() == Subject::openMaterial && m_session.referenceReader().reference())
     m_controls.subject().choose(m_session.referenceReader().id(), m_session.referenceReader().name());
 }

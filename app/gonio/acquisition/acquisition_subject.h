@@ -21,7 +21,7 @@ class AcquisitionSubject : public QObject {
   /// Selects a material. @param id a file or a material of the library.
   void choose(const QString& id);
   /// Fixes the measured material to the one that is open now, before another one is opened.
-  void keepOpenMaterial();
+  void fixOpenMaterial();
 
  private:
   void edited();

@@ -74,11 +74,11 @@ void DirectionRows::buildRig(QFormLayout& form) {
   const acquisition::MeasurableDirections usual;
   m_maxAngle = rowField(tr("Max. polar angle"), tr("Maximum polar angle of light and viewer"), radians(10), halfPi,
                         radians(1), QStringLiteral("°"), degrees(1));
-  m_maxAngle->setValue(usual.largestPolarAngle);
+  m_maxAngle->setValue(usual.maxPolarAngle);
   m_separation = rowField(tr("Min. separation"),
                           tr("Minimum angle between light and viewer; below it, one arm occludes the other"), 0, halfPi,
                           radians(1), QStringLiteral("°"), degrees(1));
-  m_separation->setValue(usual.smallestSeparation);
+  m_separation->setValue(usual.minSeparation);
   form.addRow(tr("Max. polar angle"), m_maxAngle);
   form.addRow(tr("Min. separation"), m_separation);
   m_forbidden = new widgets::ForbiddenRegionsEditor;

@@ -21,7 +21,7 @@ void ReferenceReader::read(const QString& id) {
       [id, picture = m_picture](const TaskControl& control) { return readAcquisitionReference(id, picture, control); });
 }
 
-void ReferenceReader::read(const QString& id, const QString& name, TableMaker makeTable) {
+void ReferenceReader::read(const QString& id, const QString& name, TableFactory makeTable) {
   m_id = id;
   m_name = name;
   start([id, name, make = std::move(makeTable), picture = m_picture](const TaskControl& control) {

@@ -15,7 +15,7 @@ class ReferenceReader : public QObject {
   Q_OBJECT
 
  public:
-  using TableMaker = std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)>;
+  using TableFactory = std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)>;
 
   explicit ReferenceReader(BackgroundTasks& tasks, QObject* parent = nullptr);
 
@@ -24,7 +24,7 @@ class ReferenceReader : public QObject {
   /// @param id a file or a material of the library
   void read(const QString& id);
   /// @param makeTable called in another thread
-  void read(const QString& id, const QString& name, TableMaker makeTable);
+  void read(const QString& id, const QString& name, TableFactory makeTable);
   void clear();
 
   /// Null until it has been read.

@@ -34,7 +34,7 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
     connect(&document, signal, this, &ComparisonController::endPair);
   connect(&bar, &widgets::ComparisonBar::comparisonEdited, this, &ComparisonController::setComparison);
   connect(&bar, &widgets::ComparisonBar::sidesEdited, this, &ComparisonController::setSides);
-  connect(&bar, &widgets::ComparisonBar::referenceWanted, this, &ComparisonController::referenceWanted);
+  connect(&bar, &widgets::ComparisonBar::referenceRequested, this, &ComparisonController::referenceRequested);
   connect(&bar, &widgets::ComparisonBar::referenceDropped, this, &ComparisonController::openReference);
   connect(&bar, &widgets::ComparisonBar::flickerHeld, &preview, &widgets::PreviewWidget::setFlickering);
   connect(&preview, &widgets::PreviewWidget::splitMoved, this, [this](double fraction) {
@@ -192,7 +192,7 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
   if (side != ComparedSubject::fit) return widgets::measuredSubject(material->base, material->lobe);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   if (!edit) return {};
-  return {widgets::ModelAlone{edit->model, edit->fitted, gridOf(*material->base)}, material->lobe};
+  return {widgets::StandaloneModel{edit->model, edit->fitted, gridOf(*material->base)}, material->lobe};
 }
 
 QString ComparisonController::name(ComparedSubject side) const {
@@ -213,7 +213,7 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (side == ComparedSubject::edited)
     return isEdited() ? tr("Edited") : QString::fromStdString(material->material.name);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
-  return edit ? tr("Fit: %1").arg(widgets::fromView(edit->model->spec().name)) : QString();
+  return edit ? tr("Fit: %1").arg(widgets::toQString(edit->model->spec().name)) : QString();
 }
 
 void ComparisonController::refresh() {

@@ -94,7 +94,7 @@ class ComparisonController : public QObject {
   /// The user wants to see the document's material again.
   void standInDismissed(gonio::app::StandIn kind);
   /// The user wants to choose another material.
-  void referenceWanted();
+  void referenceRequested();
   void failed(const QString& title, const QString& text);
 
  private:

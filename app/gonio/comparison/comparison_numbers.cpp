@@ -60,7 +60,7 @@ std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < records.size(); ++i) {
     const metrics::MetricRecord& record = records[i];
-    lines.push_back({widgets::fromView(record.name), widgets::fromView(record.unit),
+    lines.push_back({widgets::toQString(record.name), widgets::toQString(record.unit),
                      widgets::metricToolTip(record.formula, record.reference), numbers ? numbers->errors[i] : none});
   }
   return lines;

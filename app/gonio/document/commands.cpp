@@ -21,8 +21,8 @@ bool ReplaceEditsCommand::mergeWith(const QUndoCommand* other) {
 }
 
 std::size_t ReplaceEditsCommand::bytes() const {
-  return sizeof(*this) + editing::bytesBeside(m_before.edits, m_after.edits) +
-         editing::bytesBeside(m_after.edits, m_before.edits);
+  return sizeof(*this) + editing::unsharedBytes(m_before.edits, m_after.edits) +
+         editing::unsharedBytes(m_after.edits, m_before.edits);
 }
 
 void ReplaceEditsCommand::append(const editing::Edit& edit) {

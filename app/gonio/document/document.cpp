@@ -140,7 +140,7 @@ void Document::installEdits(EditList edits, const QString& text, std::optional<i
   m_atBegin = state();
 }
 
-void Document::setIncident(IncidentSlot slot) {
+void Document::setIncident(IncidentDirection slot) {
   ++m_interaction;
   EditState after = state();
   after.incident = slot;
@@ -151,8 +151,9 @@ void Document::setIncident(IncidentSlot slot) {
 std::shared_ptr<const Brdf> Document::base() const {
   if (!material()) return nullptr;
   const std::shared_ptr<const Brdf>& own = material()->base;
-  if (!incidentSlotOf(*own)) return own;
-  if (m_baseSource != own || incidentSlotOf(*m_base) != state().incident) m_base = withIncident(own, state().incident);
+  if (!incidentDirectionOf(*own)) return own;
+  if (m_baseSource != own || incidentDirectionOf(*m_base) != state().incident)
+    m_base = withIncident(own, state().incident);
   m_baseSource = own;
   return m_base;
 }

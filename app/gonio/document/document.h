@@ -18,7 +18,7 @@ struct EditState {
   editing::EditList edits;
   int selected = -1;  ///< the edit changed by the panels; -1: none
   /// The direction that is used as the incident one in measurements that are not reciprocal (RGL and UTIA files).
-  IncidentSlot incident = IncidentSlot::viewer;
+  IncidentDirection incident = IncidentDirection::viewer;
 };
 
 /// The edit that the panel of a kind of content shows and changes: the selected one if it is of that kind, else the
@@ -89,7 +89,7 @@ class Document : public QObject {
   /// @param selected the selected edit; by default unchanged.
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
   /// Sets which direction is used as the incident one (EditState::incident), in one undo step.
-  void setIncident(IncidentSlot slot);
+  void setIncident(IncidentDirection slot);
   void beginInteraction();
   void endInteraction() { m_interacting = false; }
   bool isInteracting() const { return m_interacting; }

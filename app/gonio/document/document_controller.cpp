@@ -146,7 +146,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
                                 const models::ParameterValues& choices) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  const QString name = widgets::fromView(model.spec().name);
+  const QString name = widgets::toQString(model.spec().name);
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1").arg(name), fitKey},
       [material, &model, choices](const TaskControl& control) {

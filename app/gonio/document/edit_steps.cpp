@@ -20,7 +20,7 @@ struct EditStepText {
   Q_DECLARE_TR_FUNCTIONS(EditStep)
 };
 
-QString kindName(const DifferentialEdit& edit) { return widgets::fromView(edit.model->spec().name); }
+QString kindName(const DifferentialEdit& edit) { return widgets::toQString(edit.model->spec().name); }
 QString kindName(const editing::FactorEdit&) { return EditStepText::tr("Factor curves"); }
 
 QString plainName(const Edit& edit) {
@@ -53,7 +53,7 @@ QString changeText(const Document& document, int edit, int parameter, const Rgb&
   if (!before || before->model != now.model) before = &now;  // undone in the midst of an interaction
   const models::ParameterSpec& spec = specOf(now, parameter);
   return EditStepText::tr("Change %1 %2 to %3")
-      .arg(widgets::fromView(spec.label).toLower(),
+      .arg(widgets::toQString(spec.label).toLower(),
            widgets::displayValue(spec, before->edited.values[std::size_t(parameter)]),
            widgets::displayValue(spec, value));
 }
@@ -85,8 +85,9 @@ void resetParameter(Document& document, int parameter) {
   if (edit < 0) return;
   const auto& active = std::get<DifferentialEdit>(document.edits()[std::size_t(edit)].content);
   const Rgb fitted = active.fitted.values[std::size_t(parameter)];
-  document.installEdits(editing::withParameter(document.edits(), std::size_t(edit), std::size_t(parameter), fitted),
-                        EditStepText::tr("Reset %1").arg(widgets::fromView(specOf(active, parameter).label).toLower()));
+  document.installEdits(
+      editing::withParameter(document.edits(), std::size_t(edit), std::size_t(parameter), fitted),
+      EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(active, parameter).label).toLower()));
 }
 
 void resetParameters(Document& document) {
@@ -105,14 +106,14 @@ void setControl(Document& document, editing::ArtistControl control, const Rgb& v
   document.replaceEdits(
       withControl(document, edit, control, value),
       EditStepText::tr("%1 to %2")
-          .arg(widgets::fromView(specOf(control).label), widgets::displayValue(specOf(control), value)));
+          .arg(widgets::toQString(specOf(control).label), widgets::displayValue(specOf(control), value)));
 }
 
 void resetControl(Document& document, editing::ArtistControl control) {
   const int edit = activeIndex<DifferentialEdit>(document.state());
   if (edit < 0) return;
   document.installEdits(withControl(document, edit, control, Rgb(specOf(control).defaultValue)),
-                        EditStepText::tr("Reset %1").arg(widgets::fromView(specOf(control).label).toLower()));
+                        EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(control).label).toLower()));
 }
 
 QString compositionName(editing::Composition composition) {

@@ -39,7 +39,7 @@ QString transformText(DataTransform transform) {
 }
 
 /// "0.0021; cosine-log has 0.0034"
-QString reason(const dictionary::Encoded& encoded) {
+QString reason(const dictionary::EncodeResult& encoded) {
   QStringList chosen, others;
   for (const dictionary::EncodedCandidate& candidate : encoded.candidates)
     if (candidate.code.transform == encoded.code.transform)

@@ -16,7 +16,7 @@ struct MaterialCode {
   LoadedMaterialPtr material;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
   std::size_t coefficients = 0;  ///< per channel, as requested
-  dictionary::Encoded encoded;
+  dictionary::EncodeResult encoded;
   std::shared_ptr<const widgets::EnsembleCode> stored;  ///< the rounded code of the file
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
   std::shared_ptr<const TabulatedLobe> lobe;            ///< of the decoded table

@@ -8,7 +8,7 @@
 
 #include "core/export/export_origin.h"
 #include "core/io/atomic_file.h"
-#include "core/support/naming_file.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::app {
 
@@ -62,9 +62,9 @@ ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr
   exports::FormFile file = exports::encodeMaterial(source, own, form, control.between(0.2, 0.6));
   if (baked && isAnisotropic(edits)) file.losses.push_back(exports::azimuthLoss());
   for (const std::string& loss : file.losses) losses.sentences << QString::fromStdString(loss);
-  if (!file.losses.empty()) losses.snr = exports::formError(file, *shown, control.between(0.6, 1));
+  if (!file.losses.empty()) losses.snr = exports::formSnr(file, *shown, control.between(0.6, 1));
   control.throwIfStopped();
-  namingFile(path, [&] { io::writeFileAtomically(path, file.bytes); });
+  withFileInErrors(path, [&] { io::writeFileAtomically(path, file.bytes); });
   return losses;
 }
 

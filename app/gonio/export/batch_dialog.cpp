@@ -39,7 +39,7 @@ BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, cons
 void BatchDialog::build() {
   m_targets = new QComboBox;
   for (const exports::ExportTarget& target : exports::exportTargets())
-    m_targets->addItem(widgets::fromView(target.label));
+    m_targets->addItem(widgets::toQString(target.label));
   m_snr = exportSnrField();
   m_folder = new QLineEdit;
   m_folder->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
@@ -111,7 +111,7 @@ QStringList BatchDialog::existing() const {
 }
 
 void BatchDialog::showFiles() {
-  m_description->setText(widgets::fromView(target().holds));
+  m_description->setText(widgets::toQString(target().holds));
   const bool hasFolder = QFileInfo(m_folder->text()).isDir();
   const QStringList there = existing();
   const bool blocked = !there.isEmpty() && !m_replace->isChecked();
@@ -130,7 +130,7 @@ void BatchDialog::showFiles() {
 
 void BatchDialog::accept() {
   if (!m_export->isEnabled()) return;
-  m_settings.setValue(export_settings::target, widgets::fromView(target().id));
+  m_settings.setValue(export_settings::target, widgets::toQString(target().id));
   m_settings.setValue(export_settings::snr, m_snr->value());
   m_settings.setValue(export_settings::folder, m_folder->text());
   for (qsizetype i = 0; i < m_ids.size(); ++i) m_controller.writeMeasured(m_ids[i], request(i), m_replace->isChecked());

@@ -20,7 +20,7 @@ namespace {
 const QString trialKey = QStringLiteral("export-trial");
 constexpr int trialPixels = 288, trialSamples = 32;
 
-QString labelOf(const exports::ExportTarget& target) { return widgets::fromView(target.label); }
+QString labelOf(const exports::ExportTarget& target) { return widgets::toQString(target.label); }
 
 }  // namespace
 

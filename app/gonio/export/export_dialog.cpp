@@ -85,10 +85,10 @@ QWidget* ExportDialog::targetList() {
   m_targets->setAccessibleName(tr("Target"));
   int widest = 0;
   for (const exports::ExportTarget& target : exports::exportTargets()) {
-    const QString label = widgets::fromView(target.label);
+    const QString label = widgets::toQString(target.label);
     widest = std::max(widest, fontMetrics().horizontalAdvance(label));
     auto* item = new QTreeWidgetItem({label});
-    item->setToolTip(labelColumn, widgets::fromView(target.description));
+    item->setToolTip(labelColumn, widgets::toQString(target.description));
     for (const Column column : {snrColumn, bytesColumn}) item->setTextAlignment(column, Qt::AlignRight);
     m_targets->addTopLevelItem(item);
   }
@@ -162,7 +162,7 @@ void ExportDialog::restore() {
 }
 
 void ExportDialog::remember() {
-  m_settings.setValue(export_settings::target, widgets::fromView(target().id));
+  m_settings.setValue(export_settings::target, widgets::toQString(target().id));
   m_settings.setValue(export_settings::snr, m_snr->value());
   m_settings.setValue(export_settings::scene, m_withScene->isChecked());
   m_settings.setValue(export_settings::folder, QFileInfo(name()).absolutePath());
@@ -204,9 +204,9 @@ ExportTrialPtr ExportDialog::trial() const {
 bool ExportDialog::withScene() const { return m_withScene->isEnabled() && m_withScene->isChecked(); }
 
 void ExportDialog::showTarget() {
-  m_description->setText(widgets::fromView(target().description) + '\n' + widgets::fromView(target().holds));
-  m_pictures->setExportedName(tr("Export for %1").arg(widgets::fromView(target().label)));
-  m_snr->setEnabled(target().choosesSnr);
+  m_description->setText(widgets::toQString(target().description) + '\n' + widgets::toQString(target().holds));
+  m_pictures->setExportedName(tr("Export for %1").arg(widgets::toQString(target().label)));
+  m_snr->setEnabled(target().usesSnr);
   m_withScene->setEnabled(target().scene != nullptr);
   m_error.clear();
   m_controller.dropTrial();

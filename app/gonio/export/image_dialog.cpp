@@ -232,7 +232,7 @@ void ImageDialog::showEstimate() {
   if (!m_estimate) return m_cost->setText(tr("Estimating time and noise..."));
   auto [samples, limit] = m_settings->limits();
   const bool stopped = m_estimate->seconds(samples) > limit;
-  if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
+  if (stopped) samples = std::max(1, int(limit / m_estimate->secondsPerSample));
   const double percent = 100 * m_estimate->noise(samples);
   const QString noise = percent < 10 ? QString::number(percent, 'g', 2) : QString::number(percent, 'f', 0);
   const QString time = durationText(m_estimate->seconds(samples));

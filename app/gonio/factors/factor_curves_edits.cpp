@@ -106,7 +106,7 @@ void FactorCurvesPanel::resetAll() {
     m_document.replaceEdits(editing::removed(m_document.edits(), std::size_t(active)), tr("Reset the factor curves"));
 }
 
-void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
+void FactorCurvesPanel::replaceCurve(FactorAxis axis, const QString& id) {
   const FactorEdit edit = current();
   if (!edit.edited) return;
   m_tasks.run<PdvFactors>(
@@ -120,7 +120,7 @@ void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
       [this, axis, id](const PdvFactors& other) {
         const FactorEdit now = current();
         if (!now.edited) return;
-        change(axis == FactorAxis::theta ? takeF1(*now.edited, other) : takeF2(*now.edited, other),
+        change(axis == FactorAxis::theta ? withF1Of(*now.edited, other) : withF2Of(*now.edited, other),
                tr("Use F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
       },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot use the curve"), error); });

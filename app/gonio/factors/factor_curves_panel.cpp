@@ -102,7 +102,7 @@ void FactorCurvesPanel::connectColumns() {
             [this, axis](const widgets::ChannelCurves& curves) { curvesEdited(axis, curves); });
     connect(column, &FactorColumn::operationChosen, this,
             [this, axis](FactorOperation operation) { operate(axis, operation); });
-    connect(column, &FactorColumn::materialDropped, this, [this, axis](const QString& id) { takeOver(axis, id); });
+    connect(column, &FactorColumn::materialDropped, this, [this, axis](const QString& id) { replaceCurve(axis, id); });
     if (axis == FactorAxis::theta)
       connect(editor, &widgets::CurveEditor::pointedAt, this, &FactorCurvesPanel::showLimits);
     connect(m_logarithmic, &QCheckBox::toggled, editor, &widgets::CurveEditor::setLogarithmic);

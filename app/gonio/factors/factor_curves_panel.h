@@ -40,7 +40,7 @@ class FactorCurvesPanel : public QWidget {
   void addEdit();
   /// Replaces F1 or F2 by that of another material, which is read and factorised in the background. One undo step.
   /// @param id as in the library.
-  void takeOver(FactorAxis axis, const QString& id);
+  void replaceCurve(FactorAxis axis, const QString& id);
 
  Q_SIGNALS:
   void failed(const QString& title, const QString& text);

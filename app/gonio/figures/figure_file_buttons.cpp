@@ -9,7 +9,7 @@
 #include <QRegularExpression>
 
 #include "app/gonio/document/file_exports.h"
-#include "app/gonio/figures/figure_maker.h"
+#include "app/gonio/figures/figure_controller.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/inputs/open_file_dialog.h"
 
@@ -34,7 +34,8 @@ QString withOfferedSuffix(const QString& path, const QStringList& filters, const
 
 }  // namespace
 
-FigureFileButtons::FigureFileButtons(FigureMaker& maker, FileExports& exports, BackgroundTasks& tasks, QWidget* parent)
+FigureFileButtons::FigureFileButtons(FigureController& maker, FileExports& exports, BackgroundTasks& tasks,
+                                     QWidget* parent)
     : QWidget(parent),
       m_maker(maker),
       m_exports(exports),

@@ -11,7 +11,7 @@ class QPushButton;
 namespace gonio::app {
 
 class BackgroundTasks;
-class FigureMaker;
+class FigureController;
 class FileExports;
 
 /// Buttons that open and save the description of a figure, and save the figure and its numbers.
@@ -19,7 +19,7 @@ class FigureFileButtons : public QWidget {
   Q_OBJECT
 
  public:
-  FigureFileButtons(FigureMaker& maker, FileExports& exports, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  FigureFileButtons(FigureController& maker, FileExports& exports, BackgroundTasks& tasks, QWidget* parent = nullptr);
   ~FigureFileButtons() override;
 
   /// Reads a description in the background.
@@ -42,7 +42,7 @@ class FigureFileButtons : public QWidget {
   FigureToWrite figure() const;
   void showFailure(const QString& path, const QString& text);
 
-  FigureMaker& m_maker;
+  FigureController& m_maker;
   FileExports& m_exports;
   BackgroundTasks& m_tasks;
   const QString m_openKey;

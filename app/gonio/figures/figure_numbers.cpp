@@ -35,9 +35,9 @@ QString toolTipOf(const figures::FigureNumber& number) {
 
 QString textOf(const figures::FigureNumber& number) {
   for (const metrics::MetricRecord& record : metrics::metricRecords())
-    if (record.id == number.id) return FigureNumbersList::tr("BRDF metric: %1").arg(widgets::fromView(record.name));
+    if (record.id == number.id) return FigureNumbersList::tr("BRDF metric: %1").arg(widgets::toQString(record.name));
   for (const metrics::ImageMetricRecord& record : metrics::imageMetricRecords())
-    if (record.id == number.id) return FigureNumbersList::tr("Image metric: %1").arg(widgets::fromView(record.name));
+    if (record.id == number.id) return FigureNumbersList::tr("Image metric: %1").arg(widgets::toQString(record.name));
   if (number.isTimed) return FigureNumbersList::tr("Time: %1").arg(QString::fromStdString(number.name));
   return number.id == "bytes" ? FigureNumbersList::tr("Size") : FigureNumbersList::tr("Rendered SNR");
 }

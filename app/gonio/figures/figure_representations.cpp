@@ -78,7 +78,7 @@ void FigureRepresentations::fillMenu() {
   qDeleteAll(menu.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly));
   const models::Model* model = modelInUse(m_document);
   QAction* fit =
-      menu.addAction(model ? tr("Current Fit (%1)").arg(widgets::fromView(model->spec().name)) : tr("Current Fit"),
+      menu.addAction(model ? tr("Current Fit (%1)").arg(widgets::toQString(model->spec().name)) : tr("Current Fit"),
                      this, [this, model] {
                        if (model) add(study::representationById(model->spec().id));
                      });
@@ -89,7 +89,7 @@ void FigureRepresentations::fillMenu() {
   QString title;
   for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutTraining()})) {
     const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
-                                                      : widgets::fromView(study::familyName(one.family));
+                                                      : widgets::toQString(study::familyName(one.family));
     if (one.family == study::RepresentationFamily::nonparametric ||
         one.family == study::RepresentationFamily::neural) {  // one alone
       menu.addAction(budgetAction(one), this, [this, one] { add(one); });

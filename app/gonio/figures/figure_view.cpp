@@ -30,7 +30,7 @@ std::optional<QRectF> squareOf(const std::optional<figures::FigureInset>& inset)
 FigureView::FigureView(BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_tasks(tasks),
-      m_maker(new FigureMaker(tasks, this)),
+      m_maker(new FigureController(tasks, this)),
       m_page(new widgets::FigurePage),
       m_status(new QLabel),
       m_bar(new QProgressBar),
@@ -82,17 +82,17 @@ void FigureView::connectParts() {
     Q_EMIT insetDrawn(
         {.x = std::min(rounded(square.x()), most), .y = std::min(rounded(square.y()), most), .size = size});
   });
-  connect(m_maker, &FigureMaker::drawn, this, &FigureView::showFigure);
-  connect(m_maker, &FigureMaker::refused, this, [this](const QString& reason) {
+  connect(m_maker, &FigureController::drawn, this, &FigureView::showFigure);
+  connect(m_maker, &FigureController::refused, this, [this](const QString& reason) {
     m_cells = m_missing = 0;
     m_page->setMessage(reason);
     refresh();
   });
-  connect(m_maker, &FigureMaker::failed, this, [this](const QString& text) {
+  connect(m_maker, &FigureController::failed, this, [this](const QString& text) {
     m_failure = text;
     refresh();
   });
-  connect(m_maker, &FigureMaker::progressed, this, &FigureView::refresh);
+  connect(m_maker, &FigureController::progressed, this, &FigureView::refresh);
   connect(m_measure, &QPushButton::clicked, this, [this] {
     m_failure.clear();
     m_notice.clear();

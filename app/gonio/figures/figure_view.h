@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/gonio/figures/figure_maker.h"
+#include "app/gonio/figures/figure_controller.h"
 
 class QLabel;
 class QProgressBar;
@@ -25,7 +25,7 @@ class FigureView : public QWidget {
   explicit FigureView(BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   void setDescription(const figures::FigureDescription& description);
-  FigureMaker& maker() const { return *m_maker; }
+  FigureController& maker() const { return *m_maker; }
   widgets::FigurePage& page() const { return *m_page; }
   QPushButton& measureButton() const { return *m_measure; }
   /// The text beside the button: progress, missing cells or an error.
@@ -49,7 +49,7 @@ class FigureView : public QWidget {
   void refresh();
 
   BackgroundTasks& m_tasks;
-  FigureMaker* m_maker;
+  FigureController* m_maker;
   widgets::FigurePage* m_page;
   QLabel* m_status;
   QProgressBar* m_bar;

@@ -19,7 +19,8 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("&Incident direction"), m_choice);
-  connect(m_choice, &QComboBox::activated, this, [this](int index) { m_document.setIncident(IncidentSlot(index)); });
+  connect(m_choice, &QComboBox::activated, this,
+          [this](int index) { m_document.setIncident(IncidentDirection(index)); });
   for (const auto signal : {&Document::materialChanged, &Document::editChanged, &Document::stateChanged})
     connect(&m_document, signal, this, &DirectionOrder::refresh);
   refresh();
@@ -27,7 +28,7 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
 
 void DirectionOrder::refresh() {
   const auto base = m_document.base();
-  setVisible(base && incidentSlotOf(*base));
+  setVisible(base && incidentDirectionOf(*base));
   m_choice->setCurrentIndex(int(m_document.state().incident));
 }
 

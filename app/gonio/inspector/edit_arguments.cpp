@@ -22,7 +22,7 @@ QStringList assignments(const QString& option, const models::ModelSpec& spec, co
   for (std::size_t i = 0; i < spec.parameters.size(); ++i)
     if (values.values[i] != unchanged.values[i])
       result << QStringLiteral("%1 %2=%3")
-                    .arg(option, widgets::fromView(spec.parameters[i].id),
+                    .arg(option, widgets::toQString(spec.parameters[i].id),
                          valueText(spec.parameters[i], values.values[i]));
   return result;
 }
@@ -31,10 +31,11 @@ QStringList assignments(const QString& option, const models::ModelSpec& spec, co
 
 QString editArguments(const editing::DifferentialEdit& edit) {
   const models::ModelSpec &spec = edit.model->spec(), &controls = editing::artistControls();
-  QStringList arguments{QStringLiteral("--model ") + widgets::fromView(spec.id)};
+  QStringList arguments{QStringLiteral("--model ") + widgets::toQString(spec.id)};
   arguments << assignments(QStringLiteral("--set"), spec, edit.edited, edit.fitted)
             << assignments(QStringLiteral("--control"), controls, edit.controls, models::defaultParameters(controls))
-            << QStringLiteral("--compose ") + widgets::fromView(editing::compositionIds[std::size_t(edit.composition)]);
+            << QStringLiteral("--compose ") +
+                   widgets::toQString(editing::compositionIds[std::size_t(edit.composition)]);
   return arguments.join(' ');
 }
 

@@ -153,9 +153,9 @@ void Inspector::connectControls() {
           [this](editing::ArtistControl control, const Rgb& value) { setControl(m_document, control, value); });
   connect(m_controls, &ControlPanel::controlResetRequested, this,
           [this](editing::ArtistControl control) { resetControl(m_document, control); });
-  connect(m_controls, &ControlPanel::bodyEdited, this,
+  connect(m_controls, &ControlPanel::diffuseEdited, this,
           [this](int parameter, const Rgb& value) { setParameter(m_document, parameter, value); });
-  connect(m_controls, &ControlPanel::bodyResetRequested, this,
+  connect(m_controls, &ControlPanel::diffuseResetRequested, this,
           [this](int parameter) { resetParameter(m_document, parameter); });
 }
 
@@ -222,7 +222,7 @@ void Inspector::connectEdits() {
   menu.setToolTipsVisible(true);
   menu.addAction(tr("Model"), &m_controller, &DocumentController::addModelEdit)
       ->setToolTip(tr("Adds another edit of the model in use, from the same fit"));
-  menu.addAction(tr("Factor curves"), this, &Inspector::factorEditWanted)
+  menu.addAction(tr("Factor curves"), this, &Inspector::factorEditRequested)
       ->setToolTip(tr("Adds another edit of the factor curves of the measurement"));
   for (QAction* action : menu.actions()) action->setEnabled(false);
 }
@@ -235,7 +235,7 @@ void Inspector::showEdits() {
     const bool curves = std::holds_alternative<editing::FactorEdit>(edit.content);
     QString tip = curves ? tr("Edit of the factor curves (Factor curves panel)")
                          : tr("Edit of the parameters of %1 (sliders)")
-                               .arg(widgets::fromView(std::get<DifferentialEdit>(edit.content).model->spec().name));
+                               .arg(widgets::toQString(std::get<DifferentialEdit>(edit.content).model->spec().name));
     if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt has no effect yet.");
     entries.push_back(
         {editName(edits, i), tip, edit.strength, edit.enabled, QString::fromStdString(edit.name), energyText(i)});

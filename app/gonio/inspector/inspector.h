@@ -54,7 +54,7 @@ class Inspector : public QScrollArea {
 
  Q_SIGNALS:
   /// The user wants another edit of factor curves, which FactorCurvesPanel adds.
-  void factorEditWanted();
+  void factorEditRequested();
 
  private:
   void connectDocument();

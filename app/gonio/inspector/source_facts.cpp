@@ -99,7 +99,7 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("BRDF values [1/sr]"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())
-    facts.push_back({SourceFactsText::tr("Invalid cells"), percent(loaded.statistics.invalidShare),
+    facts.push_back({SourceFactsText::tr("Invalid cells"), percent(loaded.statistics.invalidFraction),
                      SourceFactsText::tr("Cells below the horizon or not measured")});
   QStringList angles, albedo;
   for (std::size_t i = 0; i < loaded.albedo.size(); ++i) {

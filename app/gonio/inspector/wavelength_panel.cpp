@@ -26,13 +26,13 @@ const RglSpectra* spectraOf(const LoadedMaterialPtr& material) {
   return file ? file->tables()->data.spectra.get() : nullptr;
 }
 
-WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentSlot incident, const editing::EditList& edits,
-                           double nanometres, const TaskControl& control) {
+WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentDirection incident,
+                           const editing::EditList& edits, double nanometres, const TaskControl& control) {
   const auto file = material->base->asRgl()->withIncident(incident);
   const auto measured =
       widgets::measuredSubject(exports::atWavelength(*file, nullptr, nanometres, control), material->lobe);
   if (editing::isIdentity(edits)) return {material, nanometres, measured, measured};
-  const auto edited = editing::applyEdits(file->withIncident(IncidentSlot::viewer), edits);
+  const auto edited = editing::applyEdits(file->withIncident(IncidentDirection::viewer), edits);
   const auto shown = exports::atWavelength(*file, edited.get(), nanometres, control);
   return {material, nanometres, measured,
           widgets::measuredSubject(shown, std::make_shared<const TabulatedLobe>(*shown))};
@@ -78,8 +78,8 @@ void WavelengthPanel::adoptMaterial() {
   m_choice->setCurrentIndex(all);
   setVisible(spectra);
   if (spectra) {
-    const double from = std::max(shortestVisible, double(spectra->nanometres.front())),
-                 to = std::min(longestVisible, double(spectra->nanometres.back()));
+    const double from = std::max(minVisibleWavelength, double(spectra->nanometres.front())),
+                 to = std::min(maxVisibleWavelength, double(spectra->nanometres.back()));
     m_field->setRange(spectra->nanometres.front(), spectra->nanometres.back());
     m_slider->setRange(std::min(from, to), std::max(from, to), models::ParameterScale::linear);
     m_wavelength = std::clamp(firstWavelength, std::min(from, to), std::max(from, to));

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "app/gonio/library/sphere_picture.h"
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 
 namespace gonio::app {
 
@@ -14,16 +14,16 @@ namespace {
 
 const QString blendKey = QStringLiteral("blend-spaces");
 
-bool sameEnd(const editing::InterpolationEnd& a, const editing::InterpolationEnd& b) {
+bool sameEnd(const editing::InterpolationMaterial& a, const editing::InterpolationMaterial& b) {
   return a.table == b.table && a.factors == b.factors && a.code == b.code && a.base == b.base;
 }
 
 /// Where each of `ends` stands in `known`; empty where these are other ones.
-std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationEnd>& known,
-                                 const std::vector<editing::InterpolationEnd>& ends) {
+std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationMaterial>& known,
+                                 const std::vector<editing::InterpolationMaterial>& ends) {
   if (known.size() != ends.size()) return {};
   std::vector<std::size_t> order;
-  for (const editing::InterpolationEnd& end : ends)
+  for (const editing::InterpolationMaterial& end : ends)
     for (std::size_t i = 0; i < known.size(); ++i)
       if (sameEnd(known[i], end) && std::find(order.begin(), order.end(), i) == order.end()) {
         order.push_back(i);
@@ -60,7 +60,7 @@ BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent, const StripPic
       m_stripPictures(pictures),
       m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
-void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
+void BlendSpaces::setEnds(std::vector<editing::InterpolationMaterial> ends) {
   pause();
   m_complete = !ends.empty();
   if (const auto order = orderIn(m_ends, ends); m_complete && order.empty()) {

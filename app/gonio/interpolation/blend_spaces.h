@@ -36,7 +36,7 @@ class BlendSpaces : public QObject {
   /// Sets the materials; empty: none. Prepared blends are reused if the materials are those of the last non-empty set,
   /// in any order. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
   /// for a material that stays, because the nodes and dictionaries of a blend depend on all materials.
-  void setEnds(std::vector<editing::InterpolationEnd> ends);
+  void setEnds(std::vector<editing::InterpolationMaterial> ends);
   /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.
   void setModel(const models::Model& model);
   const models::Model& model() const { return *m_model; }
@@ -86,7 +86,7 @@ class BlendSpaces : public QObject {
   BackgroundTasks& m_tasks;
   StripPictures m_stripPictures;
   std::vector<Space> m_spaces;
-  std::vector<editing::InterpolationEnd> m_ends;  ///< in the order of prepared()
+  std::vector<editing::InterpolationMaterial> m_ends;  ///< in the order of prepared()
   std::vector<std::size_t> m_order;
   bool m_complete = false;
   const models::Model* m_model = &models::ggx();

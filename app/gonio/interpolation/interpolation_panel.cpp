@@ -9,11 +9,11 @@
 #include <QPushButton>
 
 #include "app/gonio/interpolation/blend_overview.h"
-#include "app/gonio/interpolation/blend_place_editor.h"
-#include "app/gonio/interpolation/blend_wells.h"
+#include "app/gonio/interpolation/blend_position_editor.h"
+#include "app/gonio/interpolation/blend_slots.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_strip.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/model_box.h"
 
 namespace gonio::app {
@@ -32,8 +32,8 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_ends(document, tasks),
       m_spaces(tasks, nullptr, pictures),
       m_place(widgets::centrePosition(widgets::minBlended)),
-      m_wells(new BlendWells(document, m_ends)),
-      m_placeEditor(new BlendPlaceEditor),
+      m_wells(new BlendSlots(document, m_ends)),
+      m_positionEditor(new BlendPositionEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
       m_modelLabel(new QLabel(tr("Mo&del"))),
@@ -79,7 +79,7 @@ QWidget* InterpolationPanel::buildChoice() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
   column->addLayout(modelRow);
-  column->addWidget(m_placeEditor, 1);
+  column->addWidget(m_positionEditor, 1);
   column->addWidget(m_show);
   column->addWidget(m_keep);
   choice->setFixedWidth(placeEms * fontMetrics().height());
@@ -87,17 +87,17 @@ QWidget* InterpolationPanel::buildChoice() {
 }
 
 void InterpolationPanel::connectParts() {
-  connect(&m_ends, &BlendEnds::changed, this, &InterpolationPanel::endsChanged);
-  connect(&m_ends, &BlendEnds::stateChanged, this, &InterpolationPanel::showEnds);
-  connect(&m_ends, &BlendEnds::failed, this, &InterpolationPanel::failed);
+  connect(&m_ends, &BlendMaterials::changed, this, &InterpolationPanel::endsChanged);
+  connect(&m_ends, &BlendMaterials::stateChanged, this, &InterpolationPanel::showEnds);
+  connect(&m_ends, &BlendMaterials::failed, this, &InterpolationPanel::failed);
   connect(&m_spaces, &BlendSpaces::changed, this, [this](Space space) {
     showKeepable();
     if (space != m_space) return;
     showExplanation();
     Q_EMIT subjectChanged();
   });
-  connect(m_wells, &BlendWells::touched, this, &InterpolationPanel::touched);
-  connect(m_placeEditor, &BlendPlaceEditor::placeEdited, this, &InterpolationPanel::moveTo);
+  connect(m_wells, &BlendSlots::touched, this, &InterpolationPanel::touched);
+  connect(m_positionEditor, &BlendPositionEditor::placeEdited, this, &InterpolationPanel::moveTo);
   connect(m_spaceBox, &QComboBox::activated, this, [this](int index) {
     touched();
     setSpace(Space(m_spaceBox->itemData(index).toInt()));
@@ -137,7 +137,7 @@ QString InterpolationPanel::description() const {
   QStringList fractions;
   const std::vector<double> all = weights();
   for (int i = 0; i < m_ends.count(); ++i)
-    if (const BlendEnd* end = m_ends.at(i); end && all[std::size_t(i)] > 0)
+    if (const BlendMaterial* end = m_ends.at(i); end && all[std::size_t(i)] > 0)
       fractions << tr("%1 %2").arg(widgets::weightText(all[std::size_t(i)]), end->name);
   return tr("%1 (%2)").arg(fractions.join(QStringLiteral(", ")), widgets::spaceName(m_space));
 }
@@ -160,7 +160,7 @@ void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
     text += '\n' + tr("The preview blends tables; a material that is not a table is sampled to one first.");
-  m_placeEditor->setExplanation(text);
+  m_positionEditor->setExplanation(text);
 }
 
 void InterpolationPanel::moveTo(const QPointF& place) {
@@ -204,7 +204,7 @@ void InterpolationPanel::endsChanged() {
   const bool middle = m_place == widgets::centrePosition(m_placeCount);
   m_place = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_place);
   m_placeCount = count;
-  m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationEnd>());
+  m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationMaterial>());
   showEnds();
   m_overview->showSpaces();
   if (isVisible()) m_spaces.want(m_space);
@@ -221,16 +221,16 @@ void InterpolationPanel::showEnds() {
   m_wells->showEnds(weights());
   std::vector<widgets::BlendCorner> corners;
   for (int i = 0; i < m_ends.count(); ++i) {
-    const BlendEnd* end = m_ends.at(i);
+    const BlendMaterial* end = m_ends.at(i);
     corners.push_back(end ? widgets::BlendCorner{end->name, end->picture} : widgets::BlendCorner());
   }
-  m_placeEditor->setCorners(std::move(corners));
+  m_positionEditor->setCorners(std::move(corners));
   showPlace();
 }
 
 void InterpolationPanel::showPlace() {
   m_wells->showWeights(weights());
-  m_placeEditor->setPlace(m_place);
+  m_positionEditor->setPlace(m_place);
   // Only a place on the strip's way has a mark there.
   const double t = m_ends.count() == 3 ? 2 * m_place.x() : m_place.x();
   m_overview->strip().setMark(widgets::pathPosition(m_ends.count(), t) == m_place ? t : -1);

@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/gonio/interpolation/blend_ends.h"
+#include "app/gonio/interpolation/blend_materials.h"
 #include "app/gonio/interpolation/blend_spaces.h"
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 #include "widgets/preview/gl/preview_subject.h"
 
 class QCheckBox;
@@ -22,8 +22,8 @@ class ModelBox;
 namespace gonio::app {
 
 class BlendOverview;
-class BlendPlaceEditor;
-class BlendWells;
+class BlendPositionEditor;
+class BlendSlots;
 
 /// The content of the Interpolation dock: two to four materials, an editor for the position between them, the
 /// interpolation space, and a comparison of all spaces. While it is visible it can replace the subject of the preview.
@@ -41,7 +41,7 @@ class InterpolationPanel : public QWidget {
   /// E.g. "40 % nickel, 60 % chrome (Linear)".
   QString description() const;
 
-  BlendEnds& ends() { return m_ends; }
+  BlendMaterials& ends() { return m_ends; }
   BlendSpaces& spaces() { return m_spaces; }
   editing::InterpolationSpace space() const { return m_space; }
   void setSpace(editing::InterpolationSpace space);
@@ -62,12 +62,12 @@ class InterpolationPanel : public QWidget {
   /// Whether no work is pending.
   bool isSettled() const;
 
-  BlendWells& wells() const { return *m_wells; }
-  BlendPlaceEditor& placeEditor() const { return *m_placeEditor; }
+  BlendSlots& wells() const { return *m_wells; }
+  BlendPositionEditor& positionEditor() const { return *m_positionEditor; }
   BlendOverview& overview() const { return *m_overview; }
   QComboBox& spaceBox() const { return *m_spaceBox; }
   widgets::ModelBox& modelBox() const { return *m_modelBox; }
-  QPushButton& keepButton() const { return *m_keep; }
+  QPushButton& saveButton() const { return *m_keep; }
 
  Q_SIGNALS:
   /// subject() changed.
@@ -93,13 +93,13 @@ class InterpolationPanel : public QWidget {
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  BlendEnds m_ends;
+  BlendMaterials m_ends;
   BlendSpaces m_spaces;
   QPointF m_place;
   int m_placeCount = widgets::minBlended;  ///< the number of materials for which m_place was chosen
   editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
-  BlendWells* m_wells;
-  BlendPlaceEditor* m_placeEditor;
+  BlendSlots* m_wells;
+  BlendPositionEditor* m_positionEditor;
   BlendOverview* m_overview;
   QComboBox* m_spaceBox;
   QLabel* m_modelLabel;

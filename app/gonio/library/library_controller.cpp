@@ -23,7 +23,7 @@ const QString thumbnailKey = QStringLiteral("thumbnail"), similarityKey = QStrin
 /// A picture, or why there is none.
 struct Made {
   QString id;
-  widgets::LibraryLook look;
+  widgets::LibraryThumbnail look;
   QString failure;
 };
 
@@ -202,10 +202,10 @@ void LibraryController::setReference(const QString& id) {
     m_tasks.drop(similarityKey);
     return m_model.setReference({});
   }
-  m_tasks.run<widgets::LibraryLook>(
+  m_tasks.run<widgets::LibraryThumbnail>(
       {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = similarityKey, .quiet = true},
       [make = m_makeLook, id](const TaskControl& control) { return make(id, control); },
-      [this](const widgets::LibraryLook& look) { m_model.setReference(look); },
+      [this](const widgets::LibraryThumbnail& look) { m_model.setReference(look); },
       [this](const QString&) { m_model.setReference({}); });
 }
 
@@ -247,7 +247,7 @@ void LibraryController::makeNext() {
       [this](const std::vector<Made>& batch) {
         for (const Made& made : batch) {
           if (made.failure.isEmpty())
-            m_model.setLook(made.id, made.look);
+            m_model.setThumbnail(made.id, made.look);
           else
             m_model.setFailure(made.id, made.failure);
         }

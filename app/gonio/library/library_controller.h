@@ -19,7 +19,7 @@ class LibraryController : public QObject {
   Q_OBJECT
 
  public:
-  using ThumbnailFactory = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
+  using ThumbnailFactory = std::function<widgets::LibraryThumbnail(const QString& id, const TaskControl&)>;
 
   /// @param ownFolder folder of the user's own materials, shown with the bundled ones; need not exist. Empty: none.
   LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder = {},

@@ -7,7 +7,7 @@
 #include <QStandardPaths>
 
 #include "app/gonio/document/material_files.h"
-#include "app/gonio/library/shipped_thumbnails.h"
+#include "app/gonio/library/bundled_thumbnails.h"
 #include "app/gonio/library/sphere_picture.h"
 #include "core/documents/edited_material.h"
 #include "core/io/byte_source.h"
@@ -30,7 +30,7 @@ QString cacheName(const QString& id, const materials::Material& material) {
                                                : source);
 }
 
-widgets::LibraryLook fromImage(const QImage& image) {
+widgets::LibraryThumbnail fromImage(const QImage& image) {
   return {image, image.text("hue").toDouble(), image.text("roughness").toDouble()};
 }
 
@@ -49,10 +49,10 @@ materials::Material libraryMaterial(const QString& id, const TaskControl& contro
                         : materials::readMaterial(id.toStdString(), control);
 }
 
-widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
+widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   // A bundled material is not read for its hash: that would decode it.
   if (const std::string hash = materials::librarySha256(id.toStdString()); !hash.empty())
-    if (const auto shipped = shippedLook(hash)) return *shipped;
+    if (const auto shipped = bundledThumbnail(hash)) return *shipped;
   // A file has to be read for its hash; its values are parsed beside that.
   const materials::Material material = libraryMaterial(id, control);
   const QString cached =

@@ -14,7 +14,7 @@ namespace gonio::app {
 /// hash and the version of the renderer as key, else rendered from the native form (without a table) in about 100 ms
 /// and cached.
 /// @throws Error, Cancelled.
-widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
+widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control);
 
 /// Reads the material of a library id: a bundled material, a file, or a document with its edits applied.
 /// @throws Error, Cancelled.

@@ -27,7 +27,7 @@ struct Source {
 };
 
 Source fitSource(SeriesRole role, const PlottedFit& fit) {
-  return {role, QObject::tr("fit (%1)").arg(widgets::fromView(fit.model->spec().name)),
+  return {role, QObject::tr("fit (%1)").arg(widgets::toQString(fit.model->spec().name)),
           fit.model->instantiate(fit.parameters), nullptr, fit};
 }
 

@@ -46,7 +46,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_result(new QLabel),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
       m_compare(new QPushButton(tr("&Compare with Reference"))),
-      m_neighbours(new SceneNeighbours(document, tasks)),
+      m_neighbours(new SceneMaterialSlots(document, tasks)),
       m_effects(new widgets::EffectList) {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(buildTop());
@@ -54,12 +54,12 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
   layout->addWidget(m_effects);
   layout->addWidget(buildBottom());
   layout->addStretch(1);
-  connect(m_neighbours, &SceneNeighbours::changed, this, [this] {
+  connect(m_neighbours, &SceneMaterialSlots::changed, this, [this] {
     m_costs.reset();
     m_preview.content().setOthers(m_neighbours->materials());
     refresh();
   });
-  connect(m_neighbours, &SceneNeighbours::failed, this, &ScenePanel::failed);
+  connect(m_neighbours, &SceneMaterialSlots::failed, this, &ScenePanel::failed);
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview.content(),
           &widgets::PreviewContent::setOverrides);
   connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::refresh);
@@ -125,7 +125,7 @@ void ScenePanel::askForFile() {
 void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& shown) {
   m_tasks.run<Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
-      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneNeighbours::count); },
+      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count); },
       [this, shown](const Scene& scene) {
         show(scene);
         if (shown) shown();

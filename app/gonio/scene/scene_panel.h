@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "app/gonio/document/background_task.h"
-#include "app/gonio/scene/scene_neighbours.h"
+#include "app/gonio/scene/scene_material_slots.h"
 #include "core/rendering/effect_costs.h"
 
 class QComboBox;
@@ -38,7 +38,7 @@ class ScenePanel : public QWidget {
   QComboBox& scenes() const { return *m_scenes; }
   QPushButton& measureButton() const { return *m_measure; }
   QPushButton& compareButton() const { return *m_compare; }
-  SceneNeighbours& neighbours() const { return *m_neighbours; }
+  SceneMaterialSlots& neighbours() const { return *m_neighbours; }
   const std::optional<EffectCosts>& costs() const { return m_costs; }
   QString result() const;
 
@@ -59,7 +59,7 @@ class ScenePanel : public QWidget {
   QComboBox* m_scenes;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
-  SceneNeighbours* m_neighbours;
+  SceneMaterialSlots* m_neighbours;
   widgets::EffectList* m_effects;
   std::optional<EffectCosts> m_costs;
 };

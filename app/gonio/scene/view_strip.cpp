@@ -110,7 +110,7 @@ void ViewStrip::connectParts() {
   connect(m_shapes, &QComboBox::activated, this, [this](int index) {
     const QString name = m_shapes->itemData(index).toString();
     refresh();  // until the scene is there, the list shows the one that is
-    if (name == file) return Q_EMIT sceneFileWanted();
+    if (name == file) return Q_EMIT sceneFileRequested();
     m_scene.open(name);
   });
   connect(m_lights, &QComboBox::activated, this, &ViewStrip::chooseLight);
@@ -192,7 +192,7 @@ void ViewStrip::refresh() {
 void ViewStrip::chooseLight(int index) {
   const QString name = m_lights->itemData(index).toString();
   refresh();
-  if (name == file) return Q_EMIT environmentFileWanted();
+  if (name == file) return Q_EMIT environmentFileRequested();
   if (name == own) return m_environment.useSceneEnvironment();
   m_environment.open(name == directional ? QString() : name);
 }

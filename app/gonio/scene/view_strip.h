@@ -34,8 +34,8 @@ class ViewStrip : public QWidget {
 
  Q_SIGNALS:
   /// The user wants to choose a file.
-  void sceneFileWanted();
-  void environmentFileWanted();
+  void sceneFileRequested();
+  void environmentFileRequested();
 
  private:
   void build();

@@ -134,7 +134,7 @@ QVariant FitRankingModel::text(const Row& row, int column) const {
   const fitting::FitResult& fit = row.ranked.fit;
   switch (column) {
     case NameColumn: {
-      const QString name = widgets::fromView(fit.model->spec().name);
+      const QString name = widgets::toQString(fit.model->spec().name);
       return fit.model == m_current ? tr("%1 (in use)").arg(name) : name;
     }
     case ErrorColumn:
@@ -166,7 +166,7 @@ QVariant FitRankingModel::sortKey(const Row& row, int column) const {
     case WarningsColumn:
       return qulonglong(row.ranked.fit.warnings.size());
   }
-  return widgets::fromView(row.ranked.fit.model->spec().name);
+  return widgets::toQString(row.ranked.fit.model->spec().name);
 }
 
 QVariant FitRankingModel::data(const QModelIndex& index, int role) const {
@@ -193,7 +193,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
   if (orientation != Qt::Horizontal) return {};
   const metrics::MetricRecord& record = metrics::metricRecord(m_metric);
   if (role == Qt::DisplayRole) {
-    const QString unit = widgets::fromView(record.unit);
+    const QString unit = widgets::toQString(record.unit);
     const QString titles[] = {tr("Model"),
                               tr("Plot"),
                               unit.isEmpty() ? tr("Error") : tr("Error [%1]").arg(unit),
@@ -207,7 +207,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
     const QString tips[] = {tr("The model, rendered with its fitted parameters"),
                             tr("Ticked fits are shown in the plots in addition to the one in use"),
                             tr("<p>%1: %2. Smaller is better.</p>")
-                                .arg(widgets::fromView(record.name), widgets::formulaHtml(record.formula)),
+                                .arg(widgets::toQString(record.name), widgets::formulaHtml(record.formula)),
                             tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
                             tr("Number of values that the fit determines"),
                             tr("Time of the fit, seconds"),

@@ -41,7 +41,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   auto* label = new QLabel(tr("Me&tric"), this);
   label->setBuddy(m_metric);
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
-    m_metric->addItem(widgets::fromView(record.name));
+    m_metric->addItem(widgets::toQString(record.name));
     m_metric->setItemData(m_metric->count() - 1, widgets::formulaHtml(record.formula), Qt::ToolTipRole);
   }
   m_metric->setToolTip(tr("Metric of the errors in the table; fits minimise the log error"));

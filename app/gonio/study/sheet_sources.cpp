@@ -20,8 +20,8 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
   const fitting::FitResult& fit = ranked.fit;
   const TabulatedBrdf* table = material.base->asTable();
   const widgets::PreviewSubject subject{
-      widgets::ModelAlone{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
-  return {.name = widgets::fromView(fit.model->spec().name),
+      widgets::StandaloneModel{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
+  return {.name = widgets::toQString(fit.model->spec().name),
           .numbers =
               sheetText("SNR %1 dB, %2 parameters").arg(comparisonValue(ranked.renderedSnr)).arg(ranked.parameterCount),
           .snr = ranked.renderedSnr,
@@ -43,7 +43,7 @@ SheetEntry studyEntry(const StudyModel::Studied& studied) {
 
 }  // namespace
 
-widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studied, const TaskControl& control) {
+widgets::PreviewSubject studiedSubject(const study::MeasuredRepresentation& studied, const TaskControl& control) {
   const auto table = studied.tabulated(control);
   return widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
 }

@@ -11,7 +11,7 @@ class FitRankingModel;
 class StudyModel;
 
 /// The preview's subject for a studied representation: its table. Not for the GUI thread. @throws Cancelled.
-widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studied, const TaskControl& control);
+widgets::PreviewSubject studiedSubject(const study::MeasuredRepresentation& studied, const TaskControl& control);
 
 /// The finished fits, as models without the measurement.
 SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const FitRankingModel& ranking);

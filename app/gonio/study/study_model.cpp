@@ -180,7 +180,7 @@ QVariant StudyModel::data(const QModelIndex& index, int role) const {
 QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   const metrics::MetricRecord& metric = metrics::metricRecord(m_metric);
-  const QString unit = widgets::fromView(metric.unit);
+  const QString unit = widgets::toQString(metric.unit);
   if (role == Qt::DisplayRole) {
     const QString titles[] = {
         tr("Representation"),  tr("Rendered SNR [dB]"), unit.isEmpty() ? tr("Error") : tr("Error [%1]").arg(unit),
@@ -193,7 +193,7 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
         tr("Representation at one budget, with its rendered image"),
         tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("<p>%1: %2. Smaller is better.</p>")
-            .arg(widgets::fromView(metric.name), widgets::formulaHtml(metric.formula)),
+            .arg(widgets::toQString(metric.name), widgets::formulaHtml(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),
         tr("Time of one frame in the reference renderer on the CPU, not in the preview"),
         tr("Size of the file; of a table: its size in memory; of a fit: the size of its parameters. Dictionaries are "

@@ -29,7 +29,7 @@ class StudyModel : public QAbstractTableModel {
     EncodingColumn,
     ColumnCount
   };
-  using Studied = std::shared_ptr<const study::StudiedRepresentation>;
+  using Studied = std::shared_ptr<const study::MeasuredRepresentation>;
 
   using QAbstractTableModel::QAbstractTableModel;
 

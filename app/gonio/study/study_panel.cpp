@@ -60,7 +60,7 @@ StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget
 QWidget* StudyPanel::buildChoice() {
   m_quality->addItem(tr("rendered SNR"));
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
-    m_quality->addItem(widgets::fromView(record.name));
+    m_quality->addItem(widgets::toQString(record.name));
     m_quality->setItemData(m_quality->count() - 1, widgets::formulaHtml(record.formula), Qt::ToolTipRole);
   }
   m_quality->setToolTip(tr("Metric of the vertical axis of the plot and of the errors in the table"));
@@ -95,7 +95,7 @@ void StudyPanel::buildKinds() {
   auto* menu = new QMenu(m_kinds);
   menu->setToolTipsVisible(true);
   for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
-    QAction* action = menu->addAction(widgets::fromView(familyName(family)));
+    QAction* action = menu->addAction(widgets::toQString(familyName(family)));
     action->setCheckable(true);
     action->setChecked(std::ranges::count(m_run->families(), family) > 0);
     action->setData(int(family));

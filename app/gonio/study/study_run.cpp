@@ -74,8 +74,8 @@ void StudyRun::start(const LoadedMaterialPtr& material) {
   m_machine = study::machineFacts();
   study::StudyOptions options = m_options;
   // A row is reported as it is measured: through the tasks' thread, to a run that may be gone by then.
-  options.measured = [run = QPointer(this), tasks = &m_tasks, material](const study::StudiedRepresentation& one) {
-    const auto studied = std::make_shared<const study::StudiedRepresentation>(one);
+  options.measured = [run = QPointer(this), tasks = &m_tasks, material](const study::MeasuredRepresentation& one) {
+    const auto studied = std::make_shared<const study::MeasuredRepresentation>(one);
     QMetaObject::invokeMethod(
         tasks,
         [run, material, studied] {

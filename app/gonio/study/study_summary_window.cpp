@@ -97,7 +97,7 @@ QWidget* StudySummaryWindow::buildFamilies() {
   layout->setContentsMargins(0, 0, 0, 0);
   const auto chosen = study::RepresentationChoice().families;
   for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
-    auto* box = new QCheckBox(widgets::fromView(familyName(family)));
+    auto* box = new QCheckBox(widgets::toQString(familyName(family)));
     box->setChecked(std::ranges::count(chosen, family) > 0);
     box->setToolTip(kindToolTip(family));
     connect(box, &QCheckBox::toggled, this, &StudySummaryWindow::planFamilies);
@@ -146,7 +146,7 @@ void StudySummaryWindow::measureNext() {
 void StudySummaryWindow::start(std::size_t material) {
   study::StudyOptions options = m_options;
   // A row is reported as it is measured: through the tasks' thread, to a window that may be gone by then.
-  options.measured = [window = QPointer(this), tasks = &m_tasks, material](const study::StudiedRepresentation& one) {
+  options.measured = [window = QPointer(this), tasks = &m_tasks, material](const study::MeasuredRepresentation& one) {
     QMetaObject::invokeMethod(
         tasks,
         [window, material, record = one.record] {

@@ -61,7 +61,7 @@ void AnalyseMenu::addComparison(ComparisonController& comparison) {
   connect(&comparison, &ComparisonController::comparisonChanged, this, update);
   addModes(addMenu(tr("Compare &As")), comparison);
   addAction(tr("Compare with &Another Material..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), &comparison,
-            &ComparisonController::referenceWanted);
+            &ComparisonController::referenceRequested);
 }
 
 void AnalyseMenu::addModes(QMenu* menu, ComparisonController& comparison) {

@@ -17,7 +17,7 @@
 #include "app/gonio/export/image_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/view_state.h"
-#include "core/editing/edit_words.h"
+#include "core/editing/edit_summary.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -212,7 +212,7 @@ void DocumentFiles::exportImage() {
   dialog->open();
 }
 
-void DocumentFiles::saveBeside(const FileSave& save) {
+void DocumentFiles::askAndSave(const FileSave& save) {
   const QString path = QFileDialog::getSaveFileName(
       m_window, save.title, widgets::inDialogFolder(exportPurpose, save.name + save.suffix), save.filter);
   if (path.isEmpty()) return;

@@ -60,7 +60,7 @@ class DocumentFiles : public QObject {
   void exportBrdf();
   void exportImage();
   /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.
-  void saveBeside(const FileSave& save);
+  void askAndSave(const FileSave& save);
   /// Offers to recover unsaved work of an earlier run.
   void offerRecovery();
   /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @return false if the

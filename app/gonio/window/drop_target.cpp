@@ -42,7 +42,7 @@ bool DropTarget::eventFilter(QObject*, QEvent* event) {
 
 void DropTarget::drop(const QDropEvent& event) {
   const QString file = widgets::draggedFile(event.mimeData());
-  if (isPicture(file))
+  if (isEnvironmentFile(file))
     m_actions.openEnvironment(file);
   else if (isScene(file))
     m_actions.openScene(file);

@@ -8,7 +8,7 @@
 
 namespace gonio::app {
 
-bool isPicture(const QString& path) {
+bool isEnvironmentFile(const QString& path) {
   return path.endsWith(QStringLiteral(".hdr"), Qt::CaseInsensitive) ||
          path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive);
 }
@@ -18,11 +18,11 @@ bool isScene(const QString& path) {
 }
 
 QString dropDescription(const QString& path, bool asReference) {
-  const QString text = isPicture(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
-                       : isScene(path)
-                           ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
-                       : asReference ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
-                                     : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
+  const QString text =
+      isEnvironmentFile(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
+      : isScene(path)         ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
+      : asReference           ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
+                              : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
   return text.arg(path.section('/', -1));
 }
 

@@ -7,7 +7,7 @@
 namespace gonio::app {
 
 /// Whether a file is an environment image, by its suffix.
-bool isPicture(const QString& path);
+bool isEnvironmentFile(const QString& path);
 /// Whether a file is a scene or a mesh, by its suffix.
 bool isScene(const QString& path);
 /// Describes the effect of dropping a file. @param asReference whether a material becomes the reference of comparisons.

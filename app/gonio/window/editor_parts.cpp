@@ -40,7 +40,7 @@ const QString sortKey = QStringLiteral("library/sort"), groupKey = QStringLitera
 
 LibraryController::ThumbnailFactory thumbnailFactory() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
-    return materialLook(id, folder, control);
+    return materialThumbnail(id, folder, control);
   };
 }
 

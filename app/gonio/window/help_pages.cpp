@@ -22,7 +22,7 @@ namespace {
 struct HelpPagesText {
   Q_DECLARE_TR_FUNCTIONS(HelpPages)
 };
-QString escaped(std::string_view text) { return widgets::fromView(text).toHtmlEscaped(); }
+QString escaped(std::string_view text) { return widgets::toQString(text).toHtmlEscaped(); }
 
 QString row(const QString& left, const QString& right) {
   return QStringLiteral("<tr><td style='padding: 2px 24px 2px 0'>%1</td><td style='padding: 2px 0'>%2</td></tr>")

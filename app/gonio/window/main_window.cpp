@@ -148,11 +148,11 @@ void MainWindow::addMenus() {
   menuBar()->addMenu(material);
   menuBar()->addMenu(new AnalyseMenu(p.figureParts(), p.comparison, *m_docks, p.study, this));
   menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files, *this); }));
-  connect(material, &MaterialMenu::saveRequested, &m_files, &DocumentFiles::saveBeside);
-  connect(&p.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::saveBeside);
-  connect(p.inspector.representation(), &RepresentationPanel::saveRequested, &m_files, &DocumentFiles::saveBeside);
-  connect(&p.viewStrip, &ViewStrip::sceneFileWanted, &p.scene, &ScenePanel::askForFile);
-  connect(&p.viewStrip, &ViewStrip::environmentFileWanted, light, &LightMenu::askForFile);
+  connect(material, &MaterialMenu::saveRequested, &m_files, &DocumentFiles::askAndSave);
+  connect(&p.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::askAndSave);
+  connect(p.inspector.representation(), &RepresentationPanel::saveRequested, &m_files, &DocumentFiles::askAndSave);
+  connect(&p.viewStrip, &ViewStrip::sceneFileRequested, &p.scene, &ScenePanel::askForFile);
+  connect(&p.viewStrip, &ViewStrip::environmentFileRequested, light, &LightMenu::askForFile);
   connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -262,13 +262,13 @@ void MainWindow::connectRequests() {
             window->setAttribute(Qt::WA_DeleteOnClose);
             window->show();
           });
-  connect(&m_parts.inspector, &Inspector::factorEditWanted, this, [this] {
+  connect(&m_parts.inspector, &Inspector::factorEditRequested, this, [this] {
     m_docks->show(QStringLiteral("factors"));
     m_parts.factors.addEdit();
   });
-  connect(&m_parts.comparison, &ComparisonController::referenceWanted, this,
+  connect(&m_parts.comparison, &ComparisonController::referenceRequested, this,
           [this] { chooseMaterial({}, [this](const QString& path) { m_parts.comparison.openReference(path); }); });
-  connect(&m_parts.acquisition, &AcquisitionPanel::subjectWanted, this, [this] {
+  connect(&m_parts.acquisition, &AcquisitionPanel::subjectRequested, this, [this] {
     chooseMaterial(tr("Material to Measure"), [this](const QString& path) { m_parts.acquisition.measure(path); });
   });
 }

@@ -55,7 +55,7 @@ void MaterialMenu::saveFit(const Document& document) {
   const models::Model* model = edit->model;
   const QString suffix = tableSuffix();
   Q_EMIT saveRequested(
-      {tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::fromView(model->spec().name)),
+      {tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::toQString(model->spec().name)),
        tr("MERL tables (*%1)").arg(suffix), suffix,
        [model, fitted = edit->fitted](const std::filesystem::path& path, const TaskControl& control) {
          materials::writeMaterial(

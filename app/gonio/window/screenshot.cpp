@@ -14,12 +14,12 @@ constexpr int checkMilliseconds = 200;
 constexpr int neededChecks = 4;
 }  // namespace
 
-Screenshot::Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double longestWaitSeconds)
+Screenshot::Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double maxWaitSeconds)
     : QObject(&window),
       m_window(window),
       m_isSettled(std::move(isSettled)),
       m_path(path),
-      m_longestWaitSeconds(longestWaitSeconds) {
+      m_longestWaitSeconds(maxWaitSeconds) {
   m_elapsed.start();
   m_timer.setInterval(checkMilliseconds);
   connect(&m_timer, &QTimer::timeout, this, &Screenshot::check);

@@ -17,7 +17,7 @@ class Screenshot : public QObject {
   Q_OBJECT
 
  public:
-  Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double longestWaitSeconds);
+  Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double maxWaitSeconds);
 
  private:
   void check();

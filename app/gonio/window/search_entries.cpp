@@ -47,8 +47,8 @@ void addRow(std::vector<SearchEntry>& entries, Inspector& inspector, const QStri
             const models::ParameterSpec& spec, QWidget* row) {
   if (!row) return;
   const QPointer<QWidget> found = row;
-  entries.push_back({.text = QStringLiteral("%1 > %2").arg(group, widgets::fromView(spec.label)),
-                     .keywords = widgets::fromView(spec.id) + ' ' + widgets::fromView(spec.description) + ' ' +
+  entries.push_back({.text = QStringLiteral("%1 > %2").arg(group, widgets::toQString(spec.label)),
+                     .keywords = widgets::toQString(spec.id) + ' ' + widgets::toQString(spec.description) + ' ' +
                                  SearchText::tr("slider parameter"),
                      .run =
                          [&inspector, found] {
@@ -66,15 +66,15 @@ void addSliders(std::vector<SearchEntry>& entries, EditorParts& parts) {
            parts.inspector.controls()->row(editing::ArtistControl(i)));
   const models::ModelSpec& spec = edit->model->spec();
   for (std::size_t i = 0; i < std::min(spec.parameters.size(), parts.inspector.parameters()->rowCount()); ++i)
-    addRow(entries, parts.inspector, widgets::fromView(spec.name), spec.parameters[i],
+    addRow(entries, parts.inspector, widgets::toQString(spec.name), spec.parameters[i],
            parts.inspector.parameters()->row(i));
 }
 
 void addModels(std::vector<SearchEntry>& entries, EditorParts& parts) {
   const bool open = parts.document.material() != nullptr;
   for (const models::Model* model : models::allModels())
-    entries.push_back({.text = SearchText::tr("Model > %1").arg(widgets::fromView(model->spec().name)),
-                       .keywords = widgets::fromView(model->spec().id) + ' ' + SearchText::tr("choose fit"),
+    entries.push_back({.text = SearchText::tr("Model > %1").arg(widgets::toQString(model->spec().name)),
+                       .keywords = widgets::toQString(model->spec().id) + ' ' + SearchText::tr("choose fit"),
                        .run = [&parts, model] { parts.controller.chooseModel(*model); },
                        .enabled = open});
 }

@@ -260,8 +260,8 @@ class AcquisitionSessionTest : public QObject {
   void theSliceTellsWhatCanBeMeasured() {
     const HalfDifferenceGrid grid{18, 18, 12};
     acquisition::MeasurableDirections measurable;
-    measurable.largestPolarAngle = radians(60);
-    measurable.smallestSeparation = radians(12);
+    measurable.maxPolarAngle = radians(60);
+    measurable.minSeparation = radians(12);
     dictionary::MappedCells mapping{.grid = grid, .cells = {}, .weights = {}, .reference = {}};
     std::vector<float> deviations;
     const auto unlearned = grid.index(3, 4, 5);

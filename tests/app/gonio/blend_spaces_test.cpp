@@ -7,7 +7,7 @@
 
 #include "tests/app/gonio/interpolation_panel_test_support.h"
 #include "tests/support/test_program.h"
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 
 namespace blend_spaces_test {
 using namespace gonio;
@@ -19,13 +19,13 @@ using Space = editing::InterpolationSpace;
 class BlendSpacesTest : public QObject {
   Q_OBJECT
  private:
-  static editing::InterpolationEnd grey(const char* name, double albedo) {
+  static editing::InterpolationMaterial grey(const char* name, double albedo) {
     return {.table = greyMaterial(name, albedo)->table(), .code = anyCode()};
   }
-  const std::vector<editing::InterpolationEnd> m_ends{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
+  const std::vector<editing::InterpolationMaterial> m_ends{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
 
-  std::vector<editing::InterpolationEnd> ends(std::initializer_list<std::size_t> which) const {
-    std::vector<editing::InterpolationEnd> result;
+  std::vector<editing::InterpolationMaterial> ends(std::initializer_list<std::size_t> which) const {
+    std::vector<editing::InterpolationMaterial> result;
     for (const std::size_t i : which) result.push_back(m_ends[i]);
     return result;
   }

@@ -260,7 +260,7 @@ class ComparisonTest : public QObject {
   void aFitAsTheReference() {
     const auto material = lambertMaterial("grey", 0.5);
     const auto reference = comparisonReference(
-        {widgets::ModelAlone{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table()->grid()}});
+        {widgets::StandaloneModel{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table()->grid()}});
     const ComparisonNumbers numbers = compareSubjects(widgets::measuredSubject(material->table()), *reference);
     for (const double error : numbers.errors) QVERIFY(std::abs(error) < 1e-6);
     QVERIFY(numbers.brdfSnr > 100);

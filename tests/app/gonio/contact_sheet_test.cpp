@@ -77,7 +77,7 @@ class ContactSheetTest : public QObject {
     window.compareSelected();
     QVERIFY(wait([&] { return compare.count() == 1; }));
     const auto subjects = compare[0][0].value<std::array<widgets::PreviewSubject, 2>>();
-    QVERIFY(std::holds_alternative<widgets::ModelAlone>(subjects[0].shown));
+    QVERIFY(std::holds_alternative<widgets::StandaloneModel>(subjects[0].shown));
     QVERIFY(subjects[1].isMeasured() && subjects[1].base() == material_->base);
     QCOMPARE((compare[0][1].value<std::array<QString, 2>>())[0], QString("GGX"));
   }

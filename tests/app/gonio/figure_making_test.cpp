@@ -26,7 +26,7 @@ class FigureMakingTest : public QObject {
     FigureDescription figure = editor.smallFigure();
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
-    const FigureMaker& maker = dialog->view().maker();
+    const FigureController& maker = dialog->view().maker();
     QImage page = dialog->view().page().grab().toImage();
     dialog->view().measureButton().click();
     QVERIFY(maker.isMeasuring());
@@ -70,7 +70,7 @@ class FigureMakingTest : public QObject {
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
     dialog->view().measureButton().click();
-    const FigureMaker& maker = dialog->view().maker();
+    const FigureController& maker = dialog->view().maker();
     QVERIFY(editor.wait([&] { return !maker.known().rows.empty(); }));
     QTest::keyClick(dialog.get(), Qt::Key_Escape);
     QVERIFY(dialog->isVisible());
@@ -106,7 +106,7 @@ class FigureMakingTest : public QObject {
     FigureDescription figure = editor.smallFigure();
     figure.inset = figures::FigureInset{};
     dialog->setDescription(figure);
-    FigureMaker& maker = dialog->view().maker();
+    FigureController& maker = dialog->view().maker();
     const FigureToWrite written{dialog->description(), maker.known(), maker.collector()};
     editor.exports.save(editor.path("figure.json"), figureDescriptionSave(dialog->description()));
     for (const char* name : {"a.pdf", "a.svg", "a.PNG"}) editor.exports.save(editor.path(name), figureSave(written));

@@ -83,7 +83,7 @@ class ImageDialogTest : public QObject {
     field(*dialog, "Width").setValue(48);
     field(*dialog, "Height").setValue(32);
     QVERIFY(wait([&] { return dialog->estimate().has_value(); }));
-    QVERIFY(dialog->estimate()->secondsOfSample > 0 && dialog->estimate()->noiseOfSample > 0);
+    QVERIFY(dialog->estimate()->secondsPerSample > 0 && dialog->estimate()->noisePerSample > 0);
     dialog->accept();
     QVERIFY(wait([&] { return editor.exported.count() == 1; }));
     const QImage picture(editor.path("glossy.png"));

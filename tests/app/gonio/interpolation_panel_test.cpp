@@ -18,7 +18,7 @@
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_strip.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/panels/model_box.h"
 
@@ -37,7 +37,7 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(editor.panel.isSettled());
     QVERIFY(!editor.panel.subject());
     QVERIFY(editor.panel.overview().strip().rows().empty());
-    QVERIFY(!editor.panel.keepButton().isEnabled());
+    QVERIFY(!editor.panel.saveButton().isEnabled());
     QVERIFY(!editor.panel.wells().well(0).currentButton()->isEnabled());
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.keep();
@@ -148,8 +148,8 @@ class InterpolationPanelTest : public QObject {
   void aDropBesideAWellGoesIntoTheNearest() {
     Editor editor;
     const std::unique_ptr<QMimeData> data(widgets::toDrag("library:sgd/nickel"));
-    BlendWells& wells = editor.panel.wells();
-    const widgets::MaterialWell& second = wells.well(1);
+    BlendSlots& wells = editor.panel.wells();
+    const widgets::MaterialSlotWidget& second = wells.well(1);
     const QPoint below = second.mapTo(wells.viewport(), QPoint(5, second.height() + 12));
     QVERIFY(!second.geometry().contains(below));
     const QPoint above = wells.well(0).mapTo(wells.viewport(), QPoint(5, -2));

@@ -8,12 +8,12 @@
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/interpolation/blend_overview.h"
-#include "app/gonio/interpolation/blend_place_editor.h"
-#include "app/gonio/interpolation/blend_wells.h"
+#include "app/gonio/interpolation/blend_position_editor.h"
+#include "app/gonio/interpolation/blend_slots.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "core/models/registry.h"
 #include "tests/app/gonio/patience.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 
 namespace gonio::app::test_support {
 

@@ -23,7 +23,7 @@ using namespace gonio::app;
 class LibraryControllerTest : public QObject {
   Q_OBJECT
  private:
-  static widgets::LibraryLook anyLook() {
+  static widgets::LibraryThumbnail anyLook() {
     QImage image(4, 4, QImage::Format_RGBA8888);
     image.fill(Qt::red);
     return {image, 0, 0.5};
@@ -84,7 +84,7 @@ class LibraryControllerTest : public QObject {
     LibraryController library(
         tasks,
         [&](const QString& id, const TaskControl& control) {
-          return id == document ? materialLook(id, root.filePath("cache"), control) : anyLook();
+          return id == document ? materialThumbnail(id, root.filePath("cache"), control) : anyLook();
         },
         own);
     library.showBundled();
@@ -111,14 +111,14 @@ class LibraryControllerTest : public QObject {
     const QModelIndex first = library.model().index(0, 0);
     QCOMPARE(first.data(widgets::LibraryModel::BadgeRole).toString(), QStringLiteral("edited"));
     QTRY_VERIFY(library.model().look(document));
-    const widgets::LibraryLook plain = materialLook("library:sgd/brass", root.filePath("cache"), {});
+    const widgets::LibraryThumbnail plain = materialThumbnail("library:sgd/brass", root.filePath("cache"), {});
     const QColor edited = library.model().look(document)->thumbnail.pixelColor(96, 96);
     QVERIFY(edited.red() > plain.thumbnail.pixelColor(plain.thumbnail.rect().center()).red() + 20);
   }
 
   void oneThatFailsHoldsNoOtherUp() {
     BackgroundTasks tasks;
-    LibraryController library(tasks, [](const QString& id, const TaskControl&) -> widgets::LibraryLook {
+    LibraryController library(tasks, [](const QString& id, const TaskControl&) -> widgets::LibraryThumbnail {
       if (id.endsWith("chrome")) throw Error("chrome is broken");
       return anyLook();
     });

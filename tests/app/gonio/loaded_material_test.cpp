@@ -52,7 +52,7 @@ class LoadedMaterialTest : public QObject {
     document.setMaterial(loadMaterial(test::writeFile("app/order.bin", fuzz::utiaSeed())));
     const auto viewer = document.base();
     QCOMPARE(document.base(), viewer);
-    document.setIncident(IncidentSlot::light);
+    document.setIncident(IncidentDirection::light);
     const Direction wi = fromSpherical(0.5, 1), wo = fromSpherical(1.1, -2);
     QVERIFY(document.base()->evaluate(wi, wo) == viewer->evaluate(wo, wi));
     QVERIFY(document.base()->evaluate(wi, wo) != viewer->evaluate(wi, wo));

@@ -152,7 +152,7 @@ class MainWindowTest : public QObject {
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
     adoptDefaultFit(document);
-    auto* body = window->parts().inspector.controls()->bodyRow();
+    auto* body = window->parts().inspector.controls()->diffuseRow();
     QVERIFY(body);
     auto* slider = body->findChild<widgets::ParameterSlider*>();
     slider->setFocus();

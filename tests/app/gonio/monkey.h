@@ -117,7 +117,7 @@ class Monkey : public QObject {
   static bool isDraggable(const QWidget* widget) {
     // A drag of a material, of a text or of a dock is handed to the window system, which no test event ends.
     for (const QWidget* one = widget; one; one = one->parentWidget())
-      for (const char* source : {"QListView", "QTextEdit", "QLabel", "gonio::widgets::MaterialWell"})
+      for (const char* source : {"QListView", "QTextEdit", "QLabel", "gonio::widgets::MaterialSlotWidget"})
         if (one->inherits(source)) return false;
     return widget && !widget->inherits("QDockWidget");
   }

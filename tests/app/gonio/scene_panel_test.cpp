@@ -15,7 +15,7 @@
 #include "core/rendering/scene_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -108,7 +108,7 @@ class ScenePanelTest : public QObject {
   void anotherMaterialStandsBeside() {
     const auto wellsShown = [this] {
       int shown = 0;
-      for (int place = 0; place < app::SceneNeighbours::count; ++place)
+      for (int place = 0; place < app::SceneMaterialSlots::count; ++place)
         shown += !panel_->neighbours().well(place).isHidden();
       return shown;
     };

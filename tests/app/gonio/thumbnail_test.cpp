@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "app/gonio/library/shipped_thumbnails.h"
+#include "app/gonio/library/bundled_thumbnails.h"
 #include "core/materials/bundled_library.h"
 #include "tests/support/test_program.h"
 
@@ -19,14 +19,14 @@ class ThumbnailTest : public QObject {
   /// The first start shows the whole library without rendering a sphere.
   void allBundledMaterialsHaveOne() {
     for (const materials::LibraryEntry& entry : materials::bundledLibrary()) {
-      const auto shipped = shippedLook(materials::librarySha256("library:" + entry.id));
+      const auto shipped = bundledThumbnail(materials::librarySha256("library:" + entry.id));
       QVERIFY2(shipped, entry.id.c_str());
       QCOMPARE(shipped->thumbnail.size(), QSize(128, 128));
       QVERIFY(shipped->roughness > 0 && shipped->hue >= -1 && shipped->hue <= 360);
-      const widgets::LibraryLook look = materialLook(QString::fromStdString("library:" + entry.id), {}, {});
+      const widgets::LibraryThumbnail look = materialThumbnail(QString::fromStdString("library:" + entry.id), {}, {});
       QCOMPARE(look.thumbnail, shipped->thumbnail);
     }
-    QVERIFY(!shippedLook("0000"));
+    QVERIFY(!bundledThumbnail("0000"));
   }
 
   /// They are what the renderer draws now, but for the loss of JPEG; if not, scripts/thumbnails.sh renders them again.
@@ -38,7 +38,7 @@ class ThumbnailTest : public QObject {
     QFETCH(QString, id);
     const materials::Material material = materials::readMaterial("library:" + id.toStdString());
     const QImage now = spherePicture(*material.brdf, 128, 64);
-    const QImage shipped = shippedLook(material.source.sha256)->thumbnail;
+    const QImage shipped = bundledThumbnail(material.source.sha256)->thumbnail;
     double sum = 0;
     int covered = 0;
     for (int y = 0; y < 128; ++y)

@@ -106,8 +106,8 @@ class ViewStripTest : public QObject {
   }
 
   void filesAreAskedFor() {
-    QSignalSpy scene(strip_.get(), &ViewStrip::sceneFileWanted);
-    QSignalSpy environment(strip_.get(), &ViewStrip::environmentFileWanted);
+    QSignalSpy scene(strip_.get(), &ViewStrip::sceneFileRequested);
+    QSignalSpy environment(strip_.get(), &ViewStrip::environmentFileRequested);
     choose(strip_->shapes(), "Mesh or scene...");
     choose(strip_->lights(), "Image (HDR, EXR)...");
     QCOMPARE(scene.count(), 1);

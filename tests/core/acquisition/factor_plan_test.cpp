@@ -45,18 +45,18 @@ class FactorPlanTest : public QObject {
 
   /// One arm occludes the other: no reading along the normal, nor at retro-reflection.
   void blockedReadingsAreLeftOut() {
-    const FactorPlan plan = planFactors({.fixedAngle = 0.5, .smallestSeparation = 0.035});
+    const FactorPlan plan = planFactors({.fixedAngle = 0.5, .minSeparation = 0.035});
     for (const PlannedSample& sample : plan.plan.samples)
       QVERIFY(std::acos(glm::dot(sample.directions.wi, sample.directions.wo)) > 0.0349);
-    QVERIFY(plan.blocked > planFactors({.fixedAngle = 0.5, .smallestSeparation = 0}).blocked);
-    QVERIFY(test::contains(test::errorOf([] { planFactors({.smallestSeparation = pi}); }), "obstruct all readings"));
+    QVERIFY(plan.blocked > planFactors({.fixedAngle = 0.5, .minSeparation = 0}).blocked);
+    QVERIFY(test::contains(test::errorOf([] { planFactors({.minSeparation = pi}); }), "obstruct all readings"));
   }
 
   void wrongOptionsAreErrors() {
     for (const FactorPlanOptions& wrong :
          {FactorPlanOptions{.fixedAngle = 1.6}, FactorPlanOptions{.fixedAngle = -0.1}, FactorPlanOptions{.angles = 1},
-          FactorPlanOptions{.distances = 20'000}, FactorPlanOptions{.fixedAngle = 1, .largestPolarAngle = 0.9},
-          FactorPlanOptions{.largestPolarAngle = std::nan("")}, FactorPlanOptions{.smallestSeparation = -1}})
+          FactorPlanOptions{.distances = 20'000}, FactorPlanOptions{.fixedAngle = 1, .maxPolarAngle = 0.9},
+          FactorPlanOptions{.maxPolarAngle = std::nan("")}, FactorPlanOptions{.minSeparation = -1}})
       QVERIFY_EXCEPTION_THROWN(planFactors(wrong), Error);
     QVERIFY(test::contains(test::errorOf([] { factorAxesNamed("pdv"); }), "found 'pdv', expected projected-deviation"));
   }

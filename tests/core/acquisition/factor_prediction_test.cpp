@@ -165,7 +165,7 @@ class FactorPredictionTest : public QObject {
     });
     for (const test::FunctionBrdf& material : {productOfCurves(FactorAxes::projectedDeviation), increasing}) {
       const FactorMeasurement m = measureFactors(material, {.fixedAngle = 0.6});
-      const factorization::PdvFactors curves = factorsOfCurves(m);
+      const factorization::PdvFactors curves = pdvFactorsOfCurves(m);
       for (const auto& channel : curves.channels)
         QVERIFY(channel[0].f2.empty() || std::ranges::max(channel[0].f2) <= 1 + 1e-12);
       const auto factors = factorization::makePdvBrdf(curves), predicted = predictFromFactors(m, FactorBound::none);
@@ -179,7 +179,8 @@ class FactorPredictionTest : public QObject {
         QVERIFY(glm::length(found - glm::min(expected, limit)) < 1e-4 * (1 + glm::length(expected)));
       }
     }
-    QVERIFY_EXCEPTION_THROWN(factorsOfCurves(measureFactors(varnish(), {.axes = FactorAxes::halfDifference})), Error);
+    QVERIFY_EXCEPTION_THROWN(pdvFactorsOfCurves(measureFactors(varnish(), {.axes = FactorAxes::halfDifference})),
+                             Error);
   }
 };
 

@@ -43,19 +43,19 @@ class MeasurableDirectionsTest : public QObject {
   }
 
   void polarAngles() {
-    const MeasurableDirections limits{.largestPolarAngle = radians(60)};
+    const MeasurableDirections limits{.maxPolarAngle = radians(60)};
     QVERIFY(limits.allows(pairAt(60, 60, 180)));
     QVERIFY(limits.allows(pairAt(0, 60, 10)));
     QVERIFY(!limits.allows(pairAt(60.001, 0, 0)));
     QVERIFY(!limits.allows(pairAt(0, 60.001, 0)));
-    const MeasurableDirections all{.largestPolarAngle = halfPi};
+    const MeasurableDirections all{.maxPolarAngle = halfPi};
     QVERIFY(all.allows(pairAt(90, 90, 180)));
     QVERIFY(!all.allows(pairAt(91, 10, 0)));
     QVERIFY(!all.allows(pairAt(10, 91, 0)));
   }
 
   void separationOfTheArms() {
-    const MeasurableDirections limits{.smallestSeparation = radians(10)};
+    const MeasurableDirections limits{.minSeparation = radians(10)};
     QVERIFY(!limits.allows(pairAt(40, 40, 0)));
     QVERIFY(!limits.allows(pairAt(40, 30.001, 0)));
     QVERIFY(limits.allows(pairAt(40, 30, 0)));
@@ -101,9 +101,9 @@ class MeasurableDirectionsTest : public QObject {
     QVERIFY(errorOf({}).isEmpty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double angle : {-0.1, 1.6, nan})
-      QVERIFY(errorOf({.largestPolarAngle = angle}).contains("maximum polar angle"));
-    for (const double angle : {-0.1, 3.2, nan}) QVERIFY(errorOf({.smallestSeparation = angle}).contains("separation"));
-    QCOMPARE(errorOf({.largestPolarAngle = radians(95)}), "the maximum polar angle is 95 degrees: expected 0 to 90");
+      QVERIFY(errorOf({.maxPolarAngle = angle}).contains("maximum polar angle"));
+    for (const double angle : {-0.1, 3.2, nan}) QVERIFY(errorOf({.minSeparation = angle}).contains("separation"));
+    QCOMPARE(errorOf({.maxPolarAngle = radians(95)}), "the maximum polar angle is 95 degrees: expected 0 to 90");
     const auto withBox = [](const ForbiddenRegion& box) { return errorOf({.forbidden = {{.thetaI = {0, 0.1}}, box}}); };
     QVERIFY(withBox({}).isEmpty());
     QVERIFY(withBox({.thetaI = {1, 0.5}}).contains("light of forbidden region 2"));

@@ -144,7 +144,7 @@ class SelectionHardCasesTest : public QObject {
   void forbiddenRegions() {
     const auto basis = randomBasis(500, 30, 8, 6);
     const auto best = selectSamples(basis, {.samples = 8, .measurable = everything}).cells;
-    MeasurableDirections rig{.largestPolarAngle = radians(60), .smallestSeparation = radians(15)};
+    MeasurableDirections rig{.maxPolarAngle = radians(60), .minSeparation = radians(15)};
     rig.forbidden.push_back({.thetaI = {0, radians(30)}});
     const auto allowed = measurableCells(basis, rig);
     QVERIFY(allowed.size() > 20 && allowed.size() < basis.mapping.cells.size());
@@ -200,8 +200,7 @@ class SelectionHardCasesTest : public QObject {
       QVERIFY(errorOf(basis, {.method = method, .samples = 0}).contains("0 samples"));
       QVERIFY(errorOf(basis, {.method = method, .samples = -3}).contains("-3 samples"));
       QVERIFY(errorOf(basis, {.method = method, .components = -1}).contains("-1 components"));
-      QVERIFY(
-          errorOf(basis, {.method = method, .measurable = {.largestPolarAngle = 2}}).contains("maximum polar angle"));
+      QVERIFY(errorOf(basis, {.method = method, .measurable = {.maxPolarAngle = 2}}).contains("maximum polar angle"));
     }
   }
 };

@@ -21,7 +21,7 @@ using test::randomMatrix;
 inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 9, .phiDCount = 8};
 
 /// A rig that sees all there is.
-inline const MeasurableDirections everything{.largestPolarAngle = halfPi};
+inline const MeasurableDirections everything{.maxPolarAngle = halfPi};
 
 /// Of random directions.
 inline Eigen::MatrixXd orthonormalColumns(Eigen::Index rows, Eigen::Index columns, unsigned seed) {

@@ -106,7 +106,7 @@ class GrainLobeTest : public QObject {
         }
         return glm::dvec2(sums.x, sums.y - sums.x * sums.x);
       };
-      constexpr double cosine = TabulatedLobe::cosineShare;
+      constexpr double cosine = TabulatedLobe::cosineFraction;
       const LobeMixture<CosineLobe, TabulatedLobeView> azimuthMean({cosine, 1 - cosine}, CosineLobe{},
                                                                    TabulatedLobeView{lobe});
       const glm::dvec2 grain = moments(tabulatedMixture(lobe)), mean = moments(azimuthMean);

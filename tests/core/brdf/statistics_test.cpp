@@ -25,7 +25,7 @@ class StatisticsTest : public QObject {
     QVERIFY(s.channels[0].min == 0 && s.channels[0].max == 0.5);
     QVERIFY(s.channels[1].min == 0.125 && s.channels[1].max == 0.25);
     QVERIFY(s.channels[2].min == 2 && s.channels[2].max == 64);
-    QCOMPARE(s.invalidShare, 0.25);
+    QCOMPARE(s.invalidFraction, 0.25);
     QCOMPARE(s.dynamicRange, 512.0);
   }
 
@@ -38,7 +38,8 @@ class StatisticsTest : public QObject {
     QCOMPARE(tableStatistics(TabulatedBrdf(grid, red, valid)).dynamicRange, 1.0);
     QCOMPARE(tableStatistics(TabulatedBrdf(grid, red, valid)).channels[1].max, 0.0);
     const TableStatistics none = tableStatistics(TabulatedBrdf(grid, red, invalid));
-    QVERIFY(none.invalidShare == 1 && none.dynamicRange == 0 && none.channels[0].min == 0 && none.channels[0].max == 0);
+    QVERIFY(none.invalidFraction == 1 && none.dynamicRange == 0 && none.channels[0].min == 0 &&
+            none.channels[0].max == 0);
     QCOMPARE(directionalAlbedo(TabulatedBrdf(grid, black, valid), 0.5), Rgb(0));
     QCOMPARE(directionalAlbedo(TabulatedBrdf(grid, red, invalid), 0.5), Rgb(0));
   }

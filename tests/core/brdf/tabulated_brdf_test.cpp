@@ -16,7 +16,7 @@ using namespace gonio;
 
 constexpr HalfDifferenceGrid smallGrid{7, 6, 10, true};
 
-std::shared_ptr<const TabulatedBrdf> randomTable(const HalfDifferenceGrid& grid, double invalidShare,
+std::shared_ptr<const TabulatedBrdf> randomTable(const HalfDifferenceGrid& grid, double invalidFraction,
                                                  std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<float> uniform(0, 1);
@@ -24,7 +24,7 @@ std::shared_ptr<const TabulatedBrdf> randomTable(const HalfDifferenceGrid& grid,
   std::vector<std::uint8_t> valid(grid.size());
   for (std::size_t i = 0; i < grid.size(); ++i) {
     values[i] = {uniform(random), uniform(random), uniform(random)};
-    valid[i] = uniform(random) >= invalidShare;
+    valid[i] = uniform(random) >= invalidFraction;
   }
   return std::make_shared<const TabulatedBrdf>(grid, values, valid);
 }
@@ -114,8 +114,8 @@ class TabulatedBrdfTest : public QObject {
   /// Tables without holes, with some and with many.
   void invalidCornersAreDropped() {
     std::mt19937_64 random(5);
-    for (const double invalidShare : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-      const auto table = randomTable(smallGrid, invalidShare, 6);
+    for (const double invalidFraction : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      const auto table = randomTable(smallGrid, invalidFraction, 6);
       for (int n = 0; n < 5000; ++n) {
         const HalfDifference at = randomCoordinates(random);
         bool valid = false, expectedValid = false;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/brdf/lobe_mixture.h"
-#include "core/brdf/turned_lobe.h"
+#include "core/brdf/rotated_lobe.h"
 #include "core/math/quadrature.h"
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
@@ -66,17 +66,17 @@ class VisibleNormalLobeTest : public QObject {
               width, [&](const Direction& h) { return density(h, width.x, width.y) * std::max(0.0, glm::dot(h, wo)); });
         };
         const double ggx = projected(ggxDensity), beckmann = projected(beckmannDensity);
-        QVERIFY(std::abs(ggx - ggxShadowedCosine(wo, width.x, width.y)) < 2e-4);
-        QVERIFY(std::abs(beckmann - beckmannShadowedCosine(wo, width.x, width.y)) < 2e-4);
+        QVERIFY(std::abs(ggx - ggxCosineOverG1(wo, width.x, width.y)) < 2e-4);
+        QVERIFY(std::abs(beckmann - beckmannCosineOverG1(wo, width.x, width.y)) < 2e-4);
         if (degrees == 0) QVERIFY(std::abs(ggx - 1) < 1e-6 && std::abs(beckmann - 1) < 1e-6);
       }
   }
 
   void hardCase01ShadowedCosinesAtTheHorizonAndTheNormal() {
-    QCOMPARE(beckmannShadowedCosine({0, 0, 1}, 0.1, 0.3), 1.0);
-    QCOMPARE(ggxShadowedCosine({0, 0, 1}, 0.1, 0.3), 1.0);
-    QVERIFY(std::abs(beckmannShadowedCosine({1, 0, 0}, 0.1, 0.3) - 0.1 / (2 * std::sqrt(pi))) < 1e-15);
-    QVERIFY(std::abs(ggxShadowedCosine({0, 1, 0}, 0.1, 0.3) - 0.15) < 1e-15);
+    QCOMPARE(beckmannCosineOverG1({0, 0, 1}, 0.1, 0.3), 1.0);
+    QCOMPARE(ggxCosineOverG1({0, 0, 1}, 0.1, 0.3), 1.0);
+    QVERIFY(std::abs(beckmannCosineOverG1({1, 0, 0}, 0.1, 0.3) - 0.1 / (2 * std::sqrt(pi))) < 1e-15);
+    QVERIFY(std::abs(ggxCosineOverG1({0, 1, 0}, 0.1, 0.3) - 0.15) < 1e-15);
   }
 
   /// A million draws of the narrow grain at 60 degrees.
@@ -94,7 +94,7 @@ class VisibleNormalLobeTest : public QObject {
     const auto check = [&](const auto& lobe) {
       for (const double degrees : viewerDegrees) {
         const int draws = width == 1 && degrees == 60 ? 1 << 20 : 1 << 15;
-        const LobeBrdf sampled(TurnedLobe(lobe, 0.4));
+        const LobeBrdf sampled(RotatedLobe(lobe, 0.4));
         const Direction wo = fromSpherical(radians(degrees), 0.9);
         test::SamplingCheck found = test::checkSampling(sampled, wo, draws, 1e-5);
         // Some densities at grazing angles need finer cells for the integral.

@@ -33,7 +33,7 @@ struct Problem {
     signal = Eigen::ArrayXf::Random(cells);
   }
 
-  InvalidCellRounds rounds() { return {signal, valid, sizes, matrices}; }
+  InvalidCellRefinement rounds() { return {signal, valid, sizes, matrices}; }
   /// atoms^T M (signal - atoms code), M 0 in invalid cells.
   Eigen::VectorXd correlations(const std::vector<Coefficient<float>>& code) const {
     Eigen::VectorXd left = signal.matrix().cast<double>();
@@ -56,7 +56,7 @@ class BasisPursuitTest : public QObject {
   /// of its coefficient, and no other atom has a larger one.
   void optimalityConditionsHold() {
     Problem problem;
-    InvalidCellRounds rounds = problem.rounds();
+    InvalidCellRefinement rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     const double lambda = double(pursueBasis(rounds, 20, 3000, code));
     QCOMPARE(code.size(), std::size_t(20));
@@ -72,7 +72,7 @@ class BasisPursuitTest : public QObject {
   /// The refitted values are the least-squares solution over the valid cells, by a dense decomposition.
   void refitIsLeastSquares() {
     Problem problem;
-    InvalidCellRounds rounds = problem.rounds();
+    InvalidCellRefinement rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     pursueBasis(rounds, 20, 30, code);
     refitValues(rounds, 400, code);
@@ -89,7 +89,7 @@ class BasisPursuitTest : public QObject {
   /// Without invalid cells both methods select the same atoms, and the refit gives back their projections.
   void completeSignalsGiveTheLargestProjections() {
     Problem problem(true);
-    InvalidCellRounds rounds = problem.rounds();
+    InvalidCellRefinement rounds = problem.rounds();
     std::vector<Coefficient<float>> code, largest;
     pursueBasis(rounds, 15, 5, code);
     refitValues(rounds, 5, code);
@@ -124,9 +124,9 @@ class BasisPursuitTest : public QObject {
     const Ensemble ensemble = randomEnsemble(2);
     const auto table = ggxMaterials(3).load(1);
     EncodeOptions options{.coefficients = 60, .transforms = {DataTransform::logPlus}};
-    const Encoded greedy = Encoder(ensemble).encode(*table, options);
+    const EncodeResult greedy = Encoder(ensemble).encode(*table, options);
     options.method = CodingMethod::basisPursuit;
-    const Encoded convex = Encoder(ensemble).encode(*table, options);
+    const EncodeResult convex = Encoder(ensemble).encode(*table, options);
     for (std::size_t c = 0; c < 3; ++c) {
       QCOMPARE(convex.code.channels[c].dictionary, greedy.code.channels[c].dictionary);
       QVERIFY(convex.code.channels[c].coefficients.size() <= 60);
@@ -144,7 +144,7 @@ class BasisPursuitTest : public QObject {
 
   void canBeCancelled() {
     Problem problem;
-    InvalidCellRounds rounds = problem.rounds();
+    InvalidCellRefinement rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     std::stop_source source;
     source.request_stop();

@@ -21,7 +21,7 @@ class EncodeHardCasesTest : public QObject {
   void hardCase12BlackChannels() {
     const Ensemble ensemble = randomEnsemble(2);
     const auto table = bakeTable(test::lambert(Rgb(0, 0.5, 0)), smallGrid);
-    const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 40});
+    const EncodeResult encoded = Encoder(ensemble).encode(*table, {.coefficients = 40});
     const auto decoded = decode(ensemble, encoded.code);
     for (const TabulatedBrdf::Value& value : decoded->values()) QVERIFY(value.x == 0 && value.z == 0);
     QVERIFY(encoded.code.channels[0].coefficients.empty());
@@ -49,7 +49,7 @@ class EncodeHardCasesTest : public QObject {
       for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = double(signal[i * strides[mode]]);
       constant.dictionaries[1].modes[mode] = test::orthonormalised(m);
     }
-    const Encoded encoded =
+    const EncodeResult encoded =
         Encoder(constant).encode(*table, {.coefficients = 1, .transforms = {DataTransform::logPlus}});
     QCOMPARE(encoded.code.channels[0].dictionary, 1);
     QVERIFY(relativeDifference(*table, *decode(constant, encoded.code)) < 1e-5);
@@ -67,7 +67,7 @@ class EncodeHardCasesTest : public QObject {
     values[spike] = glm::vec3(1e6f);
     const auto above = GridGeometry::of(smallGrid)->aboveHorizon;
     const TabulatedBrdf table(smallGrid, values, above);
-    const Encoded encoded =
+    const EncodeResult encoded =
         Encoder(ensemble).encode(table, {.coefficients = 5, .transforms = {DataTransform::logPlus}});
     const auto decoded = decode(ensemble, encoded.code);
     QVERIFY(std::abs(decoded->values()[spike].x / 1e6f - 1) < 1e-5f);
@@ -90,11 +90,12 @@ class EncodeHardCasesTest : public QObject {
     const auto table = ggxMaterials(1).load(0);
     const Encoder encoder(ensemble);
     for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog}) {
-      const Encoded encoded = encoder.encode(*table, {.coefficients = smallGrid.size(), .transforms = {transform}});
+      const EncodeResult encoded =
+          encoder.encode(*table, {.coefficients = smallGrid.size(), .transforms = {transform}});
       QVERIFY(relativeDifference(*table, *decode(ensemble, encoded.code)) < 1e-5);
     }
     // None at all: black.
-    const Encoded none = encoder.encode(*table, {.coefficients = 0});
+    const EncodeResult none = encoder.encode(*table, {.coefficients = 0});
     const auto black = decode(ensemble, none.code);
     for (const TabulatedBrdf::Value& value : black->values()) QVERIFY(value == glm::vec3(0));
   }

@@ -56,7 +56,7 @@ class EncodeTest : public QObject {
     const TrainingMaterials materials = ggxMaterials(4);
     for (std::size_t m = 0; m < 4; ++m) {
       const EncodeOptions options{.coefficients = 30, .transforms = {DataTransform::logPlus}, .refinements = 0};
-      const Encoded encoded = Encoder(ensemble).encode(*materials.load(m), options);
+      const EncodeResult encoded = Encoder(ensemble).encode(*materials.load(m), options);
       const auto signals = signalsOf(*materials.load(m), DataTransform::logPlus, *geometry);
       for (std::size_t c = 0; c < 3; ++c) {
         std::vector<double> captured;
@@ -91,7 +91,7 @@ class EncodeTest : public QObject {
         return encoder.encode(*table,
                               {.coefficients = 60, .transforms = {DataTransform::logPlus}, .refinements = refinements});
       };
-      const Encoded none = encoded(0), three = encoded(3), fifteen = encoded(15);
+      const EncodeResult none = encoded(0), three = encoded(3), fifteen = encoded(15);
       QVERIFY(squaredError(ensemble, three.code, *table) < squaredError(ensemble, none.code, *table));
       QVERIFY(fifteen.candidates[0].gammaError <= three.candidates[0].gammaError);
       trial += three.candidates[0].gammaError;
@@ -105,15 +105,15 @@ class EncodeTest : public QObject {
     const Ensemble ensemble = randomEnsemble(2);
     const auto table = ggxMaterials(3).load(2);
     const Encoder encoder(ensemble);
-    const Encoded trial = encoder.encode(*table, {.coefficients = 80, .refinements = 3});
-    const Encoded full = encoder.encode(*table, {.coefficients = 80});
+    const EncodeResult trial = encoder.encode(*table, {.coefficients = 80, .refinements = 3});
+    const EncodeResult full = encoder.encode(*table, {.coefficients = 80});
     const std::size_t chosen = full.code.transform == full.candidates[0].code.transform ? 0 : 1;
     QVERIFY(full.code.transform == trial.code.transform);
     QVERIFY(sameBits(full.candidates[1 - chosen].code, trial.candidates[1 - chosen].code));
     QVERIFY(!sameBits(full.candidates[chosen].code, trial.candidates[chosen].code));
     QVERIFY(sameBits(full.candidates[chosen].code, full.code));
     // As if all rounds had been made at once.
-    const Encoded alone =
+    const EncodeResult alone =
         encoder.encode(*table, {.coefficients = 80, .transforms = {full.code.transform}, .trialRefinements = 15});
     QVERIFY(sameBits(alone.code, full.code));
   }
@@ -121,7 +121,7 @@ class EncodeTest : public QObject {
   void selectionGoesByTheGammaError() {
     const Ensemble ensemble = randomEnsemble(2);
     const auto table = ggxMaterials(3).load(2);
-    const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 80});
+    const EncodeResult encoded = Encoder(ensemble).encode(*table, {.coefficients = 80});
     QCOMPARE(encoded.candidates.size(), std::size_t(2));
     const bool first = encoded.candidates[0].gammaError <= encoded.candidates[1].gammaError;
     QVERIFY(encoded.code.transform == encoded.candidates[first ? 0 : 1].code.transform);
@@ -149,7 +149,7 @@ class EncodeTest : public QObject {
     for (const double alpha : {0.02, 0.04, 0.08})
       for (const std::size_t coefficients : {10, 40, 160, 640, 1200}) {
         const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), alpha, 0.5), smallGrid);
-        const Encoded encoded = encoder.encode(*table, {.coefficients = coefficients, .gamma = 3});
+        const EncodeResult encoded = encoder.encode(*table, {.coefficients = coefficients, .gamma = 3});
         const auto &first = encoded.candidates[0], &second = encoded.candidates[1];
         const bool chooseFirst = first.gammaError <= second.gammaError;
         QVERIFY(encoded.code.transform == (chooseFirst ? first : second).code.transform);
@@ -165,7 +165,7 @@ class EncodeTest : public QObject {
     const EncodeOptions all{.coefficients = 2000, .transforms = {DataTransform::logPlus}, .refinements = 0};
     EncodeOptions limited = all;
     limited.relativeError = 1e-2;
-    const Encoded encoded = encoder.encode(*table, limited);
+    const EncodeResult encoded = encoder.encode(*table, limited);
     const auto signals = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid));
     for (std::size_t c = 0; c < 3; ++c) {
       const auto& kept = encoded.code.channels[c].coefficients;
@@ -192,7 +192,7 @@ class EncodeTest : public QObject {
     const auto table = ggxMaterials(2).load(1);
     EncodeOptions options = publishedEncodeOptions(30);
     options.transforms = {DataTransform::logPlus};
-    const Encoded encoded = Encoder(ensemble).encode(*table, options);
+    const EncodeResult encoded = Encoder(ensemble).encode(*table, options);
     QVERIFY(!encoded.code.scaled);
     const auto geometry = GridGeometry::of(smallGrid);
     const auto signals = signalsOf(*table, DataTransform::logPlus, *geometry, false);
@@ -251,7 +251,7 @@ class EncodeTest : public QObject {
 
   void packsAndUnpacks() {
     const Ensemble ensemble = randomEnsemble(2);
-    const Encoded encoded = Encoder(ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 300});
+    const EncodeResult encoded = Encoder(ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 300});
     SparseCode single{.grid = smallGrid, .transform = encoded.code.transform, .channels = {}}, half = single;
     unpackChannels(packChannels(encoded.code, CodePrecision::single), CodePrecision::single, single);
     QVERIFY(sameBits(single, encoded.code));

@@ -186,13 +186,13 @@ class BlendSourceTest : public QObject {
 
   /// Files that are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
   void codesAreBlendedAsTheyAre() {
-    std::vector<InterpolationEnd> ends;
+    std::vector<InterpolationMaterial> ends;
     std::vector<dictionary::SparseCode> codes;
     for (const char* name : {"vch_golden_yellow", "chm_light_blue"}) {
       const materials::Material material = materials::readMaterial(test::codeFile(name));
       const auto table = material.tabulated();
-      QCOMPARE(blendedEnd(material, table, table, lambert(0.5), {}).code, nullptr);
-      ends.push_back(blendedEnd(material, table, table, table, {}));
+      QCOMPARE(interpolationMaterial(material, table, table, lambert(0.5), {}).code, nullptr);
+      ends.push_back(interpolationMaterial(material, table, table, table, {}));
       QVERIFY(ends.back().code);
       codes.push_back(*ends.back().code);
     }

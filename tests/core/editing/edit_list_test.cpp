@@ -64,8 +64,8 @@ class EditListTest : public QObject {
   void sharedCurvesDoNotCount() {
     const EditList one{edits_[1]}, copy{edits_[1]}, other{factorEdit("b")};
     const auto& curves = std::get<FactorEdit>(one[0].content).original;
-    QCOMPARE(bytesBeside(one, other) - bytesBeside(one, copy), 2 * bytesOf(curves));
-    QVERIFY(bytesBeside(edits_, edits_) >= 4 * sizeof(Edit));
+    QCOMPARE(unsharedBytes(one, other) - unsharedBytes(one, copy), 2 * bytesOf(curves));
+    QVERIFY(unsharedBytes(edits_, edits_) >= 4 * sizeof(Edit));
   }
 };
 

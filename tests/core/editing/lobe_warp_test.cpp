@@ -28,12 +28,13 @@ class LobeWarpTest : public QObject {
         QVERIFY(std::abs(to.thetaD - from.thetaD) < 1e-9);
         const double wanted = std::atan(scale * std::tan(from.thetaH));
         const double before = std::min(pair.wi.z, pair.wo.z), after = std::min(moved.wi.z, moved.wo.z);
-        QVERIFY(after >= std::min(before, warpHorizon) - 1e-9);
+        QVERIFY(after >= std::min(before, minWarpCosine) - 1e-9);
         // A rotation that is cut ends exactly at the horizon of the warp.
-        if (before > warpHorizon && std::abs(to.thetaH - wanted) > 1e-6) QVERIFY(std::abs(after - warpHorizon) < 1e-9);
+        if (before > minWarpCosine && std::abs(to.thetaH - wanted) > 1e-6)
+          QVERIFY(std::abs(after - minWarpCosine) < 1e-9);
         const auto [least, most] = std::minmax(from.thetaH, wanted);
-        QVERIFY(after < warpHorizon + 1e-9 ? to.thetaH >= least - 1e-9 && to.thetaH <= most + 1e-9
-                                           : std::abs(to.thetaH - wanted) < 1e-9);
+        QVERIFY(after < minWarpCosine + 1e-9 ? to.thetaH >= least - 1e-9 && to.thetaH <= most + 1e-9
+                                             : std::abs(to.thetaH - wanted) < 1e-9);
         if (from.thetaH > 1e-3 && from.thetaD > 1e-3)
           QVERIFY(std::abs(std::remainder(to.phiD - from.phiD, 2 * pi)) < 1e-6);
       }
@@ -53,7 +54,7 @@ class LobeWarpTest : public QObject {
       QVERIFY(to[i].wi.z > 0 && to[i].wo.z > 0);
       QVERIFY(std::abs(glm::length(to[i].wi) - 1) < 1e-9 && std::abs(glm::length(to[i].wo) - 1) < 1e-9);
       QVERIFY(std::abs(glm::dot(to[i].wi, to[i].wo) - glm::dot(from[i].wi, from[i].wo)) < 1e-9);
-      if (std::min(to[i].wi.z, to[i].wo.z) < warpHorizon + 1e-9) continue;
+      if (std::min(to[i].wi.z, to[i].wo.z) < minWarpCosine + 1e-9) continue;
       ++unclamped;
       const auto slopes = [](const DirectionPair& pair, double grain) {
         const Direction sum = pair.wi + pair.wo;

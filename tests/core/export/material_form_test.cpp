@@ -89,7 +89,7 @@ class MaterialFormTest : public QObject {
     const auto circle = exports::encodeMaterial(source, base, MaterialForm::wholeCircleTable);
     QCOMPARE(circle.losses.size(), std::size_t(1));
     QCOMPARE(io::readMerlHeader(io::MemorySource(circle.bytes)).phiDCount, 360);
-    QVERIFY(exports::formError(circle, *base.brdf) > 40);
+    QVERIFY(exports::formSnr(circle, *base.brdf) > 40);
   }
 
   /// An edited file keeps its nodes and loses nothing.

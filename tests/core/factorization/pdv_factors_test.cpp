@@ -120,7 +120,7 @@ class PdvFactorsTest : public QObject {
         for (std::size_t j = 0; j < deviations.size(); ++j)
           for (const double phi : f.factors.phiNodes) {
             const auto at = fromProjectedDeviation({theta, deviations[j], phi});
-            if (!at.valid || at.pair.wi.z < std::cos(largestPolarAngle)) continue;
+            if (!at.valid || at.pair.wi.z < std::cos(maxPolarAngle)) continue;
             bool valid = false;
             const Rgb rho = table->lookup(toHalfDifference(at.pair.wi, at.pair.wo), TableLookup::trilinear, &valid);
             if (!valid) continue;
@@ -220,7 +220,7 @@ class PdvFactorsTest : public QObject {
     const std::vector<std::uint8_t> valid(smallGrid.size(), 1);
     const std::shared_ptr<const TabulatedBrdf> tables[] = {std::make_shared<TabulatedBrdf>(smallGrid, values, valid)};
     const std::vector<double> nodes = deviationNodes(tables);
-    for (std::size_t j = 1; j < nodes.size(); ++j) QVERIFY(nodes[j] - nodes[j - 1] < 3 * largestDeviation / 89 + 1e-9);
+    for (std::size_t j = 1; j < nodes.size(); ++j) QVERIFY(nodes[j] - nodes[j - 1] < 3 * maxDeviation / 89 + 1e-9);
   }
 
   void wrongOptionsAreErrors() {
@@ -244,16 +244,16 @@ class PdvFactorsTest : public QObject {
     std::fill(energy.begin(), energy.begin() + 500, 1.0);
     const std::vector<double> nodes = deviationNodes(energy, 11);
     QCOMPARE(nodes.front(), 0.0);
-    QCOMPARE(nodes.back(), largestDeviation);
-    QVERIFY(std::abs(nodes[1] - largestDeviation / 4) < 1e-9);
-    QVERIFY(std::abs(nodes[10] - nodes[9] - largestDeviation / 12) < 1e-9);
+    QCOMPARE(nodes.back(), maxDeviation);
+    QVERIFY(std::abs(nodes[1] - maxDeviation / 4) < 1e-9);
+    QVERIFY(std::abs(nodes[10] - nodes[9] - maxDeviation / 12) < 1e-9);
     for (const auto& flat : {std::vector<double>(2000, 0.0), std::vector<double>(2000, 1.0)})
-      QVERIFY(std::abs(deviationNodes(flat, 11)[5] - largestDeviation / 2) < 1e-9);
+      QVERIFY(std::abs(deviationNodes(flat, 11)[5] - maxDeviation / 2) < 1e-9);
     std::vector<double> spike(2000, 0.0);
     spike[0] = 1;
     const std::vector<double> close = deviationNodes(spike, 90);
     for (std::size_t i = 1; i < close.size(); ++i) QVERIFY(close[i] > close[i - 1]);
-    QCOMPARE(close.back(), largestDeviation);
+    QCOMPARE(close.back(), maxDeviation);
   }
 };
 

@@ -102,7 +102,7 @@ class PdvOperationsTest : public QObject {
   /// With separable materials a swapped curve is known: the strength of the other, or its width.
   void swapsTakeOneCurve() {
     const PdvFactors f = gaussian(0.5, 0.3), other = gaussian(0.2, -0.2);
-    const PdvFactors strength = takeF1(f, other), width = takeF2(f, other);
+    const PdvFactors strength = withF1Of(f, other), width = withF2Of(f, other);
     for (const PdvFactors* swapped : {&strength, &width}) QCOMPARE(swapped->terms(), 1);
     for (const double theta : {0.15, 0.6})
       for (const double deviation : {0.05, 0.2, 0.3}) {
@@ -110,11 +110,11 @@ class PdvOperationsTest : public QObject {
         QVERIFY(near(valueAt(strength, theta, deviation), (2 - 0.2 * theta) * ofF, 0.01));
         QVERIFY(near(valueAt(width, theta, deviation), (2 + 0.3 * theta) * ofOther, 0.01));
       }
-    const PdvFactors kept = takeF2(f, other, FurtherTerms::keep);
+    const PdvFactors kept = withF2Of(f, other, FurtherTerms::keep);
     QCOMPARE(kept.terms(), 2);
     QVERIFY(kept.channels[1][1] == f.channels[1][1] && kept.channels[1][0] == width.channels[1][0]);
-    QVERIFY(takeF1(f, f) == f.truncated(1));
-    QVERIFY(takeF2(f, f, FurtherTerms::keep) == f);
+    QVERIFY(withF1Of(f, f) == f.truncated(1));
+    QVERIFY(withF2Of(f, f, FurtherTerms::keep) == f);
   }
 
   /// From other nodes the curve is read between them.
@@ -122,7 +122,7 @@ class PdvOperationsTest : public QObject {
     const PdvFactors f = gaussian(0.5, 0);
     PdvFactors other = gaussian(0.3, 0);
     for (double& node : other.deviationNodes) node *= 1.1;
-    const PdvFactors swapped = takeF2(f, other);
+    const PdvFactors swapped = withF2Of(f, other);
     QVERIFY(swapped.deviationNodes == f.deviationNodes);
     // The curve of `other` is a Gaussian of width 0.33 over its stretched nodes.
     for (std::size_t j = 0; j < f.deviationNodes.size(); ++j) {
@@ -134,7 +134,7 @@ class PdvOperationsTest : public QObject {
   void differentTransformsDoNotMix() {
     PdvFactors other = gaussian(0.5, 0);
     other.transform = DataTransform::root;
-    QVERIFY_EXCEPTION_THROWN(takeF1(gaussian(0.5, 0), other), Error);
+    QVERIFY_EXCEPTION_THROWN(withF1Of(gaussian(0.5, 0), other), Error);
   }
 
   /// The bound on the model must not cut what an edit asks for.
@@ -143,7 +143,7 @@ class PdvOperationsTest : public QObject {
     for (auto& channel : f.channels) channel[0].f1 = scaled(channel[0].f1, 3);
     QVERIFY(near(valueAt(f, 0.1, 0), 4, 1e-6));
     QVERIFY(near(valueAt(withRoomForEdits(f), 0.1, 0), 6, 1e-5));
-    QVERIFY(near(valueAt(takeF1(gaussian(0.5, 0), f), 0.1, 0), 6, 1e-5));
+    QVERIFY(near(valueAt(withF1Of(gaussian(0.5, 0), f), 0.1, 0), 6, 1e-5));
     QVERIFY(withRoomForEdits(gaussian(0.5, 0)) == gaussian(0.5, 0));
   }
 };

@@ -28,15 +28,15 @@ std::vector<double> evenNodes(int count, double last) {
 
 PdvFactors someAxes(PdvForm form) {
   return {.form = form,
-          .thetaNodes = evenNodes(40, largestPolarAngle),
-          .deviationNodes = evenNodes(41, largestDeviation),
+          .thetaNodes = evenNodes(40, maxPolarAngle),
+          .deviationNodes = evenNodes(41, maxDeviation),
           .phiNodes = form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(42, pi)};
 }
 
 bool onDisk(const PdvFactors& axes, int i, int j, int k) {
   const auto at = fromProjectedDeviation(
       {axes.thetaNodes[std::size_t(i)], axes.deviationNodes[std::size_t(j)], axes.phiNodes[std::size_t(k)]});
-  return at.valid && at.pair.wi.z > std::cos(largestPolarAngle) * (1 - 1e-8);
+  return at.valid && at.pair.wi.z > std::cos(maxPolarAngle) * (1 - 1e-8);
 }
 
 double sum(const std::vector<float>& weights) {

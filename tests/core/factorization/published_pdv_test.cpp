@@ -28,7 +28,7 @@ class PublishedPdvTest : public QObject {
       for (int i = 0; i < 30; ++i) sum += azimuthLimit(deviation, std::sin(halfPi * i / 30));
       return sum;
     };
-    const auto at = [](std::size_t j) { return (double(j) + 0.5) * largestDeviation / 2000; };
+    const auto at = [](std::size_t j) { return (double(j) + 0.5) * maxDeviation / 2000; };
     for (const std::size_t j : {0u, 300u, 900u, 1400u, 1900u}) {
       const double expected = energy[0] * onDisk(at(j)) / onDisk(at(0));
       QVERIFY2(std::abs(energy[j] - expected) <= 1e-9 * energy[0],
@@ -42,10 +42,10 @@ class PublishedPdvTest : public QObject {
     const std::vector<double> nodes = libraryDeviationNodes();
     QCOMPARE(nodes.size(), std::size_t(defaultDeviations));
     QCOMPARE(nodes.front(), 0.0);
-    QVERIFY(std::abs(nodes.back() - largestDeviation) < 1e-8);
+    QVERIFY(std::abs(nodes.back() - maxDeviation) < 1e-8);
     for (std::size_t i = 1; i < nodes.size(); ++i) QVERIFY(nodes[i] > nodes[i - 1]);
     // The first steps, at highlights, are finer than uniform ones.
-    QVERIFY(nodes[1] < 0.5 * largestDeviation / (defaultDeviations - 1));
+    QVERIFY(nodes[1] < 0.5 * maxDeviation / (defaultDeviations - 1));
   }
 
   /// One term over the library's nodes represents a BRDF whose ln(1 + rho) is one curve of |Dp|. For a glossy material,
@@ -71,7 +71,7 @@ class PublishedPdvTest : public QObject {
           double mean = 0, count = 0;
           for (int k = 0; k < 180; ++k) {
             const auto at = fromProjectedDeviation({f.thetaNodes[i], f.deviationNodes[j], pi * k / 179});
-            if (!at.valid || at.pair.wi.z < std::cos(largestPolarAngle)) continue;
+            if (!at.valid || at.pair.wi.z < std::cos(maxPolarAngle)) continue;
             mean += std::log1p(glossy->evaluate(at.pair.wi, at.pair.wo).x);
             ++count;
           }

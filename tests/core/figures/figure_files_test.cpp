@@ -84,7 +84,7 @@ class FigureFilesTest : public QObject {
     QCOMPARE(pictures.size(), std::size_t(2 * (2 + 2 * 3) + 1));
     for (std::size_t row = 0; row < 2; ++row) {
       const Image& reference = *measurement.rows[row].reference;
-      const Raster whole = displayedOnPaper(reference, figure.pictures);
+      const Raster whole = displayedOnWhite(reference, figure.pictures);
       QVERIFY(pictures[8 * row].raster.rgba == whole.rgba);
       // Pixels 4 to 7 across and 8 to 11 down, as they are.
       const PictureItem& inset = pictures[8 * row + 1];
@@ -145,7 +145,7 @@ class FigureFilesTest : public QObject {
     Image image(2, 1);
     image.pixels = {glm::vec3(0), glm::vec3(1, 0, 0)};
     image.alpha = {0, 1};
-    const Raster raster = displayedOnPaper(image, {});
+    const Raster raster = displayedOnWhite(image, {});
     QVERIFY(raster.rgba == (std::vector<std::uint8_t>{255, 255, 255, 255, 255, 0, 0, 255}));
   }
 
@@ -227,7 +227,7 @@ class FigureFilesTest : public QObject {
     const auto texts = FigureTexts{.rowNames = {"chrome", "blue rubber"}, .errorScale = {}, .insetNote = {}};
     const PageRectangle place = layOutFigure(figure, texts, cairoTextWidth(figure.font)).cells[1][1].picture;
     const int left = int(std::lround(10 * place.x)), middle = int(10 * (place.y + place.height / 2));
-    const Raster raster = displayedOnPaper(measurement.rows[1].cells[0]->picture, figure.pictures);
+    const Raster raster = displayedOnWhite(measurement.rows[1].cells[0]->picture, figure.pictures);
     const std::uint8_t* expected = &raster.rgba[4 * (16 * 8)];
     for (const int c : {0, 2}) {
       QVERIFY(std::abs(pixel(left + 2, middle)[c] - expected[c]) <= 2);
@@ -255,11 +255,11 @@ class FigureFilesTest : public QObject {
     QCOMPARE(csv.comments[0], std::string("pictures: sphere-studio, 16 x 16, 4 samples"));
     for (std::size_t i = 0; i < 4; ++i) {
       const FigureRow& row = measurement.rows[i / 2];
-      QCOMPARE(csv.rows[i].fields[csv.neededColumn("material")], rowLabel(figure, measurement, i / 2));
-      QCOMPARE(csv.rows[i].fields[csv.neededColumn("label")], figure.representations[i % 2].shownLabel());
+      QCOMPARE(csv.rows[i].fields[csv.requiredColumn("material")], rowLabel(figure, measurement, i / 2));
+      QCOMPARE(csv.rows[i].fields[csv.requiredColumn("label")], figure.representations[i % 2].shownLabel());
       const char* titles[] = {"snr [db]", "flip", "log", "size [b]"};
       for (std::size_t k = 0; k < 4; ++k)
-        QCOMPARE(csv.number(csv.rows[i], csv.neededColumn(titles[k])), row.cells[i % 2]->value(figure.numbers[k]));
+        QCOMPARE(csv.number(csv.rows[i], csv.requiredColumn(titles[k])), row.cells[i % 2]->value(figure.numbers[k]));
     }
   }
 

@@ -39,13 +39,13 @@ FigureDescription quickFigure() {
 }
 
 /// What the study of one material finds, by itself.
-std::vector<study::StudiedRepresentation> studied(const FigureDescription& figure, std::size_t row) {
+std::vector<study::MeasuredRepresentation> studied(const FigureDescription& figure, std::size_t row) {
   const materials::Material material = materials::readMaterial(figure.materials[row].path);
-  std::vector<study::StudiedRepresentation> all;
+  std::vector<study::MeasuredRepresentation> all;
   study::StudyOptions options;
   options.picture = {.width = figure.pictures.size, .height = figure.pictures.size, .samples = figure.pictures.samples};
   options.timed = false;
-  options.measured = [&](const study::StudiedRepresentation& one) { all.push_back(one); };
+  options.measured = [&](const study::MeasuredRepresentation& one) { all.push_back(one); };
   std::vector<study::Representation> representations;
   for (const FigureRepresentation& one : figure.representations) representations.push_back(one.representation);
   study::runStudy({material.tabulated(), material.brdf}, representations, options);

@@ -110,7 +110,7 @@ class AnisotropicFitTest : public QObject {
   /// The cells and their weights are a quadrature over pairs of directions: means over both hemispheres in closed form.
   void cellsCoverBothHemispheresEvenly() {
     const auto mean = [](double maxPolarAngle, const std::function<double(const DirectionPair&)>& function) {
-      AzimuthCensus census;
+      AzimuthCellCounts census;
       const FitCells cells = azimuthCells(test::lambert(Rgb(0.5)), maxPolarAngle, {60, 16, 12, 24}, census);
       double sum = 0;
       for (std::size_t i = 0; i < cells.size(); ++i)
@@ -131,7 +131,7 @@ class AnisotropicFitTest : public QObject {
   /// Of both orders of the directions the mean; of one that was measured alone, that one.
   void cellsAreTheMeanOfBothOrders() {
     const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(wi.z); }, false, false);
-    AzimuthCensus census;
+    AzimuthCellCounts census;
     const FitCells cells = azimuthCells(brdf, halfPi, {8, 8, 4, 8}, census);
     QCOMPARE(cells.size(), census.used);
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -140,7 +140,7 @@ class AnisotropicFitTest : public QObject {
 
   void onlyMeasuredCellsCount() {
     const auto brdf = test::asUtia(*test::grainBrdf({"ggx-anisotropic", 0.25, 0.6, 0}));
-    AzimuthCensus census;
+    AzimuthCellCounts census;
     const FitCells cells = azimuthCells(*brdf, radians(85), {30, 8, 8, 12}, census);
     QVERIFY(census.used > 0 && census.invalid > 0);
     for (const DirectionPair& pair : cells.pairs) QVERIFY(brdf->hasData(pair));

@@ -128,7 +128,7 @@ class FitTest : public QObject {
     const models::Model& ggx = models::findModel("ggx");
     const FitResult result = fit(*table, ggx);
     verifyInsideHardRanges(result);
-    const FitTarget all(stratifiedCells(*table, takeCensus(*table, metrics::defaultMaxPolarAngle), 1000, 1000),
+    const FitTarget all(stratifiedCells(*table, selectCells(*table, metrics::defaultMaxPolarAngle), 1000, 1000),
                         MetricTransform(metrics::BrdfMetric::log));
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(0, 1);

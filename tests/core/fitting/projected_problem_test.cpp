@@ -28,7 +28,7 @@ std::shared_ptr<const TabulatedBrdf> twoLobes() {
 }
 
 FitTarget targetOf(const TabulatedBrdf& table, metrics::BrdfMetric metric = metrics::BrdfMetric::log) {
-  return FitTarget(stratifiedCells(table, takeCensus(table, radians(85)), 8, 8), MetricTransform(metric));
+  return FitTarget(stratifiedCells(table, selectCells(table, radians(85)), 8, 8), MetricTransform(metric));
 }
 
 std::vector<std::size_t> nonlinearOf(const models::Model& model) {
@@ -111,7 +111,7 @@ class ProjectedProblemTest : public QObject {
     const auto table = twoLobes();
     const models::Model& ggx = models::findModel("ggx");
     for (std::size_t m = 0; m < metrics::minimisableMetrics().size(); ++m) {
-      const CellCensus census = takeCensus(*table, radians(83.3));
+      const CellSelection census = selectCells(*table, radians(83.3));
       const FitTarget all(stratifiedCells(*table, census, 1000, 1000), MetricTransform(metrics::allBrdfMetrics()[m]));
       QCOMPARE(all.cells.size(), census.used);
       const models::ParameterValues start = models::defaultParameters(ggx.spec());
@@ -129,7 +129,7 @@ class ProjectedProblemTest : public QObject {
 
   void censusCountsEveryCell() {
     const auto table = bakeTable(*models::lambert().instantiate(models::defaultParameters(models::lambert().spec())));
-    const CellCensus census = takeCensus(*table, radians(85));
+    const CellSelection census = selectCells(*table, radians(85));
     QCOMPARE(census.used, std::size_t(1015451));
     QCOMPARE(census.used + census.grazing, std::size_t(1111432));
     QCOMPARE(census.used + census.grazing + census.invalid, std::size_t(1458000));

@@ -27,7 +27,7 @@ double signedArea(const Points& polygon, const Direction& normal) {
 
 /// n - 2 triangles, each with a positive area, that together have the polygon's: then none overlaps another.
 bool isCutCleanly(const Points& polygon, const Direction& normal) {
-  const std::vector<TriangleIndices> triangles = cutPolygon(polygon);
+  const std::vector<TriangleIndices> triangles = triangulatePolygon(polygon);
   double sum = 0;
   for (const TriangleIndices& t : triangles) {
     const double area = signedArea(polygon[t[0]], polygon[t[1]], polygon[t[2]], normal);
@@ -94,15 +94,15 @@ class PolygonTest : public QObject {
   }
 
   void aConvexQuadrangleIsCutAlongItsShorterDiagonal() {
-    QCOMPARE(cutPolygon(Points{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {-2, 1, 0}})[0], TriangleIndices(0, 1, 2));
-    QCOMPARE(cutPolygon(Points{{2, 1, 0}, {0, 2, 0}, {-2, 1, 0}, {0, 0, 0}})[0], TriangleIndices(0, 1, 3));
+    QCOMPARE(triangulatePolygon(Points{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {-2, 1, 0}})[0], TriangleIndices(0, 1, 2));
+    QCOMPARE(triangulatePolygon(Points{{2, 1, 0}, {0, 2, 0}, {-2, 1, 0}, {0, 0, 0}})[0], TriangleIndices(0, 1, 3));
   }
 
   /// Crossing, folded and pointlike ones: n - 2 triangles all the same.
   void badPolygonsAreCutSomehow() {
     for (const Points& polygon : {Points(7, glm::vec3(1)), Points{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
                                   Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5f, 0, 0}}}) {
-      const std::vector<TriangleIndices> triangles = cutPolygon(polygon);
+      const std::vector<TriangleIndices> triangles = triangulatePolygon(polygon);
       QCOMPARE(triangles.size(), polygon.size() - 2);
       for (const TriangleIndices& t : triangles)
         for (int i = 0; i < 3; ++i) QVERIFY(t[i] < polygon.size() && t[i] != t[(i + 1) % 3]);

@@ -101,7 +101,7 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
       return std::make_shared<const dictionary::SparseCode>(
           encoder.encode(*tables_[i], {.coefficients = 30, .transforms = {transform}}).code);
     };
-    std::vector<InterpolationEnd> ends = ends_;
+    std::vector<InterpolationMaterial> ends = ends_;
     ends[1].code = encoded(1, DataTransform::cosineLog);
     ends[2].code = encoded(2, DataTransform::logPlus);
     const auto between = prepareInterpolation(InterpolationSpace::dictionary, ends, all);
@@ -127,7 +127,7 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
   }
 
   void codesOfAnotherEnsembleAreRefused() {
-    std::vector<InterpolationEnd> ends = ends_;
+    std::vector<InterpolationMaterial> ends = ends_;
     dictionary::SparseCode foreign{.grid = smallGrid, .transform = DataTransform::logPlus, .channels = {}};
     foreign.channels[2].dictionary = 3;
     ends[1].code = std::make_shared<const dictionary::SparseCode>(foreign);

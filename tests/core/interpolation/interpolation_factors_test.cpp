@@ -42,7 +42,7 @@ class InterpolationFactorsTest : public QObject, private ThreeMaterials {
     const factorization::PdvOptions given{
         .form = factorization::PdvForm::twoFactors, .transform = DataTransform::cosineLog, .terms = 3};
     const auto factors = std::make_shared<const factorization::PdvFactors>(factorizePdv(*tables_[1], given).factors);
-    const std::vector<InterpolationEnd> ends{{.table = tables_[0]}, {.table = tables_[1], .factors = factors}};
+    const std::vector<InterpolationMaterial> ends{{.table = tables_[0]}, {.table = tables_[1], .factors = factors}};
     const auto between = prepareInterpolation(InterpolationSpace::factors, ends, options());
     QVERIFY(between->factors(std::vector{0.0, 1.0}) == *factors);
     const auto other = between->factors(std::vector{1.0, 0.0}).value();
@@ -52,7 +52,7 @@ class InterpolationFactorsTest : public QObject, private ThreeMaterials {
   }
 
   void hardCase31FactorsOfDifferentTransforms() {
-    std::vector<InterpolationEnd> ends{ends_[0], ends_[1]};
+    std::vector<InterpolationMaterial> ends{ends_[0], ends_[1]};
     for (const std::size_t i : {0, 1}) {
       const factorization::PdvOptions given{.transform = i == 0 ? DataTransform::logPlus : DataTransform::cosineLog,
                                             .terms = 1};

@@ -46,7 +46,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
   /// Where a table was sampled from another form, that form is what is mixed where detail stays, and in all spaces what
   /// a whole weight gives.
   void materialsKeepTheirOwnForm() {
-    std::vector<InterpolationEnd> ends{ends_[0], ends_[1]};
+    std::vector<InterpolationMaterial> ends{ends_[0], ends_[1]};
     const std::shared_ptr<const Brdf> form = test::ggx(Rgb(0.7, 0.2, 0.4), Rgb(0.5), 0.3, 0.4);
     ends[0].base = form;
     const DirectionPair pair{fromSpherical(0.4, 0.1), fromSpherical(0.7, 2)};

@@ -40,8 +40,8 @@ inline InterpolationOptions options() {
   return result;
 }
 
-inline std::vector<InterpolationEnd> endsOf(const std::vector<Table>& tables) {
-  std::vector<InterpolationEnd> ends;
+inline std::vector<InterpolationMaterial> endsOf(const std::vector<Table>& tables) {
+  std::vector<InterpolationMaterial> ends;
   for (const Table& table : tables) ends.push_back({.table = table});
   return ends;
 }
@@ -50,7 +50,7 @@ inline std::vector<InterpolationEnd> endsOf(const std::vector<Table>& tables) {
 class ThreeMaterials {
  protected:
   const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
-  const std::vector<InterpolationEnd> ends_ = endsOf(tables_);
+  const std::vector<InterpolationMaterial> ends_ = endsOf(tables_);
   const std::vector<double> weights_{0.5, 0.2, 0.3};
 };
 

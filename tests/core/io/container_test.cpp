@@ -41,7 +41,7 @@ void readAll(const Bytes& bytes) {
   file.values(values, "value");
   QCOMPARE(values, (std::array{1.5f, -2.0f}));
   QCOMPARE(file.squareMatrix<double>(2), (Eigen::MatrixXd{{1, 2}, {3, 4}}));
-  file.expectLeft(4);
+  file.expectRemaining(4);
   const auto rest = file.rest();
   QVERIFY(Bytes(rest.begin(), rest.end()) == bytesOf("rest"));
 }
@@ -69,7 +69,7 @@ class ContainerTest : public QObject {
     narrow.versionBytes = 2;
     const Bytes start = io::ContainerWriter(narrow).bytes();
     QCOMPARE(start.size(), std::size_t(10));
-    io::ContainerReader(narrow, io::MemorySource(start)).expectLeft(0);
+    io::ContainerReader(narrow, io::MemorySource(start)).expectRemaining(0);
   }
 
   void everyFieldComesBack() { readAll(someFile()); }

@@ -25,7 +25,7 @@ class CsvTextTest : public QObject {
     QCOMPARE(csv.names, (Strings{"name", "value"}));
     QCOMPARE(csv.rows.size(), std::size_t(2));
     QCOMPARE(csv.rows[1].line, std::size_t(5));
-    QCOMPARE(csv.rows[1].fields[csv.neededColumn("name")], std::string("b"));
+    QCOMPARE(csv.rows[1].fields[csv.requiredColumn("name")], std::string("b"));
     QCOMPARE(csv.number(csv.rows[1], 1), 20.0);
     QCOMPARE(csv.integer(csv.rows[0], 1), 1);
     QVERIFY(!csv.column("other"));
@@ -36,12 +36,12 @@ class CsvTextTest : public QObject {
     const io::CsvText csv = io::readCsvText("# note\n1.5,2,a\n3,4,b\n", names);
     QCOMPARE(csv.names, (Strings{"x", "y", "3"}));
     QCOMPARE(csv.rows.size(), std::size_t(2));
-    QCOMPARE(csv.number(csv.rows[0], csv.neededColumn("x")), 1.5);
+    QCOMPARE(csv.number(csv.rows[0], csv.requiredColumn("x")), 1.5);
     QCOMPARE(csv.rows[1].fields[2], std::string("b"));
     const io::CsvText commas = io::readCsvText("1,5;2\n", names);
     QCOMPARE(commas.number(commas.rows[0], 0), 1.5);
     const io::CsvText named = io::readCsvText("y,x\n1,2\n", names);
-    QCOMPARE(named.number(named.rows[0], named.neededColumn("x")), 2.0);
+    QCOMPARE(named.number(named.rows[0], named.requiredColumn("x")), 2.0);
     QVERIFY(contains(errorOf([] { io::readCsvText("1\n", names); }), "line 1: found 1 columns, expected 2: x, y"));
     QCOMPARE(io::readCsvText("1,2\n").names, (Strings{"1", "2"}));
   }
@@ -52,7 +52,7 @@ class CsvTextTest : public QObject {
              std::string("line 2: found '1e400' for value, expected a finite number"));
     QCOMPARE(errorOf([&] { csv.integer(csv.rows[1], 1); }),
              std::string("line 3: found '1.5' for value, expected a whole number"));
-    QCOMPARE(errorOf([&] { csv.neededColumn("size"); }),
+    QCOMPARE(errorOf([&] { csv.requiredColumn("size"); }),
              std::string("line 1: found the columns name, value, expected one named size"));
     QCOMPARE(errorOf([] { io::readCsvText("a,b\n1\n"); }), std::string("line 2: found 1 columns, expected 2: a, b"));
     QVERIFY(contains(errorOf([] { io::readCsvText("# only\n"); }), "no header line with column names"));

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// With the directions in the file's own order.
 io::RglFile read(const Bytes& bytes) {
   io::RglFile file = io::readRgl(io::MemorySource(bytes));
-  file.brdf = file.brdf->withIncident(IncidentSlot::light);
+  file.brdf = file.brdf->withIncident(IncidentDirection::light);
   return file;
 }
 Rgb value(const SyntheticRgl& rgl, const Direction& wi, const Direction& wo) {
@@ -264,7 +264,8 @@ class RglBrdfTest : public QObject {
     SyntheticRgl rgl;
     for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(1 + i % 5);
     const auto viewer = io::readRgl(io::MemorySource(rgl.file())).brdf;
-    const auto light = viewer->withIncident(IncidentSlot::light), mean = viewer->withIncident(IncidentSlot::mean);
+    const auto light = viewer->withIncident(IncidentDirection::light),
+               mean = viewer->withIncident(IncidentDirection::mean);
     QVERIFY(!viewer->isReciprocal() && !light->isReciprocal() && mean->isReciprocal());
     const Direction wi = fromSpherical(0.3, 0.2), wo = fromSpherical(1.1, 2.4);
     QVERIFY(viewer->evaluate(wi, wo) == light->evaluate(wo, wi));

@@ -30,7 +30,7 @@ Rgb multilinear(const Direction& wi, const Direction& wo) {
 
 /// With the light as incident direction, as the file names it.
 std::shared_ptr<const UtiaBrdf> read(const Bytes& bytes) {
-  return io::readUtia(io::MemorySource(bytes))->withIncident(IncidentSlot::light);
+  return io::readUtia(io::MemorySource(bytes))->withIncident(IncidentDirection::light);
 }
 std::string readError(const Bytes& bytes) {
   return errorOf([&] { read(bytes); });
@@ -67,9 +67,10 @@ class UtiaFileTest : public QObject {
   /// As of RGL files; without a choice the viewer is the incident direction.
   void incidentDirectionIsTheViewerTheLightOrBoth() {
     const auto viewer = io::readUtia(io::MemorySource(utiaFile(utiaValues(multilinear))));
-    QVERIFY(incidentSlotOf(*viewer) == IncidentSlot::viewer);
-    QCOMPARE(withIncident(viewer, IncidentSlot::viewer), std::shared_ptr<const Brdf>(viewer));
-    const auto light = withIncident(viewer, IncidentSlot::light), mean = withIncident(viewer, IncidentSlot::mean);
+    QVERIFY(incidentDirectionOf(*viewer) == IncidentDirection::viewer);
+    QCOMPARE(withIncident(viewer, IncidentDirection::viewer), std::shared_ptr<const Brdf>(viewer));
+    const auto light = withIncident(viewer, IncidentDirection::light),
+               mean = withIncident(viewer, IncidentDirection::mean);
     QVERIFY(!viewer->isReciprocal() && !light->isReciprocal() && mean->isReciprocal());
     std::mt19937_64 random(3);
     for (int i = 0; i < 100; ++i) {

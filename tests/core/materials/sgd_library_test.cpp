@@ -80,16 +80,16 @@ class SgdLibraryTest : public QObject {
   void errorsTellNameLineAndColumn() {
     QVERIFY(contains(errorOf([] { materials::readMaterial("library:sgd/unobtainium"); }), "unobtainium"));
     QVERIFY(contains(errorOf([] { materials::readMaterial("library:other"); }), "library:other"));
-    const std::string table(materials::sgdFigures());
+    const std::string table(materials::sgdTableCsv());
     std::string broken = table;
     broken.replace(broken.find("0.0478786"), 9, "0.04x8786");
-    const std::string error = errorOf([&] { materials::parseSgdFigures(broken); });
+    const std::string error = errorOf([&] { materials::parseSgdTable(broken); });
     QVERIFY2(contains(error, "line 2: found '0.04x8786' for rhod_r, expected a finite number"), error.c_str());
     broken = table.substr(0, table.size() - 150);
-    QVERIFY(contains(errorOf([&] { materials::parseSgdFigures(broken); }), "line 101"));
+    QVERIFY(contains(errorOf([&] { materials::parseSgdTable(broken); }), "line 101"));
     broken = table;
     broken.replace(broken.find("alpha_g"), 7, "alpha_x");
-    QVERIFY(contains(errorOf([&] { materials::parseSgdFigures(broken); }), "expected one named alpha_g"));
+    QVERIFY(contains(errorOf([&] { materials::parseSgdTable(broken); }), "expected one named alpha_g"));
   }
 };
 

@@ -76,9 +76,9 @@ class MonotoneCubicTest : public QObject {
 
   void placesAreFoundAtTheEndsToo() {
     const std::vector<double> nodes{0, 1, 2};
-    QVERIFY(placeBetween(nodes, 1).index == 1 && placeBetween(nodes, 1).fraction == 0);
-    QVERIFY(placeBetween(nodes, 2).index == 1 && placeBetween(nodes, 2).fraction == 1);
-    QVERIFY(placeBetween(nodes, std::nan("")).index == 0);
+    QVERIFY(findInterval(nodes, 1).index == 1 && findInterval(nodes, 1).fraction == 0);
+    QVERIFY(findInterval(nodes, 2).index == 1 && findInterval(nodes, 2).fraction == 1);
+    QVERIFY(findInterval(nodes, std::nan("")).index == 0);
   }
 };
 

@@ -33,16 +33,17 @@ class SpectrumTest : public QObject {
   /// Rows of the table of D65, one of its linear interpolation, and its ends.
   void daylightIsD65() {
     for (const auto& [at, expected] : {std::pair(380.0, 49.9755), {450, 117.008}, {560, 100}, {780, 63.3828}})
-      QCOMPARE(daylightPower(at), expected);
-    QCOMPARE(daylightPower(385), 0.5 * (49.9755 + 54.6482));
-    QCOMPARE(daylightPower(100), daylightPower(380));
-    QCOMPARE(daylightPower(1e300), daylightPower(780));
+      QCOMPARE(illuminantD65(at), expected);
+    QCOMPARE(illuminantD65(385), 0.5 * (49.9755 + 54.6482));
+    QCOMPARE(illuminantD65(100), illuminantD65(380));
+    QCOMPARE(illuminantD65(1e300), illuminantD65(780));
   }
 
   /// Chromaticity of the white that reflects all light: 0.3127, 0.3290 of D65, and linear sRGB of equal channels.
   void whiteHasTheChromaticityOfDaylight() {
     glm::dvec3 white(0);
-    for (double at = shortestVisible; at <= longestVisible; at += 1) white += daylightPower(at) * colourMatching(at);
+    for (double at = minVisibleWavelength; at <= maxVisibleWavelength; at += 1)
+      white += illuminantD65(at) * colourMatching(at);
     const double sum = white.x + white.y + white.z;
     QVERIFY(std::abs(white.x / sum - 0.3127) < 2e-4 && std::abs(white.y / sum - 0.3290) < 2e-4);
     const Rgb rgb = linearSrgb(white / white.y);

@@ -91,7 +91,7 @@ class HolzschuchPacanowskiTest : public QObject {
     for (double degrees = 1; degrees < 90; degrees += 1) {
       const double theta = radians(degrees), a = 1 / (0.3 * std::tan(theta));
       const double lambda = std::exp(-a * a) / (2 * a * std::sqrt(pi)) - std::erfc(a) / 2;
-      const double found = facets.foldedLambda(std::cos(theta), std::sin(theta)) / std::cos(theta);
+      const double found = facets.cosLambda(std::cos(theta), std::sin(theta)) / std::cos(theta);
       QVERIFY(std::abs(1 / (1 + found) - 1 / (1 + lambda)) < 1e-4);
     }
   }
@@ -104,7 +104,7 @@ class HolzschuchPacanowskiTest : public QObject {
         for (const double cosTheta : {0.999, 0.9, 0.7, 0.4, 0.2, 0.1, 0.03, 0.01, 1e-3, 1e-5}) {
           const double sinTheta = std::sqrt(1 - cosTheta * cosTheta), cot = cosTheta / sinTheta / beta;
           const double exact = cot < reach(p) ? 1 / (1 + smithLambda(cot, p)) : 1;
-          worst = std::max(worst, std::abs(1 / (1 + facets.foldedLambda(cosTheta, sinTheta) / cosTheta) - exact));
+          worst = std::max(worst, std::abs(1 / (1 + facets.cosLambda(cosTheta, sinTheta) / cosTheta) - exact));
         }
       }
     QVERIFY2(worst < 1e-4, qPrintable(QString::number(worst)));

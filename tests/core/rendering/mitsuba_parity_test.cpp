@@ -31,7 +31,7 @@ class MitsubaParityTest : public QObject {
   void theOtherOrderIsAnother() {
     const std::filesystem::path shared = GONIO_SHARED_DIR;
     if (!std::filesystem::exists(shared / "data/renderings")) QSKIP("the development data is absent");
-    QVERIFY(test::parityWithMitsuba(shared, "satin_purple", 4, IncidentSlot::light).error > 1e-2);
+    QVERIFY(test::parityWithMitsuba(shared, "satin_purple", 4, IncidentDirection::light).error > 1e-2);
   }
 };
 

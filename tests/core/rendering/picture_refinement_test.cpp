@@ -121,7 +121,7 @@ class PictureRefinementTest : public QObject {
     }
     const double count = 96 * 96, measured = std::sqrt(squares / count) / (sum / count);
     const PictureEstimate estimate = estimatePicture(picture.scene, picture.materials, picture.plan, 96, 96);
-    QVERIFY(estimate.secondsOfSample > 0);
+    QVERIFY(estimate.secondsPerSample > 0);
     QVERIFY2(estimate.noise(samples) > 0.7 * measured && estimate.noise(samples) < 1.6 * measured,
              qPrintable(QString("%1 predicted, %2 measured").arg(estimate.noise(samples)).arg(measured)));
     QVERIFY(estimate.order >= 0.5 && estimate.noise(4 * samples) <= estimate.noise(samples) / 2);

@@ -134,7 +134,7 @@ class ShapeTest : public QObject {
         away -= (n % 2 ? 1 - 1e-6 * uniform(random) : 0.0) * glm::dot(away, hit.geometricNormal) * hit.geometricNormal;
         away = glm::normalize(glm::dot(away, hit.geometricNormal) < 0 ? -away : away);
         if (!(glm::dot(away, hit.geometricNormal) > 1e-9)) continue;
-        QVERIFY2(!blocks(shape, {leavingPoint(shape, hit), away}, 0, infinity),
+        QVERIFY2(!blocks(shape, {offsetRayOrigin(shape, hit), away}, 0, infinity),
                  qPrintable(QString("shape %1").arg(shape.index())));
       }
     }

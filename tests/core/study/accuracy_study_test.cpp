@@ -105,7 +105,7 @@ class AccuracyStudyTest : public QObject {
     Image reference;
     options.referenceRendered = [&](const Image& picture) { reference = picture; };
     const RenderedComparison comparison(sphereScene(), *plastic().table, options.picture);
-    options.measured = [&](const StudiedRepresentation& studied) {
+    options.measured = [&](const MeasuredRepresentation& studied) {
       const ComparisonPicture picture = comparison.render(*studied.brdf);
       QVERIFY(picture.image.pixels == studied.picture.pixels);
       QCOMPARE(studied.record.renderedSnr, comparison.signalToNoiseRatio(picture));
@@ -121,7 +121,7 @@ class AccuracyStudyTest : public QObject {
     std::vector<std::string> reported;
     StudyOptions options = smallPictures();
     const RenderedComparison comparison(*plastic().table, options.picture);
-    options.measured = [&](const StudiedRepresentation& studied) {
+    options.measured = [&](const MeasuredRepresentation& studied) {
       reported.push_back(studied.record.representation.fullLabel());
       const ComparisonPicture picture = comparison.render(*studied.brdf);
       QVERIFY(picture.image.pixels == studied.picture.pixels);
@@ -259,7 +259,7 @@ class AccuracyStudyTest : public QObject {
       std::stop_source source;
       std::size_t done = 0;
       if (wanted == 0) source.request_stop();
-      options.measured = [&](const StudiedRepresentation&) {
+      options.measured = [&](const MeasuredRepresentation&) {
         if (++done == wanted) source.request_stop();
       };
       QCOMPARE(runStudy(plastic(), representations, options, {source.get_token(), {}}).size(), wanted);

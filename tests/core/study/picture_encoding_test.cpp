@@ -36,7 +36,7 @@ struct Studied {
   /// By hand: of one transform and count.
   double snrOf(DataTransform transform, std::size_t coefficients) const {
     const RenderedComparison comparison(*table, picture);
-    const Encoded found = encoder.encode(*table, {.coefficients = coefficients, .transforms = {transform}});
+    const EncodeResult found = encoder.encode(*table, {.coefficients = coefficients, .transforms = {transform}});
     return comparison.signalToNoiseRatio(comparison.render(*decode(ensemble, found.code)));
   }
 };

@@ -166,7 +166,7 @@ class StudyReportTest : public QObject {
     choice.families.push_back(RepresentationFamily::components);
     choice.separatedComponents = true;
     for (const Representation& representation : representationsOf(choice)) {
-      const SeriesLook look = lookOf(representation);
+      const SeriesStyle look = lookOf(representation);
       shapes.insert({look.marker, look.hollow});
       names.insert(look.name);
     }

@@ -16,22 +16,24 @@ namespace gonio::widgets {
 
 namespace {
 
+using editing::LobeEffect;
 using editing::LobeWarp;
-using editing::PartChange;
 
 bool hasGrain(const models::Model& model) { return model.spec().find("rotation").has_value(); }
 
 /// A part that the fit does not contain has no ratio to carry.
-bool isNew(const PartChange& change) { return change.kind != PartChange::none && !change.wasLit && change.isLit; }
-bool carries(const PartChange& change) { return change.kind == PartChange::highlight && change.wasLit; }
+bool isNew(const LobeEffect& change) {
+  return change.kind != LobeEffect::none && !change.wasNonzero && change.isNonzero;
+}
+bool carries(const LobeEffect& change) { return change.kind == LobeEffect::highlight && change.wasNonzero; }
 
 /// The changes of an edit, and the different places that its highlights had.
 struct Parts {
-  std::vector<PartChange> changes;
+  std::vector<LobeEffect> changes;
   std::vector<LobeWarp> places;
 
-  explicit Parts(const editing::DifferentialEdit& edit) : changes(editing::partChanges(edit)) {
-    for (const PartChange& change : changes)
+  explicit Parts(const editing::DifferentialEdit& edit) : changes(editing::lobeEffects(edit)) {
+    for (const LobeEffect& change : changes)
       if (carries(change) && std::ranges::find(places, change.warp) == places.end()) places.push_back(change.warp);
   }
 
@@ -62,7 +64,7 @@ struct LobeStage {
                " if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value; ")
                .arg(name, previous) +
            lobes("wi, wo", "fitted", "before") + lobes("wi, wo", "edited", "after") +
-           "vec3 model = " + parts.sum("before", std::mem_fn(&PartChange::wasLit)) + ';' +
+           "vec3 model = " + parts.sum("before", std::mem_fn(&LobeEffect::wasNonzero)) + ';' +
            "vec3 ratio = fitRatio(value, model); vec3 change = " + parts.sum("after", isNew) + " - ratio * " +
            parts.sum("before", carries) + "; ";
   }
@@ -70,7 +72,7 @@ struct LobeStage {
   QString bodies() const {
     QString result;
     for (std::size_t k = 0; k < parts.changes.size(); ++k)
-      if (parts.changes[k].kind == PartChange::body && parts.changes[k].wasLit)
+      if (parts.changes[k].kind == LobeEffect::body && parts.changes[k].wasNonzero)
         result += QString("change += bodyChange(ratio, before[%1], after[%1], model); ").arg(k);
     return result;
   }
@@ -86,13 +88,15 @@ struct LobeStage {
                                   : previous + "(movedIn, movedOut, known)";
     return "vec3 movedIn = wi, movedOut = wo; bool known; " + warp.arg(at) + "vec3 moved = " + value + "; " +
            lobes("movedIn, movedOut", "fitted", "there") + "vec3 carried = fitRatio(moved, " +
-           parts.sum("there", std::mem_fn(&PartChange::wasLit)) + "); if (!known) carried = ratio; ";
+           parts.sum("there", std::mem_fn(&LobeEffect::wasNonzero)) + "); if (!known) carried = ratio; ";
   }
 
   QString gainedFrom(std::size_t place) const {
-    const auto isThere = [&](const PartChange& c) { return carries(c) && c.isLit && c.warp == parts.places[place]; };
+    const auto isThere = [&](const LobeEffect& c) {
+      return carries(c) && c.isNonzero && c.warp == parts.places[place];
+    };
     QString result = "change += carried * " +
-                     parts.sum("after", [&](const PartChange& c) { return isThere(c) && !c.isRecoloured; }) + "; ";
+                     parts.sum("after", [&](const LobeEffect& c) { return isThere(c) && !c.isRecoloured; }) + "; ";
     for (std::size_t k = 0; k < parts.changes.size(); ++k)
       if (isThere(parts.changes[k]) && parts.changes[k].isRecoloured)
         result += QString("change += after[%1] * recolouredRatio(carried, before[%1], after[%1]); ").arg(k);

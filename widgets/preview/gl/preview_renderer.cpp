@@ -178,7 +178,7 @@ void PreviewRenderer::accumulate(int count) {
 void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
   QOpenGLShaderProgram& program = sceneProgram(pass.subject, isOnly);
   program.bind();
-  pass.textures.bind(*this, program, *resources_, pass.subject, sceneUniforms_.drawsDirections());
+  pass.textures.bind(*this, program, *resources_, pass.subject, sceneUniforms_.samplesDirections());
   bindTextures(program);
   setCameraUniforms(program);
   if (!isOnly) program.setUniformValue("drawnSlots", pass.slots);

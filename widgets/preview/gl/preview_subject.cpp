@@ -18,7 +18,7 @@ bool same(std::monostate, std::monostate) { return true; }
 bool same(const EditedMaterial& a, const EditedMaterial& b) {
   return a.base == b.base && activeEdits(a.edits) == activeEdits(b.edits);
 }
-bool same(const ModelAlone& a, const ModelAlone& b) {
+bool same(const StandaloneModel& a, const StandaloneModel& b) {
   return a.model == b.model && a.parameters == b.parameters && a.grid == b.grid;
 }
 bool same(const PreviewBlend& a, const PreviewBlend& b) {
@@ -28,7 +28,7 @@ bool same(const PreviewBlend& a, const PreviewBlend& b) {
 using BrdfPointer = std::shared_ptr<const Brdf>;
 BrdfPointer brdfOf(std::monostate) { return nullptr; }
 BrdfPointer brdfOf(const EditedMaterial& shown) { return editing::applyEdits(shown.base, shown.edits); }
-BrdfPointer brdfOf(const ModelAlone& shown) { return shown.model->instantiate(shown.parameters); }
+BrdfPointer brdfOf(const StandaloneModel& shown) { return shown.model->instantiate(shown.parameters); }
 BrdfPointer brdfOf(const PreviewBlend& shown) { return shown.interpolation->brdf(shown.weights); }
 
 using TablePointer = std::shared_ptr<const TabulatedBrdf>;
@@ -38,7 +38,7 @@ TablePointer tableOf(const EditedMaterial& shown, const TaskControl& control) {
   if (shown.base->asTable()) return editing::bakeEdits(tableOf(shown.base), shown.edits, control);
   return bakeTable(*brdfOf(shown), {}, control);
 }
-TablePointer tableOf(const ModelAlone& shown, const TaskControl& control) {
+TablePointer tableOf(const StandaloneModel& shown, const TaskControl& control) {
   return bakeTable(*brdfOf(shown), shown.grid, control);
 }
 TablePointer tableOf(const PreviewBlend& shown, const TaskControl& control) {

@@ -20,7 +20,7 @@ struct EditedMaterial {
 };
 
 /// A model without a measurement.
-struct ModelAlone {
+struct StandaloneModel {
   const models::Model* model = nullptr;
   models::ParameterValues parameters = {};
   HalfDifferenceGrid grid = {};  ///< grid of its table, if one is needed
@@ -44,7 +44,7 @@ struct PreviewBlend {
 
 /// The content of a picture; empty by default.
 struct PreviewSubject {
-  std::variant<std::monostate, EditedMaterial, ModelAlone, PreviewBlend> shown = {};
+  std::variant<std::monostate, EditedMaterial, StandaloneModel, PreviewBlend> shown = {};
   std::shared_ptr<const TabulatedLobe> lobe = {};  ///< density of the reflected samples; null: not known yet
 
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }

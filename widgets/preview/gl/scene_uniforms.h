@@ -28,7 +28,7 @@ class SceneUniforms {
   /// Whether the shader reads the environment.
   bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
   /// Whether the shader samples reflected directions.
-  bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
+  bool samplesDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
   const std::vector<MeshShape>& meshes() const { return meshes_; }
   bool operator==(const SceneUniforms&) const = default;

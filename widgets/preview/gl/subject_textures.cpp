@@ -14,7 +14,7 @@ void SubjectTextures::addVariant(const PreviewSubject& subject, QStringList& def
   if (const auto* edited = std::get_if<EditedMaterial>(&subject.shown)) {
     addShaderBase(*edited->base, definitions, preamble);
     EditChain::addVariant(edited->edits, definitions, preamble, factorization::pdvFactorsOf(*edited->base).get());
-  } else if (const auto* alone = std::get_if<ModelAlone>(&subject.shown)) {
+  } else if (const auto* alone = std::get_if<StandaloneModel>(&subject.shown)) {
     addModelAlone(*alone->model, definitions, preamble);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {
     BlendTextures::addVariant(*blend, definitions, preamble);
@@ -22,16 +22,16 @@ void SubjectTextures::addVariant(const PreviewSubject& subject, QStringList& def
 }
 
 void SubjectTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
-                           const PreviewSubject& subject, bool drawsDirections) {
+                           const PreviewSubject& subject, bool samplesDirections) {
   if (const auto* edited = std::get_if<EditedMaterial>(&subject.shown)) {
     bindBase(gl, program, resources, *edited);
     editChain_.bind(gl, program, edited->edits, factorUnit, factorization::pdvFactorsOf(*edited->base));
-  } else if (const auto* alone = std::get_if<ModelAlone>(&subject.shown)) {
+  } else if (const auto* alone = std::get_if<StandaloneModel>(&subject.shown)) {
     setModelUniform(program, "modelParameters", *alone->model, alone->parameters);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {
     blendTextures_.bind(gl, program, resources, *blend);
   }
-  if (drawsDirections) bindLobe(gl, program, subject.lobe);
+  if (samplesDirections) bindLobe(gl, program, subject.lobe);
 }
 
 void SubjectTextures::release(QOpenGLFunctions_4_1_Core* gl) {
@@ -72,14 +72,14 @@ void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgr
                                const std::shared_ptr<const TabulatedLobe>& lobe) {
   program.setUniformValue("lobeCells", lobeCellUnit);
   program.setUniformValue("lobeRows", lobeRowUnit);
-  double cosineShare = lobe ? TabulatedLobe::cosineShare : 1;
+  double cosineFraction = lobe ? TabulatedLobe::cosineFraction : 1;
   GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
   if (lobe && lobe->round()) {
-    cosineShare = 1 - lobe->round()->specularFraction;
+    cosineFraction = 1 - lobe->round()->specularFraction;
     grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .fraction = 1};
   }
-  program.setUniformValue("lobeCosineShare", float(cosineShare));
-  program.setUniformValue("lobeGrainShare", float((1 - cosineShare) * grain.fraction));
+  program.setUniformValue("lobeCosineShare", float(cosineFraction));
+  program.setUniformValue("lobeGrainShare", float((1 - cosineFraction) * grain.fraction));
   program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
                                                  float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
   if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();

@@ -16,9 +16,9 @@ class SubjectTextures {
   /// Adds the definitions and preamble files of the shader variant.
   static void addVariant(const PreviewSubject& subject, QStringList& definitions, QStringList& preamble);
   /// Uploads new data, binds the textures to their units and sets the uniforms of a shader of that variant.
-  /// @param drawsDirections whether the shader samples reflection directions with the subject's lobe.
+  /// @param samplesDirections whether the shader samples reflection directions with the subject's lobe.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
-            const PreviewSubject& subject, bool drawsDirections);
+            const PreviewSubject& subject, bool samplesDirections);
   /// @param gl functions of the context of bind(), which must be current; null if there is no context.
   void release(QOpenGLFunctions_4_1_Core* gl);
 

@@ -35,7 +35,7 @@ void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
 }
 
 /// The fraction of a patch's norm at which its error is `error`.
-double shareOf(double error, double norm) { return norm > 0 ? error / norm : 0; }
+double fractionOf(double error, double norm) { return norm > 0 ? error / norm : 0; }
 
 PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, double error, int most,
                       const TaskControl& control) {
@@ -46,7 +46,7 @@ PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, doub
     for (std::size_t p = begin; p < end; ++p) {
       const Eigen::VectorXd patch = patches.col(Index(p));
       code.patches[p] =
-          orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = shareOf(error, patch.norm())});
+          orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = fractionOf(error, patch.norm())});
     }
   };
   parallelForBlocks(code.patches.size(), block, pursue, {.stop = control.stop});
@@ -57,7 +57,7 @@ PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, doub
 std::size_t coefficientsFor(double error, const PatchCode& ends) {
   std::size_t sum = 0;
   for (const PursuitResult& end : ends.patches) {
-    const double enough = shareOf(error, end.path[0]) * end.path[0];
+    const double enough = fractionOf(error, end.path[0]) * end.path[0];
     // The norms of a path never grow.
     const auto reached = std::find_if(end.path.begin(), end.path.end(), [&](double norm) { return norm <= enough; });
     sum += std::min(std::size_t(reached - end.path.begin()), end.atoms.size());

@@ -5,25 +5,25 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/gonio/interpolation/blend_ends.h"
+#include "app/gonio/interpolation/blend_materials.h"
 #include "widgets/preview/preview_content.h"
 
 namespace gonio::widgets {
-class MaterialWell;
+class MaterialSlotWidget;
 }
 
 namespace gonio::app {
 
 /// The material slots of the Scene dock, for the further materials of scenes with several materials. Not part of the
 /// document.
-class SceneNeighbours : public QWidget {
+class SceneMaterialSlots : public QWidget {
   Q_OBJECT
 
  public:
   /// Number of material slots in addition to that of the edited material.
   static constexpr int count = 3;
 
-  SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  SceneMaterialSlots(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// Shows the material slots of a scene.
   void showScene(const Scene& scene);
@@ -31,7 +31,7 @@ class SceneNeighbours : public QWidget {
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
-  widgets::MaterialWell& well(int place) const { return *m_places[std::size_t(place)].well; }
+  widgets::MaterialSlotWidget& well(int place) const { return *m_places[std::size_t(place)].well; }
 
  Q_SIGNALS:
   void changed();
@@ -39,16 +39,16 @@ class SceneNeighbours : public QWidget {
 
  private:
   struct Neighbour {
-    BlendEnd end;
+    BlendMaterial end;
     widgets::SceneMaterial shown;
   };
   struct Place {
-    widgets::MaterialWell* well;
+    widgets::MaterialSlotWidget* well;
     std::optional<Neighbour> neighbour;
     QString failure;
   };
-  static Neighbour prepared(BlendEnd end);
-  void fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make);
+  static Neighbour prepared(BlendMaterial end);
+  void fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make);
   void takeCurrent(int place);
   void clear(int place);
   void askForFile(int place);

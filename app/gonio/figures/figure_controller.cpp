@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/figures/figure_maker.h"
+#include "app/gonio/figures/figure_controller.h"
 
 #include <QPointer>
 
@@ -39,30 +39,30 @@ DrawnFigure drawnFigure(const FigureDescription& description, const FigureMeasur
 
 }  // namespace
 
-FigureMaker::FigureMaker(BackgroundTasks& tasks, QObject* parent)
+FigureController::FigureController(BackgroundTasks& tasks, QObject* parent)
     : QObject(parent),
       m_tasks(tasks),
       m_drawKey(QStringLiteral("figure page %1").arg(quintptr(this))),
       m_measureKey(QStringLiteral("figure %1").arg(quintptr(this))) {
-  connect(&m_tasks, &BackgroundTasks::changed, this, &FigureMaker::progressed);
+  connect(&m_tasks, &BackgroundTasks::changed, this, &FigureController::progressed);
 }
 
-FigureMaker::~FigureMaker() {
+FigureController::~FigureController() {
   for (const QString& key : {m_drawKey, m_measureKey}) m_tasks.drop(key);
 }
 
-void FigureMaker::setDescription(const FigureDescription& description) {
+void FigureController::setDescription(const FigureDescription& description) {
   // The results of the running measurement would not be used.
   if (!rendersTheSame(m_description.pictures, description.pictures)) cancel();
   m_description = description;
   draw();
 }
 
-void FigureMaker::setPageWidth(int pixels) {
+void FigureController::setPageWidth(int pixels) {
   if (std::exchange(m_pageWidth, pixels) != pixels) draw();
 }
 
-void FigureMaker::draw() {
+void FigureController::draw() {
   m_tasks.drop(m_drawKey);
   if (m_pageWidth <= 0 || m_description.materials.empty() || m_description.representations.empty()) return;
   m_tasks.run<DrawnFigure>(
@@ -74,12 +74,12 @@ void FigureMaker::draw() {
       [this](const QString& error) { Q_EMIT refused(error); });
 }
 
-bool FigureMaker::isDrawing() const { return m_tasks.isRunning(m_drawKey); }
-bool FigureMaker::isMeasuring() const { return m_tasks.isRunning(m_measureKey); }
-std::optional<double> FigureMaker::progress() const { return m_tasks.progress(m_measureKey); }
-void FigureMaker::cancel() { m_tasks.cancel(m_measureKey); }
+bool FigureController::isDrawing() const { return m_tasks.isRunning(m_drawKey); }
+bool FigureController::isMeasuring() const { return m_tasks.isRunning(m_measureKey); }
+std::optional<double> FigureController::progress() const { return m_tasks.progress(m_measureKey); }
+void FigureController::cancel() { m_tasks.cancel(m_measureKey); }
 
-std::function<void(const FigureMeasurement&)> FigureMaker::collector() {
+std::function<void(const FigureMeasurement&)> FigureController::collector() {
   // Through the thread of the tasks; the figure may be deleted by then.
   return [maker = QPointer(this), tasks = &m_tasks](const FigureMeasurement& measurement) {
     QMetaObject::invokeMethod(
@@ -93,7 +93,7 @@ std::function<void(const FigureMeasurement&)> FigureMaker::collector() {
   };
 }
 
-void FigureMaker::measure() {
+void FigureController::measure() {
   if (isMeasuring()) return;
   m_tasks.run<bool>(
       {tr("Measuring the figure"), m_measureKey},
@@ -106,4 +106,4 @@ void FigureMaker::measure() {
 
 }  // namespace gonio::app
 
-#include "moc_figure_maker.cpp"
+#include "moc_figure_controller.cpp"

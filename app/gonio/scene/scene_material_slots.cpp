@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/scene/scene_neighbours.h"
+#include "app/gonio/scene/scene_material_slots.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
 
 #include "app/gonio/document/material_files.h"
 #include "widgets/inputs/dialog_folder.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 
 namespace gonio::app {
 
@@ -17,18 +17,19 @@ QString taskKey(int place) { return QStringLiteral("scene-material-%1").arg(plac
 QChar letterOf(int place) { return QChar(u'B' + place); }
 }  // namespace
 
-SceneNeighbours::SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent)
+SceneMaterialSlots::SceneMaterialSlots(Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent), m_document(document), m_tasks(tasks) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   for (int place = 0; place < count; ++place) {
-    auto* well = new widgets::MaterialWell(letterOf(place));
+    auto* well = new widgets::MaterialSlotWidget(letterOf(place));
     layout->addWidget(well, 1);
     m_places.push_back({well, {}, {}});
-    connect(well, &widgets::MaterialWell::materialDropped, this, [this, place](const QString& id) { read(place, id); });
-    connect(well, &widgets::MaterialWell::currentWanted, this, [this, place] { takeCurrent(place); });
-    connect(well, &widgets::MaterialWell::fileWanted, this, [this, place] { askForFile(place); });
-    connect(well, &widgets::MaterialWell::clearWanted, this, [this, place] { clear(place); });
+    connect(well, &widgets::MaterialSlotWidget::materialDropped, this,
+            [this, place](const QString& id) { read(place, id); });
+    connect(well, &widgets::MaterialSlotWidget::currentRequested, this, [this, place] { takeCurrent(place); });
+    connect(well, &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
+    connect(well, &widgets::MaterialSlotWidget::clearRequested, this, [this, place] { clear(place); });
     show(place);
   }
   connect(&document, &Document::materialChanged, this, [this] {
@@ -36,13 +37,13 @@ SceneNeighbours::SceneNeighbours(Document& document, BackgroundTasks& tasks, QWi
   });
 }
 
-void SceneNeighbours::showScene(const Scene& scene) {
+void SceneMaterialSlots::showScene(const Scene& scene) {
   const int shown = std::min(count, materialSlotCount(scene) - 1);
   for (int place = 0; place < count; ++place) m_places[std::size_t(place)].well->setVisible(place < shown);
   setVisible(shown > 0);
 }
 
-std::vector<widgets::SceneMaterial> SceneNeighbours::materials() const {
+std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
   std::vector<widgets::SceneMaterial> materials;
   for (const Place& place : m_places)
     materials.push_back(place.neighbour ? place.neighbour->shown : widgets::SceneMaterial{});
@@ -50,7 +51,7 @@ std::vector<widgets::SceneMaterial> SceneNeighbours::materials() const {
 }
 
 /// In its native form, with what sampling needs.
-SceneNeighbours::Neighbour SceneNeighbours::prepared(BlendEnd end) {
+SceneMaterialSlots::Neighbour SceneMaterialSlots::prepared(BlendMaterial end) {
   const std::shared_ptr<const Brdf> brdf = end.material.material();
   const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
   widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, lobe);
@@ -58,7 +59,7 @@ SceneNeighbours::Neighbour SceneNeighbours::prepared(BlendEnd end) {
   return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, lobe)}};
 }
 
-void SceneNeighbours::fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make) {
+void SceneMaterialSlots::fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
   m_places[std::size_t(place)].failure.clear();
   m_tasks.run<Neighbour>(
       {tr("Opening %1 for the scene").arg(name), taskKey(place)},
@@ -77,11 +78,11 @@ void SceneNeighbours::fill(int place, const QString& name, std::function<BlendEn
   show(place);
 }
 
-void SceneNeighbours::read(int place, const QString& id) {
+void SceneMaterialSlots::read(int place, const QString& id) {
   fill(place, id.section('/', -1), [id](const TaskControl& control) { return readBlendEnd(id, control); });
 }
 
-void SceneNeighbours::takeCurrent(int place) {
+void SceneMaterialSlots::takeCurrent(int place) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
@@ -90,7 +91,7 @@ void SceneNeighbours::takeCurrent(int place) {
   });
 }
 
-void SceneNeighbours::clear(int place) {
+void SceneMaterialSlots::clear(int place) {
   Place& one = m_places[std::size_t(place)];
   m_tasks.drop(taskKey(place));
   one.neighbour.reset();
@@ -99,7 +100,7 @@ void SceneNeighbours::clear(int place) {
   Q_EMIT changed();
 }
 
-void SceneNeighbours::askForFile(int place) {
+void SceneMaterialSlots::askForFile(int place) {
   auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)),
                                  widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -111,9 +112,9 @@ void SceneNeighbours::askForFile(int place) {
   dialog->open();
 }
 
-void SceneNeighbours::show(int place) {
+void SceneMaterialSlots::show(int place) {
   const Place& one = m_places[std::size_t(place)];
-  widgets::WellContent content;
+  widgets::SlotContent content;
   if (one.neighbour)
     content = {one.neighbour->end.name, one.neighbour->end.description, one.neighbour->end.picture, {}};
   if (m_tasks.isRunning(taskKey(place))) content.note = tr("Opening...");
@@ -128,4 +129,4 @@ void SceneNeighbours::show(int place) {
 
 }  // namespace gonio::app
 
-#include "moc_scene_neighbours.cpp"
+#include "moc_scene_material_slots.cpp"

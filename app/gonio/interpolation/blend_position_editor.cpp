@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/interpolation/blend_place_editor.h"
+#include "app/gonio/interpolation/blend_position_editor.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -11,7 +11,7 @@
 
 namespace gonio::app {
 
-BlendPlaceEditor::BlendPlaceEditor(QWidget* parent)
+BlendPositionEditor::BlendPositionEditor(QWidget* parent)
     : QStackedWidget(parent),
       m_slider(new widgets::ParameterSlider),
       m_number(new widgets::NumberField),
@@ -22,10 +22,10 @@ BlendPlaceEditor::BlendPlaceEditor(QWidget* parent)
   connect(m_slider, &widgets::ParameterSlider::numberEdited, this, [this](double t) { Q_EMIT placeEdited({t, 0}); });
   connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { Q_EMIT placeEdited({0.5, 0}); });
   connect(m_number, &widgets::NumberField::valueEdited, this, [this](double t) { Q_EMIT placeEdited({t, 0}); });
-  connect(m_pad, &widgets::BlendPad::placeEdited, this, &BlendPlaceEditor::placeEdited);
+  connect(m_pad, &widgets::BlendPad::placeEdited, this, &BlendPositionEditor::placeEdited);
 }
 
-QWidget* BlendPlaceEditor::buildLine() {
+QWidget* BlendPositionEditor::buildLine() {
   const QString toolTip =
       tr("t: 0 is A alone, 1 is B alone. Shift: fine, Ctrl: snap; the field accepts arithmetic, such as 1/3.");
   m_slider->setRange(0, 1, models::ParameterScale::linear);
@@ -54,19 +54,19 @@ QWidget* BlendPlaceEditor::buildLine() {
   return line;
 }
 
-void BlendPlaceEditor::setCorners(std::vector<widgets::BlendCorner> corners) {
+void BlendPositionEditor::setCorners(std::vector<widgets::BlendCorner> corners) {
   setCurrentIndex(int(corners.size()) > widgets::minBlended ? 1 : 0);
   m_pad->setCorners(std::move(corners));
 }
 
-void BlendPlaceEditor::setPlace(const QPointF& place) {
+void BlendPositionEditor::setPlace(const QPointF& place) {
   m_slider->setNumber(place.x());
   m_number->setValue(place.x());
   m_pad->setPlace(place);
 }
 
-void BlendPlaceEditor::setExplanation(const QString& text) { m_explanation->setText(text); }
+void BlendPositionEditor::setExplanation(const QString& text) { m_explanation->setText(text); }
 
 }  // namespace gonio::app
 
-#include "moc_blend_place_editor.cpp"
+#include "moc_blend_position_editor.cpp"

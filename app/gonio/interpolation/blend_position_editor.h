@@ -16,11 +16,11 @@ class ParameterSlider;
 namespace gonio::app {
 
 /// Editor for the position between the materials: a slider and a number for two, a pad for more.
-class BlendPlaceEditor : public QStackedWidget {
+class BlendPositionEditor : public QStackedWidget {
   Q_OBJECT
 
  public:
-  explicit BlendPlaceEditor(QWidget* parent = nullptr);
+  explicit BlendPositionEditor(QWidget* parent = nullptr);
 
   widgets::ParameterSlider& slider() const { return *m_slider; }
   widgets::NumberField& number() const { return *m_number; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 
 #include <QDropEvent>
 #include <QLabel>
@@ -13,13 +13,13 @@
 #include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
-namespace material_well_test {
+namespace material_slot_widget_test {
 using namespace gonio::widgets;
 
 class MaterialWellTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<MaterialWell> m_well;
+  std::unique_ptr<MaterialSlotWidget> m_well;
 
   bool drop(const QMimeData& data) {
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
@@ -38,14 +38,14 @@ class MaterialWellTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    m_well = std::make_unique<MaterialWell>('B');
+    m_well = std::make_unique<MaterialSlotWidget>('B');
     m_well->resize(320, 100);
     m_well->show();
   }
 
   /// A thumbnail gives the library's id, a file its path; what is neither is not taken.
   void takesThumbnailsAndFiles() {
-    QSignalSpy dropped(m_well.get(), &MaterialWell::materialDropped);
+    QSignalSpy dropped(m_well.get(), &MaterialSlotWidget::materialDropped);
     const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
     QVERIFY(drop(*thumbnail));
     QMimeData file;
@@ -83,8 +83,9 @@ class MaterialWellTest : public QObject {
 
   /// All of it by keys: the buttons are in the tab order, Delete empties, and only what is there can be emptied.
   void theKeyboardReachesAll() {
-    QSignalSpy current(m_well.get(), &MaterialWell::currentWanted), file(m_well.get(), &MaterialWell::fileWanted),
-        cleared(m_well.get(), &MaterialWell::clearWanted);
+    QSignalSpy current(m_well.get(), &MaterialSlotWidget::currentRequested),
+        file(m_well.get(), &MaterialSlotWidget::fileRequested),
+        cleared(m_well.get(), &MaterialSlotWidget::clearRequested);
     m_well->setFocus();
     QTest::keyClick(m_well.get(), Qt::Key_Delete);
     QCOMPARE(cleared.count(), 0);
@@ -105,6 +106,6 @@ class MaterialWellTest : public QObject {
 };
 
 GONIO_TEST(MaterialWellTest)
-}  // namespace material_well_test
+}  // namespace material_slot_widget_test
 
-#include "material_well_test.moc"
+#include "material_slot_widget_test.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/interpolation/own_form_blend.h"
+#include "core/interpolation/native_form_blend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace gonio::editing {
 
 namespace {
 
-const UtiaBrdf* utiaOf(const InterpolationEnd& end) { return dynamic_cast<const UtiaBrdf*>(end.base.get()); }
+const UtiaBrdf* utiaOf(const InterpolationMaterial& end) { return dynamic_cast<const UtiaBrdf*>(end.base.get()); }
 
 Direction utiaNode(std::size_t index) {
   return fromSpherical(UtiaBrdf::polarStep * double(index / UtiaBrdf::azimuthCount),
@@ -37,7 +37,7 @@ std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& cont
 }
 
 std::shared_ptr<const RglBrdf> rglBlend(const RglBrdf& nodes, const Brdf& blend, const TaskControl& control) {
-  const auto file = nodes.withIncident(IncidentSlot::viewer);
+  const auto file = nodes.withIncident(IncidentDirection::viewer);
   EditedRgl colours = editedColours(*file, blend, control, NegativeColours::kept);
   SliceStack<float> luminance = samplingLuminance(colours.rgb);
   return file->withColours(std::move(colours.rgb), std::move(luminance));
@@ -62,10 +62,10 @@ double accuracyOf(const Brdf& brdf, const std::vector<MomentProbe>& probes, cons
   return share > 0 ? -20 * std::log10(share / viewers) : std::numeric_limits<double>::infinity();
 }
 
-OwnFormBlend bestRglBlend(std::span<const InterpolationEnd> ends, std::span<const double> weights, const Brdf& blend,
-                          const TaskControl& control) {
+NativeFormBlend bestRglBlend(std::span<const InterpolationMaterial> ends, std::span<const double> weights,
+                             const Brdf& blend, const TaskControl& control) {
   const std::vector<MomentProbe> probes = momentProbes(blend);
-  OwnFormBlend best{.accuracy = -std::numeric_limits<double>::infinity()};
+  NativeFormBlend best{.accuracy = -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (!(weights[i] > 0)) continue;
     std::shared_ptr<const RglBrdf> candidate = rglBlend(*ends[i].base->asRgl(), blend, control);
@@ -77,7 +77,7 @@ OwnFormBlend bestRglBlend(std::span<const InterpolationEnd> ends, std::span<cons
 
 /// Of all that have a weight.
 template <typename Condition>
-bool all(std::span<const InterpolationEnd> ends, std::span<const double> weights, const Condition& condition) {
+bool all(std::span<const InterpolationMaterial> ends, std::span<const double> weights, const Condition& condition) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (weights[i] > 0 && !(ends[i].base && condition(ends[i]))) return false;
   return true;
@@ -85,21 +85,21 @@ bool all(std::span<const InterpolationEnd> ends, std::span<const double> weights
 
 }  // namespace
 
-bool mixesOwnForms(InterpolationSpace space) {
+bool mixesNativeForms(InterpolationSpace space) {
   return space == InterpolationSpace::linear || space == InterpolationSpace::differential;
 }
 
-std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,
-                                         std::span<const double> weights, const TaskControl& control) {
+std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, InterpolationSpace space,
+                                               std::span<const double> weights, const TaskControl& control) {
   const std::shared_ptr<const Brdf> blend = interpolation.brdf(weights);
-  if (!mixesOwnForms(space)) return std::nullopt;
-  const std::vector<InterpolationEnd>& ends = interpolation.ends();
-  if (all(ends, weights, utiaOf)) return OwnFormBlend{utiaBlend(*blend, control)};
-  const auto isRgl = [&](const InterpolationEnd& end) {
+  if (!mixesNativeForms(space)) return std::nullopt;
+  const std::vector<InterpolationMaterial>& ends = interpolation.ends();
+  if (all(ends, weights, utiaOf)) return NativeFormBlend{utiaBlend(*blend, control)};
+  const auto isRgl = [&](const InterpolationMaterial& end) {
     return end.base->asRgl() && end.base->isIsotropic() == blend->isIsotropic();
   };
   if (!all(ends, weights, isRgl)) return std::nullopt;
-  OwnFormBlend best = bestRglBlend(ends, weights, *blend, control);
+  NativeFormBlend best = bestRglBlend(ends, weights, *blend, control);
   if (best.accuracy < minBlendAccuracy) return std::nullopt;
   return best;
 }

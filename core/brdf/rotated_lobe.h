@@ -9,10 +9,10 @@ namespace gonio {
 
 /// A lobe (core/brdf/lobe_mixture.h) rotated about the normal.
 template <typename Lobe>
-class TurnedLobe {
+class RotatedLobe {
  public:
   /// @param rotation angle of the lobe's x axis from the tangent, rad, counter-clockwise seen from above.
-  TurnedLobe(Lobe lobe, double rotation) : lobe_(lobe), toGrain_(-rotation), fromGrain_(rotation) {}
+  RotatedLobe(Lobe lobe, double rotation) : lobe_(lobe), toGrain_(-rotation), fromGrain_(rotation) {}
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const { return fromGrain_(lobe_.sample(toGrain_(wo), u)); }
   double density(const Direction& w, const Direction& wo) const { return lobe_.density(toGrain_(w), toGrain_(wo)); }

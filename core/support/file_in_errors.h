@@ -11,7 +11,7 @@ namespace gonio {
 /// Runs work() and prepends the file's path to the message of any Error that it throws. The new exception is a plain
 /// Error; Cancelled is passed on.
 template <typename Work>
-auto namingFile(const std::filesystem::path& path, Work work) {
+auto withFileInErrors(const std::filesystem::path& path, Work work) {
   try {
     return work();
   } catch (const Cancelled&) {

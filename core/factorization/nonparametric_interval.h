@@ -8,8 +8,8 @@
 namespace gonio::factorization {
 
 /// The two nodes around a position (in units of nodes) and the fraction between them, clamped to the ends.
-NodePlace nonparametricPlace(double position);
+NodeInterval nonparametricInterval(double position);
 /// The two nodes of G around a polar angle (rad), and the fraction between them.
-inline NodePlace maskingPlace(double theta) { return nonparametricPlace(degrees(theta) - 0.5); }
+inline NodeInterval maskingInterval(double theta) { return nonparametricInterval(degrees(theta) - 0.5); }
 
 }  // namespace gonio::factorization

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/library/shipped_thumbnails.h"
+#include "app/gonio/library/bundled_thumbnails.h"
 
 #include <QDir>
 #include <QFile>
@@ -85,15 +85,15 @@ void writeFile(const QString& path, const std::function<bool(QIODevice&)>& write
 
 }  // namespace
 
-std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256) {
+std::optional<widgets::LibraryThumbnail> bundledThumbnail(const std::string& sha256) {
   static const Shipped shipped = readShipped();
   const auto found = shipped.tiles.find(sha256);
   if (found == shipped.tiles.end()) return std::nullopt;
   const auto& [index, hue, roughness] = found->second;
-  return widgets::LibraryLook{withCoverage(shipped.sheet.copy(tile(index)), shipped.coverage), hue, roughness};
+  return widgets::LibraryThumbnail{withCoverage(shipped.sheet.copy(tile(index)), shipped.coverage), hue, roughness};
 }
 
-void writeShippedThumbnails(const QString& folder, const TaskControl& control) {
+void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
   const auto& entries = materials::bundledLibrary();
   QImage sheet(columns * shippedSide, ((int(entries.size()) + columns - 1) / columns) * shippedSide,
                QImage::Format_RGB32);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/interpolation/own_form_blend.h"
+#include "core/interpolation/native_form_blend.h"
 
 #include <QTest>
 #include <random>
@@ -12,7 +12,7 @@
 #include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
-namespace own_form_blend_test {
+namespace native_form_blend_test {
 using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::editing::test_support;
@@ -31,16 +31,17 @@ std::shared_ptr<const Brdf> bundled(const char* name) {
 }
 
 /// Their tables do not matter where materials are mixed in their native form.
-std::vector<InterpolationEnd> ownForms(const std::vector<std::shared_ptr<const Brdf>>& forms) {
+std::vector<InterpolationMaterial> ownForms(const std::vector<std::shared_ptr<const Brdf>>& forms) {
   static const Table table = measured(0.3, 0.2, 1);
-  std::vector<InterpolationEnd> ends;
+  std::vector<InterpolationMaterial> ends;
   for (const auto& form : forms) ends.push_back({.table = table, .base = form});
   return ends;
 }
 
-std::optional<OwnFormBlend> blendOf(const std::vector<InterpolationEnd>& ends, const std::vector<double>& weights,
-                                    InterpolationSpace space = InterpolationSpace::linear) {
-  return ownFormBlend(*prepareInterpolation(space, ends, options()), space, weights);
+std::optional<NativeFormBlend> blendOf(const std::vector<InterpolationMaterial>& ends,
+                                       const std::vector<double>& weights,
+                                       InterpolationSpace space = InterpolationSpace::linear) {
+  return nativeFormBlend(*prepareInterpolation(space, ends, options()), space, weights);
 }
 
 /// The largest |a - b| / (1 + |b|) over directions between the nodes too.
@@ -121,6 +122,6 @@ class OwnFormBlendTest : public QObject {
 };
 
 GONIO_TEST(OwnFormBlendTest)
-}  // namespace own_form_blend_test
+}  // namespace native_form_blend_test
 
-#include "own_form_blend_test.moc"
+#include "native_form_blend_test.moc"

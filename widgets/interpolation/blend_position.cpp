@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/interpolation/blend_wells.h"
+#include "app/gonio/interpolation/blend_slots.h"
 
 #include <QCoreApplication>
 #include <QDragEnterEvent>
@@ -13,8 +13,8 @@
 #include "app/gonio/document/material_files.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/interpolation/blend_pad.h"
-#include "widgets/interpolation/blend_place.h"
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/blend_position.h"
+#include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/library/material_drag.h"
 
@@ -24,15 +24,15 @@ namespace {
 constexpr int wellEms = 17;
 }
 
-BlendWells::BlendWells(const Document& document, BlendEnds& ends)
+BlendSlots::BlendSlots(const Document& document, BlendMaterials& ends)
     : m_document(document), m_ends(ends), m_swap(new QToolButton), m_add(new QToolButton) {
   build();
   for (int i = 0; i < widgets::maxBlended; ++i) connectWell(i);
   connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
-  connect(m_add, &QToolButton::clicked, &m_ends, &BlendEnds::addPlace);
+  connect(m_add, &QToolButton::clicked, &m_ends, &BlendMaterials::addPlace);
 }
 
-widgets::MaterialWell* BlendWells::nearestWell(const QPointF& position) const {
+widgets::MaterialSlotWidget* BlendSlots::nearestWell(const QPointF& position) const {
   const QPoint inside = widget()->mapFrom(viewport(), position.toPoint());
   const auto distance = [&](int place) { return std::abs(well(place).geometry().center().y() - inside.y()); };
   int nearest = 0;
@@ -41,7 +41,7 @@ widgets::MaterialWell* BlendWells::nearestWell(const QPointF& position) const {
   return &well(nearest);
 }
 
-void BlendWells::offerTo(widgets::MaterialWell* well, const QDropEvent& event) {
+void BlendSlots::offerTo(widgets::MaterialSlotWidget* well, const QDropEvent& event) {
   if (well == m_offered) return;
   QDragLeaveEvent leave;
   if (m_offered) QCoreApplication::sendEvent(m_offered, &leave);
@@ -52,33 +52,33 @@ void BlendWells::offerTo(widgets::MaterialWell* well, const QDropEvent& event) {
   QCoreApplication::sendEvent(well, &enter);
 }
 
-void BlendWells::dragEnterEvent(QDragEnterEvent* event) {
+void BlendSlots::dragEnterEvent(QDragEnterEvent* event) {
   if (widgets::draggedMaterial(event->mimeData()).isEmpty()) return;
   offerTo(nearestWell(event->position()), *event);
   event->acceptProposedAction();
 }
 
-void BlendWells::dragMoveEvent(QDragMoveEvent* event) {
+void BlendSlots::dragMoveEvent(QDragMoveEvent* event) {
   offerTo(nearestWell(event->position()), *event);
   event->acceptProposedAction();
 }
 
-void BlendWells::dragLeaveEvent(QDragLeaveEvent* event) {
+void BlendSlots::dragLeaveEvent(QDragLeaveEvent* event) {
   if (m_offered) QCoreApplication::sendEvent(std::exchange(m_offered, nullptr), event);
 }
 
-void BlendWells::dropEvent(QDropEvent* event) {
+void BlendSlots::dropEvent(QDropEvent* event) {
   offerTo(nearestWell(event->position()), *event);
   QCoreApplication::sendEvent(std::exchange(m_offered, nullptr), event);
 }
 
-void BlendWells::build() {
+void BlendSlots::build() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(4);
   for (int i = 0; i < widgets::maxBlended; ++i) {
-    m_wells.push_back(new widgets::MaterialWell(QChar(u'A' + i)));
+    m_wells.push_back(new widgets::MaterialSlotWidget(QChar(u'A' + i)));
     column->addWidget(m_wells.back());
   }
   m_swap->setText(tr("S&wap A and B"));
@@ -102,17 +102,17 @@ void BlendWells::build() {
   setFixedWidth(wellEms * fontMetrics().height());
 }
 
-void BlendWells::connectWell(int place) {
-  connect(&well(place), &widgets::MaterialWell::materialDropped, this, [this, place](const QString& id) {
+void BlendSlots::connectWell(int place) {
+  connect(&well(place), &widgets::MaterialSlotWidget::materialDropped, this, [this, place](const QString& id) {
     Q_EMIT touched();
     m_ends.read(place, id);
   });
-  connect(&well(place), &widgets::MaterialWell::currentWanted, this, [this, place] {
+  connect(&well(place), &widgets::MaterialSlotWidget::currentRequested, this, [this, place] {
     Q_EMIT touched();
     m_ends.takeCurrent(place);
   });
-  connect(&well(place), &widgets::MaterialWell::fileWanted, this, [this, place] { askForFile(place); });
-  connect(&well(place), &widgets::MaterialWell::clearWanted, this, [this, place] {
+  connect(&well(place), &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
+  connect(&well(place), &widgets::MaterialSlotWidget::clearRequested, this, [this, place] {
     if (m_ends.count() > widgets::minBlended)
       m_ends.removePlace(place);
     else
@@ -120,7 +120,7 @@ void BlendWells::connectWell(int place) {
   });
 }
 
-void BlendWells::askForFile(int place) {
+void BlendSlots::askForFile(int place) {
   auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)),
                                  widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -133,7 +133,7 @@ void BlendWells::askForFile(int place) {
   dialog->open();
 }
 
-void BlendWells::showEnds(const std::vector<double>& weights) {
+void BlendSlots::showEnds(const std::vector<double>& weights) {
   for (int i = 0; i < widgets::maxBlended; ++i) {
     well(i).setVisible(i < m_ends.count());
     well(i).setCurrentAvailable(m_document.material() != nullptr);
@@ -142,9 +142,9 @@ void BlendWells::showEnds(const std::vector<double>& weights) {
   m_add->setEnabled(m_ends.count() < widgets::maxBlended);
 }
 
-void BlendWells::showEnd(int place, double weight) {
-  widgets::WellContent content;
-  if (const BlendEnd* end = m_ends.at(place)) content = {end->name, end->description, end->picture, {}};
+void BlendSlots::showEnd(int place, double weight) {
+  widgets::SlotContent content;
+  if (const BlendMaterial* end = m_ends.at(place)) content = {end->name, end->description, end->picture, {}};
   content.removable = m_ends.count() > widgets::minBlended;
   content.note = m_ends.isReading(place)  ? tr("Opening...")
                  : content.name.isEmpty() ? QString()
@@ -157,7 +157,7 @@ void BlendWells::showEnd(int place, double weight) {
   well(place).setContent(content);
 }
 
-void BlendWells::showWeights(const std::vector<double>& weights) {
+void BlendSlots::showWeights(const std::vector<double>& weights) {
   for (int i = 0; i < m_ends.count(); ++i)
     if (m_ends.at(i) && !m_ends.isReading(i) && m_ends.failure(i).isEmpty())
       well(i).setNote(widgets::weightText(weights[std::size_t(i)]));
@@ -165,4 +165,4 @@ void BlendWells::showWeights(const std::vector<double>& weights) {
 
 }  // namespace gonio::app
 
-#include "moc_blend_wells.cpp"
+#include "moc_blend_slots.cpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/material_slot_widget.h"
 
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
@@ -21,7 +21,7 @@ namespace {
 constexpr double pictureLines = 3.6;
 }
 
-MaterialWell::MaterialWell(QChar letter, QWidget* parent)
+MaterialSlotWidget::MaterialSlotWidget(QChar letter, QWidget* parent)
     : QFrame(parent),
       m_letter(letter),
       m_picture(new QWidget),
@@ -32,9 +32,9 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
       m_clear(addButton({}, {})) {
   m_clear->setIcon(glyphIcon(Glyph::close));
   m_clear->setAutoRaise(true);
-  connect(m_current, &QToolButton::clicked, this, &MaterialWell::currentWanted);
-  connect(m_file, &QToolButton::clicked, this, &MaterialWell::fileWanted);
-  connect(m_clear, &QToolButton::clicked, this, &MaterialWell::clearWanted);
+  connect(m_current, &QToolButton::clicked, this, &MaterialSlotWidget::currentRequested);
+  connect(m_file, &QToolButton::clicked, this, &MaterialSlotWidget::fileRequested);
+  connect(m_clear, &QToolButton::clicked, this, &MaterialSlotWidget::clearRequested);
   const int line = fontMetrics().height();
   m_picture->setFixedSize(QSizeF(pictureLines * line, pictureLines * line).toSize());
   m_picture->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -63,7 +63,7 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
   setContent({});
 }
 
-QToolButton* MaterialWell::addButton(const QString& text, const QString& toolTip) {
+QToolButton* MaterialSlotWidget::addButton(const QString& text, const QString& toolTip) {
   auto* button = new QToolButton(this);
   button->setText(text);
   button->setToolTip(toolTip);
@@ -71,7 +71,7 @@ QToolButton* MaterialWell::addButton(const QString& text, const QString& toolTip
   return button;
 }
 
-void MaterialWell::setContent(const WellContent& content) {
+void MaterialSlotWidget::setContent(const SlotContent& content) {
   m_content = content;
   setToolTip(content.failed           ? content.toolTip
              : content.name.isEmpty() ? tr("Drop a material from the library or a file here")
@@ -88,16 +88,16 @@ void MaterialWell::setContent(const WellContent& content) {
   update();
 }
 
-void MaterialWell::setNote(const QString& note) {
+void MaterialSlotWidget::setNote(const QString& note) {
   if (note == m_content.note) return;
   m_content.note = note;
   setAccessibleDescription(note);
   showTexts();
 }
 
-void MaterialWell::setCurrentAvailable(bool available) { m_current->setEnabled(available); }
+void MaterialSlotWidget::setCurrentAvailable(bool available) { m_current->setEnabled(available); }
 
-void MaterialWell::showTexts() {
+void MaterialSlotWidget::showTexts() {
   const bool empty = m_content.name.isEmpty();
   const int room = std::max(20, width() - m_picture->width() - 3 * fontMetrics().height() / 2);
   const QString name = tr("%1  %2").arg(m_letter).arg(!empty                     ? m_content.name
@@ -109,18 +109,18 @@ void MaterialWell::showTexts() {
   m_note->setForegroundRole(m_content.failed ? QPalette::WindowText : QPalette::PlaceholderText);
 }
 
-void MaterialWell::resizeEvent(QResizeEvent* event) {
+void MaterialSlotWidget::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
   showTexts();
 }
 
-void MaterialWell::keyPressEvent(QKeyEvent* event) {
+void MaterialSlotWidget::keyPressEvent(QKeyEvent* event) {
   const bool empties = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
-  if (empties && !m_clear->isHidden()) return Q_EMIT clearWanted();
+  if (empties && !m_clear->isHidden()) return Q_EMIT clearRequested();
   QFrame::keyPressEvent(event);
 }
 
-void MaterialWell::dragEnterEvent(QDragEnterEvent* event) {
+void MaterialSlotWidget::dragEnterEvent(QDragEnterEvent* event) {
   if (draggedMaterial(event->mimeData()).isEmpty()) return;
   m_dropping = true;
   m_note->setText(tr("Drop to use as material %1").arg(m_letter));
@@ -128,13 +128,13 @@ void MaterialWell::dragEnterEvent(QDragEnterEvent* event) {
   event->acceptProposedAction();
 }
 
-void MaterialWell::dragLeaveEvent(QDragLeaveEvent*) {
+void MaterialSlotWidget::dragLeaveEvent(QDragLeaveEvent*) {
   m_dropping = false;
   showTexts();
   update();
 }
 
-void MaterialWell::dropEvent(QDropEvent* event) {
+void MaterialSlotWidget::dropEvent(QDropEvent* event) {
   m_dropping = false;
   showTexts();
   update();
@@ -142,7 +142,7 @@ void MaterialWell::dropEvent(QDropEvent* event) {
   Q_EMIT materialDropped(draggedMaterial(event->mimeData()));
 }
 
-void MaterialWell::paintEvent(QPaintEvent*) {
+void MaterialSlotWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   const bool marked = m_dropping || hasFocus();
@@ -161,4 +161,4 @@ void MaterialWell::paintEvent(QPaintEvent*) {
 
 }  // namespace gonio::widgets
 
-#include "moc_material_well.cpp"
+#include "moc_material_slot_widget.cpp"

@@ -11,7 +11,7 @@ class QToolButton;
 namespace gonio::widgets {
 
 /// The content of a material slot.
-struct WellContent {
+struct SlotContent {
   QString name;     ///< empty: the slot is empty
   QString toolTip;  ///< what the material is
   QImage picture;   ///< null: a placeholder disc
@@ -22,17 +22,17 @@ struct WellContent {
 
 /// A drop target for one material: from the library or the desktop, the open document, or a file. Buttons provide the
 /// same with the keyboard; Delete empties it.
-class MaterialWell : public QFrame {
+class MaterialSlotWidget : public QFrame {
   Q_OBJECT
 
  public:
   /// @param letter name of the material in the panel: A, B, ...
-  explicit MaterialWell(QChar letter, QWidget* parent = nullptr);
+  explicit MaterialSlotWidget(QChar letter, QWidget* parent = nullptr);
 
-  void setContent(const WellContent& content);
+  void setContent(const SlotContent& content);
   /// Sets only the note, which changes with every step of a drag.
   void setNote(const QString& note);
-  const WellContent& content() const { return m_content; }
+  const SlotContent& content() const { return m_content; }
   void setCurrentAvailable(bool available);
 
   QToolButton* currentButton() const { return m_current; }
@@ -42,9 +42,9 @@ class MaterialWell : public QFrame {
  Q_SIGNALS:
   /// @param id a file, or the id of a library material.
   void materialDropped(const QString& id);
-  void currentWanted();
-  void fileWanted();
-  void clearWanted();
+  void currentRequested();
+  void fileRequested();
+  void clearRequested();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -59,7 +59,7 @@ class MaterialWell : public QFrame {
   void showTexts();
 
   QChar m_letter;
-  WellContent m_content;
+  SlotContent m_content;
   QWidget* m_picture;
   QLabel *m_name, *m_note;
   QToolButton *m_current, *m_file, *m_clear;

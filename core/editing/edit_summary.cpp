@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_words.h"
+#include "core/editing/edit_summary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ std::string wordsOf(const DifferentialEdit& edit) {
 
 }  // namespace
 
-std::string editWords(std::span<const Edit> edits) {
+std::string editSummary(std::span<const Edit> edits) {
   std::string text;
   for (const Edit& edit : edits) {
     if (edit.isIdentity()) continue;
@@ -90,7 +90,7 @@ std::string editWords(std::span<const Edit> edits) {
 }
 
 std::string editedName(const std::string& material, std::span<const Edit> edits) {
-  const std::string words = editWords(edits);
+  const std::string words = editSummary(edits);
   std::string name = words.empty() ? material : material + ", " + words;
   std::ranges::replace_if(
       name, [](char c) { return c == '/' || c == '\\' || c == ':'; }, '_');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/library/look_colour.h"
+#include "widgets/library/thumbnail_colour.h"
 
 #include <algorithm>
 #include <array>

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/incident_slot.h"
+#include "core/brdf/incident_direction.h"
 
 #include "core/brdf/rgl_brdf.h"
 #include "core/brdf/utia_brdf.h"
 
 namespace gonio {
 
-const char* incidentSlotId(IncidentSlot slot) {
+const char* incidentSlotId(IncidentDirection slot) {
   switch (slot) {
-    case IncidentSlot::light:
+    case IncidentDirection::light:
       return "light";
-    case IncidentSlot::mean:
+    case IncidentDirection::mean:
       return "mean";
     default:
       return "viewer";
   }
 }
 
-std::optional<IncidentSlot> incidentSlotOf(const Brdf& brdf) {
+std::optional<IncidentDirection> incidentDirectionOf(const Brdf& brdf) {
   if (const RglBrdf* rgl = brdf.asRgl()) return rgl->incidentSlot();
   if (const auto* utia = dynamic_cast<const UtiaBrdf*>(&brdf)) return utia->incidentSlot();
   return std::nullopt;
 }
 
-std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot) {
-  if (incidentSlotOf(*brdf).value_or(slot) == slot) return brdf;
+std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection slot) {
+  if (incidentDirectionOf(*brdf).value_or(slot) == slot) return brdf;
   if (const RglBrdf* rgl = brdf->asRgl()) return rgl->withIncident(slot);
   return dynamic_cast<const UtiaBrdf&>(*brdf).withIncident(slot);
 }

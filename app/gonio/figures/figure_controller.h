@@ -21,12 +21,12 @@ struct DrawnFigure {
 
 /// Measures and draws a figure in the background. Each change of the description updates the page immediately; cells
 /// that are not measured are grey until measure(). Results are reused if the new description needs them.
-class FigureMaker : public QObject {
+class FigureController : public QObject {
   Q_OBJECT
 
  public:
-  explicit FigureMaker(BackgroundTasks& tasks, QObject* parent = nullptr);
-  ~FigureMaker() override;
+  explicit FigureController(BackgroundTasks& tasks, QObject* parent = nullptr);
+  ~FigureController() override;
 
   const figures::FigureDescription& description() const { return m_description; }
   void setDescription(const figures::FigureDescription& description);

@@ -12,29 +12,29 @@
 namespace gonio::app {
 
 /// One of the materials of a blend, with its image and the document that reproduces it.
-struct BlendEnd {
+struct BlendMaterial {
   QString name, description;
   QImage picture;
-  editing::InterpolationEnd material;  ///< the material with its edits
-  editing::EditDocument source;        ///< document to reproduce it, with resolved paths
+  editing::InterpolationMaterial material;  ///< the material with its edits
+  editing::EditDocument source;             ///< document to reproduce it, with resolved paths
 };
 
 /// Reads a file, a .gonio document or a material of the library, and renders its picture. @throws Error, Cancelled.
-BlendEnd readBlendEnd(const QString& id, const TaskControl& control);
+BlendMaterial readBlendEnd(const QString& id, const TaskControl& control);
 /// Makes a material of a blend from an open material, with the edits of `source`. @throws Cancelled.
-BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
-                      const TaskControl& control);
+BlendMaterial takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                           const TaskControl& control);
 
 /// The two to four materials of the Interpolation panel, which are read in the background. Not part of the document.
-class BlendEnds : public QObject {
+class BlendMaterials : public QObject {
   Q_OBJECT
 
  public:
-  BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
+  BlendMaterials(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
   int count() const { return int(m_places.size()); }
   /// Null if the place is empty. While a new material is read, the old one stays.
-  const BlendEnd* at(int place) const;
+  const BlendMaterial* at(int place) const;
   bool isReading(int place) const;
   /// Error message of the place, or empty.
   QString failure(int place) const { return m_places[std::size_t(place)].failure; }
@@ -42,7 +42,7 @@ class BlendEnds : public QObject {
   bool isComplete() const;
   bool isReading() const;
   /// All materials. Precondition: isComplete().
-  std::vector<editing::InterpolationEnd> ends() const;
+  std::vector<editing::InterpolationMaterial> ends() const;
 
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
@@ -62,11 +62,12 @@ class BlendEnds : public QObject {
 
  private:
   struct Place {
-    std::optional<BlendEnd> end;
+    std::optional<BlendMaterial> end;
     QString failure;
     int key;  ///< number of its task
   };
-  void fill(int place, const QString& title, const QString& name, std::function<BlendEnd(const TaskControl&)> make);
+  void fill(int place, const QString& title, const QString& name,
+            std::function<BlendMaterial(const TaskControl&)> make);
   int placeOf(int key) const;
   QString taskKey(int key) const;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/interpolation/blend_ends.h"
+#include "app/gonio/interpolation/blend_materials.h"
 
 #include <algorithm>
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/sphere_picture.h"
-#include "widgets/interpolation/blend_place.h"
+#include "widgets/interpolation/blend_position.h"
 
 namespace gonio::app {
 
@@ -19,23 +19,23 @@ QString shortName(const QString& path) { return path.section('/', -1); }
 
 }  // namespace
 
-BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
-                      const TaskControl& control) {
-  BlendEnd end;
+BlendMaterial takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                           const TaskControl& control) {
+  BlendMaterial end;
   end.name = name;
   const std::string& description = material.material.source.description;
   end.description = QString::fromStdString(description.empty() ? material.material.name : description);
   const auto table = material.table(control);
-  end.material =
-      editing::blendedEnd(material.material, withIncident(material.base, source.incident), table,
-                          editing::bakeEdits(table, source.edits, control.between(0, editFraction)), source.edits);
+  end.material = editing::interpolationMaterial(
+      material.material, withIncident(material.base, source.incident), table,
+      editing::bakeEdits(table, source.edits, control.between(0, editFraction)), source.edits);
   end.picture = spherePicture(*end.material.material(), endSide, endSamples, control.between(editFraction, 1));
   source.view = {};
   end.source = std::move(source);
   return end;
 }
 
-BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
+BlendMaterial readBlendEnd(const QString& id, const TaskControl& control) {
   editing::EditDocument source;
   LoadedMaterialPtr material;
   const std::string path = id.toStdString();
@@ -52,49 +52,49 @@ BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
   return takeBlendEnd(*material, name, source, control.between(loadFraction, 1));
 }
 
-BlendEnds::BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent)
+BlendMaterials::BlendMaterials(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
   for (int i = 0; i < widgets::minBlended; ++i) m_places.push_back({{}, {}, m_nextKey++});
 }
 
-QString BlendEnds::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
+QString BlendMaterials::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
 
-const BlendEnd* BlendEnds::at(int place) const {
+const BlendMaterial* BlendMaterials::at(int place) const {
   const auto& end = m_places[std::size_t(place)].end;
   return end ? &*end : nullptr;
 }
 
-bool BlendEnds::isReading(int place) const { return m_tasks.isRunning(taskKey(m_places[std::size_t(place)].key)); }
+bool BlendMaterials::isReading(int place) const { return m_tasks.isRunning(taskKey(m_places[std::size_t(place)].key)); }
 
-bool BlendEnds::isReading() const {
+bool BlendMaterials::isReading() const {
   for (int i = 0; i < count(); ++i)
     if (isReading(i)) return true;
   return false;
 }
 
-bool BlendEnds::isComplete() const {
+bool BlendMaterials::isComplete() const {
   return std::all_of(m_places.begin(), m_places.end(), [](const Place& place) { return place.end.has_value(); });
 }
 
-std::vector<editing::InterpolationEnd> BlendEnds::ends() const {
-  std::vector<editing::InterpolationEnd> ends;
+std::vector<editing::InterpolationMaterial> BlendMaterials::ends() const {
+  std::vector<editing::InterpolationMaterial> ends;
   for (const Place& place : m_places) ends.push_back(place.end->material);
   return ends;
 }
 
-int BlendEnds::placeOf(int key) const {
+int BlendMaterials::placeOf(int key) const {
   for (int i = 0; i < count(); ++i)
     if (m_places[std::size_t(i)].key == key) return i;
   return -1;
 }
 
-void BlendEnds::fill(int place, const QString& title, const QString& name,
-                     std::function<BlendEnd(const TaskControl&)> make) {
+void BlendMaterials::fill(int place, const QString& title, const QString& name,
+                          std::function<BlendMaterial(const TaskControl&)> make) {
   const int key = m_places[std::size_t(place)].key;
   m_places[std::size_t(place)].failure.clear();
-  m_tasks.run<BlendEnd>(
+  m_tasks.run<BlendMaterial>(
       {title, taskKey(key)}, std::move(make),
-      [this, key](const BlendEnd& end) {
+      [this, key](const BlendMaterial& end) {
         m_places[std::size_t(placeOf(key))].end = end;
         Q_EMIT changed();
       },
@@ -107,12 +107,12 @@ void BlendEnds::fill(int place, const QString& title, const QString& name,
   Q_EMIT stateChanged();
 }
 
-void BlendEnds::read(int place, const QString& id) {
+void BlendMaterials::read(int place, const QString& id) {
   fill(place, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
        [id](const TaskControl& control) { return readBlendEnd(id, control); });
 }
 
-void BlendEnds::takeCurrent(int place) {
+void BlendMaterials::takeCurrent(int place) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
@@ -122,7 +122,7 @@ void BlendEnds::takeCurrent(int place) {
        });
 }
 
-void BlendEnds::clear(int place) {
+void BlendMaterials::clear(int place) {
   Place& one = m_places[std::size_t(place)];
   m_tasks.drop(taskKey(one.key));
   one.end.reset();
@@ -130,24 +130,24 @@ void BlendEnds::clear(int place) {
   Q_EMIT changed();
 }
 
-void BlendEnds::addPlace() {
+void BlendMaterials::addPlace() {
   if (count() == widgets::maxBlended) return;
   m_places.push_back({{}, {}, m_nextKey++});
   Q_EMIT changed();
 }
 
-void BlendEnds::removePlace(int place) {
+void BlendMaterials::removePlace(int place) {
   if (count() == widgets::minBlended) return;
   m_tasks.drop(taskKey(m_places[std::size_t(place)].key));
   m_places.erase(m_places.begin() + place);
   Q_EMIT changed();
 }
 
-void BlendEnds::swap(int first, int second) {
+void BlendMaterials::swap(int first, int second) {
   std::swap(m_places[std::size_t(first)], m_places[std::size_t(second)]);
   Q_EMIT changed();
 }
 
 }  // namespace gonio::app
 
-#include "moc_blend_ends.cpp"
+#include "moc_blend_materials.cpp"

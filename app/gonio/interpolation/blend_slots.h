@@ -4,24 +4,24 @@
 
 #include <QScrollArea>
 
-#include "app/gonio/interpolation/blend_ends.h"
+#include "app/gonio/interpolation/blend_materials.h"
 
 class QToolButton;
 
 namespace gonio::widgets {
-class MaterialWell;
+class MaterialSlotWidget;
 }
 
 namespace gonio::app {
 
 /// The material slots of a blend.
-class BlendWells : public QScrollArea {
+class BlendSlots : public QScrollArea {
   Q_OBJECT
 
  public:
-  BlendWells(const Document& document, BlendEnds& ends);
+  BlendSlots(const Document& document, BlendMaterials& ends);
 
-  widgets::MaterialWell& well(int place) const { return *m_wells[std::size_t(place)]; }
+  widgets::MaterialSlotWidget& well(int place) const { return *m_wells[std::size_t(place)]; }
   void showEnds(const std::vector<double>& weights);
   void showWeights(const std::vector<double>& weights);
 
@@ -37,18 +37,18 @@ class BlendWells : public QScrollArea {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void offerTo(widgets::MaterialWell* well, const QDropEvent& event);
-  widgets::MaterialWell* nearestWell(const QPointF& position) const;
+  void offerTo(widgets::MaterialSlotWidget* well, const QDropEvent& event);
+  widgets::MaterialSlotWidget* nearestWell(const QPointF& position) const;
   void build();
   void connectWell(int place);
   void showEnd(int place, double weight);
   void askForFile(int place);
 
   const Document& m_document;
-  BlendEnds& m_ends;
-  std::vector<widgets::MaterialWell*> m_wells;
+  BlendMaterials& m_ends;
+  std::vector<widgets::MaterialSlotWidget*> m_wells;
   QToolButton *m_swap, *m_add;
-  widgets::MaterialWell* m_offered = nullptr;  ///< target of a drag beside the slots
+  widgets::MaterialSlotWidget* m_offered = nullptr;  ///< target of a drag beside the slots
 };
 
 }  // namespace gonio::app

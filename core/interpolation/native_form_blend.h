@@ -10,8 +10,8 @@
 namespace gonio::editing {
 
 /// A blend in the common form of its materials.
-struct OwnFormBlend {
-  std::shared_ptr<const Brdf> brdf;  ///< an RglBrdf or UtiaBrdf with IncidentSlot::viewer
+struct NativeFormBlend {
+  std::shared_ptr<const Brdf> brdf;  ///< an RglBrdf or UtiaBrdf with IncidentDirection::viewer
   /// Index of the material whose nodes the result has; 0 for UTIA files, which all have the same nodes.
   std::size_t nodes = 0;
   /// -20 log10 d, dB, where d is the mean over viewers of the light that |brdf - blend| would reflect under uniform
@@ -24,13 +24,13 @@ struct OwnFormBlend {
 inline constexpr double minBlendAccuracy = 30;
 
 /// Whether a space mixes materials in their native form: `linear` and `differential`.
-bool mixesOwnForms(InterpolationSpace space);
+bool mixesNativeForms(InterpolationSpace space);
 
 /// For UTIA files a UTIA file, exact for linear blends. For RGL files (all isotropic, or all anisotropic) an RGL file
 /// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix native
 /// forms, if a material has another form, or below minBlendAccuracy. Materials of weight 0 are ignored. @throws Error
 /// for invalid weights; Cancelled.
-std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,
-                                         std::span<const double> weights, const TaskControl& control = {});
+std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, InterpolationSpace space,
+                                               std::span<const double> weights, const TaskControl& control = {});
 
 }  // namespace gonio::editing
