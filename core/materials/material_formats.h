@@ -12,7 +12,7 @@
 #include "core/materials/material.h"
 
 /// The table of file formats of materials, which readers, writers, dialogs, folders, drag and drop and the command line
-/// use. To add a format, add a row.
+/// use. How to add one: CONTRIBUTING.md, "Add a material format".
 namespace gonio::materials {
 
 enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
@@ -28,7 +28,7 @@ struct MaterialFormat {
   std::string_view label;                      ///< for display, e.g. "MERL table"
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
   bool hasCommonSuffix;  ///< whether other kinds of files have the suffix too, so that only the content decides
-  bool isMeasurement;    ///< false: a model of a measurement, which training sets exclude
+  bool isMeasurement;    ///< false: modelled or reconstructed from one; training sets exclude it
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);
