@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# scripts/check_style.sh [BASE]: clang-format on every source file; clang-tidy (.clang-tidy) on the source files that differ from
-# the commit BASE. Without BASE: from where the branch left origin/main, or from the commit before this one.
+# scripts/check_style.sh [BASE]: clang-format on every source file, also if it is not added yet; clang-tidy (.clang-tidy) on the
+# source files that differ from the commit BASE. Without BASE: from where the branch left origin/main, or from the commit before this one.
 set -eu
 # shellcheck source=scripts/setup.sh
 . "$(dirname "$0")/setup.sh"
@@ -11,7 +11,7 @@ cd "$root"
 # Another version of clang-format breaks lines elsewhere, so only the one of Debian 12 is asked.
 format_version=14
 if clang-format --version 2>/dev/null | grep -q "version $format_version\."; then
-  git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run --Werror || fail "run clang-format -i on the files above"
+  git ls-files -co --exclude-standard '*.cpp' '*.h' | xargs clang-format --dry-run --Werror || fail "run clang-format -i on the files above"
 else
   printf 'gonio: clang-format %s is not installed: the layout of the sources is not checked\n' "$format_version" >&2
 fi

@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The Gonio authors
 """Writes the reference of docs/python.md, below its introduction, from the docstrings of the module gonio:
 
-    PYTHONPATH=build/release/python scripts/python_reference.py
+    PYTHONPATH=build/release/python /usr/bin/python3 scripts/python_reference.py
 """
 import ast
 import inspect

@@ -12,7 +12,7 @@
 #include "core/materials/material.h"
 
 /// The table of file formats of materials, which readers, writers, dialogs, folders, drag and drop and the command line
-/// use. To add a format, add a row.
+/// use. How to add one: CONTRIBUTING.md, "Add a material format".
 namespace gonio::materials {
 
 enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
@@ -29,7 +29,8 @@ struct MaterialFormat {
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
   bool isSuffixAmbiguous;  ///< whether other kinds of files use the same suffix, so that only the content determines
                            ///< the format
-  bool isMeasurement;      ///< false: a model of a measurement, which training sets exclude
+  bool isMeasurement;      ///< false: modelled or reconstructed from a
+                           ///< measurement; training sets exclude it
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);

@@ -4,7 +4,7 @@
 
 #include "core/models/model.h"
 
-/// The list of models. A new model needs a source file, a shader, a test, and a line here and in registry.cpp.
+/// The list of models. How to add one: CONTRIBUTING.md, "Add a BRDF model".
 namespace gonio::models {
 
 const Model& lambert();

@@ -19,7 +19,7 @@ namespace dock_layout_test {
 using namespace gonio::app;
 using Workspace = DockLayout::Workspace;
 
-/// A window with as many docks as the editor has, around a plain centre.
+/// A window with docks at the same sides as in the editor, around a plain centre.
 struct Window {
   QMainWindow window;
   DockLayout docks{window};

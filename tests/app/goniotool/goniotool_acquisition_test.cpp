@@ -215,10 +215,7 @@ class GoniotoolAcquisitionTest : public QObject {
     }
   }
 
-  void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
-  }
+  void zEveryKeyIsDocumented() { QCOMPARE(undocumentedKeys(), QString()); }
 
  private:
   TestFolder folder_{"goniotool-acquisition"};

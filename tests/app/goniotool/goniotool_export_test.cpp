@@ -70,9 +70,8 @@ class GoniotoolExportTest : public QObject {
 
   /// Last of all tests.
   void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
     QVERIFY(seenKeys().size() > 10);
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+    QCOMPARE(undocumentedKeys(), QString());
   }
 
  private:

@@ -200,10 +200,7 @@ class GoniotoolInterpolateTest : public QObject {
   }
 
   /// Every key that the runs above printed stands in the documentation, in backquotes. Last of all tests.
-  void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
-  }
+  void zEveryKeyIsDocumented() { QCOMPARE(undocumentedKeys(), QString()); }
 
  private:
   TestFolder folder_{"goniotool-interpolate"};

@@ -121,10 +121,7 @@ class GoniotoolMeasureTest : public QObject {
     QVERIFY(suffix.code == 1 && suffix.error.contains(".binary"));
   }
 
-  void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
-  }
+  void zEveryKeyIsDocumented() { QCOMPARE(undocumentedKeys(), QString()); }
 
  private:
   TestFolder folder_{"goniotool-measure"};

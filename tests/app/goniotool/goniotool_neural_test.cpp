@@ -63,10 +63,7 @@ class GoniotoolNeuralTest : public QObject {
     QCOMPARE(runTool({"train-neural", plastic_, "--steps", "1", "--out", folder_.path("x.png")}).code, 1);
   }
 
-  void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
-  }
+  void zEveryKeyIsDocumented() { QCOMPARE(undocumentedKeys(), QString()); }
 
  private:
   TestFolder folder_{"goniotool-neural"};

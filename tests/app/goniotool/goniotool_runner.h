@@ -43,6 +43,18 @@ inline void collectKeys(const nlohmann::json& json) {
   }
 }
 
+/// The keys that runTool() has seen and docs/command-line.md does not contain in backquotes, with what to do; empty if
+/// there are none.
+inline QString undocumentedKeys() {
+  QFile page(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md");
+  if (!page.open(QIODevice::ReadOnly)) return page.fileName() + " cannot be read";
+  const QByteArray text = page.readAll();
+  QStringList missing;
+  for (const std::string& key : seenKeys())
+    if (!text.contains("`" + QByteArray::fromStdString(key) + "`")) missing << QString::fromStdString(key);
+  return missing.isEmpty() ? QString() : "document these keys in docs/command-line.md: " + missing.join(", ");
+}
+
 /// Runs goniotool to its end.
 inline ToolResult runTool(const QStringList& arguments) {
   QProcess process;

@@ -163,8 +163,7 @@ class GoniotoolShardsTest : public QObject {
   void zEveryKeyIsDocumented() {
     for (const char* file : {"whole/m0.json", "1-of-2/shard.json"})
       collectKeys(nlohmann::json::parse(bytesOf(folder_.path(file)).toStdString()));
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
-    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+    QCOMPARE(undocumentedKeys(), QString());
   }
 
  private:

@@ -157,7 +157,12 @@ class GoniotoolTest : public QObject {
       const std::string model = fit["model"].get<std::string>();
       // The body of Ashikhmin and Shirley is none of Lambert's.
       const double most = model == "ashikhmin-shirley" ? 0.05 : 1e-3;
-      QVERIFY2(fit["errors"]["cube-root"].get<double>() < most, model.c_str());
+      const double error = fit["errors"]["cube-root"].get<double>();
+      QVERIFY2(error < most, qPrintable(QString("%1: error %2, expected less than %3. A model that cannot reproduce a "
+                                                "constant needs a bound of its own here.")
+                                            .arg(model.c_str())
+                                            .arg(error)
+                                            .arg(most)));
       QVERIFY(fit["parameterCount"].get<int>() >= 3);
       const double snr = fit["renderedSnr"].is_null() ? last : fit["renderedSnr"].get<double>();
       QVERIFY2(snr <= last, model.c_str());
@@ -352,10 +357,8 @@ class GoniotoolTest : public QObject {
 
   /// Every key that the runs above printed stands in the documentation, in backquotes. Last of all tests.
   void zEveryKeyIsDocumented() {
-    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
     QVERIFY(gonio::test::seenKeys().size() > 40);
-    for (const std::string& key : gonio::test::seenKeys())
-      QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+    QCOMPARE(gonio::test::undocumentedKeys(), QString());
   }
 
  private:
