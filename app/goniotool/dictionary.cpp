@@ -79,7 +79,7 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     if (e < result.errorsAfter.size()) {
       entry["errorBeforeSweep"] = result.errorsBefore[e];
       entry["errorAfterSweep"] = result.errorsAfter[e];
-      text += "; for whole tables " + number(result.errorsBefore[e]) + " before the last sweep, " +
+      text += "; for whole tables " + number(result.errorsBefore[e]) + " before the final sweep over them, " +
               number(result.errorsAfter[e]) + " after it";
     }
     ensembles.push_back(entry);
@@ -138,20 +138,20 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_option("SOURCE", options->sources, editing::trainingHelp())->required();
   command->add_option("--out", options->out, "File to write (.dictionary)")->required();
   command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
-  command->add_option("--dictionaries", training.dictionaries, "Dictionaries per ensemble (8)")
+  command->add_option("--dictionaries", training.dictionaries, "Dictionaries for each number of coefficients (8)")
       ->check(CLI::Range(1, 64));
   command
       ->add_option("--sparsities", training.sparsities,
-                   "Coefficients per signal; one ensemble for each number (32,64,128,256)")
+                   "Numbers of coefficients per signal; each has its own dictionaries (32,64,128,256)")
       ->delimiter(',')
       ->check(CLI::Range(1, 65535));
-  command->add_option("--iterations", training.iterations, "Max. rounds per ensemble (12)")
+  command->add_option("--iterations", training.iterations, "Max. rounds for each number of coefficients (12)")
       ->check(CLI::Range(1, 10000));
   command->add_option("--passes", training.passes, "Passes over the dictionaries per round (4)")
       ->check(CLI::Range(1, 100));
   command
       ->add_option("--tolerance", training.tolerance,
-                   "Stop an ensemble when a round lowers its error by less than this fraction (0.0005)")
+                   "End the rounds when one lowers the error by less than this fraction (0.0005)")
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--subspace-loss", training.subspaceLoss,

@@ -109,10 +109,10 @@ bool isHighlightMissed(const FactorMeasurement& m) {
 void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
   constexpr double many = 0.1, blowUp = 0.01;
   if (support.contradicted > many)
-    support.warnings.push_back(
-        "Unreliable for " + percent(support.contradicted) +
-        " of the directions: the prediction is not reciprocal (exchanging light and viewer changes it by more than a "
-        "factor of 2). Use the axes symmetric deviation or half-difference.");
+    support.warnings.push_back("Unreliable for " + percent(support.contradicted) +
+                               " of the directions: the product of the curves is not reciprocal (exchanging light and "
+                               "viewer changes it by more than a "
+                               "factor of 2). Use the axes symmetric deviation or half-difference.");
   if (support.extrapolated > many)
     support.warnings.push_back(
         "Unreliable for " + percent(support.extrapolated) +

@@ -50,8 +50,8 @@ ExportTarget slicesTarget() {
           .label = "Slices (OpenEXR)",
           .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
           .holds =
-              "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector above the "
-              "tangent. No renderer reads this file.",
+              "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector "
+              "tilted towards x, the brushing direction. No renderer reads this file.",
           .suffixes = {slicesSuffix},
           .make = makeSlices};
 }

@@ -15,6 +15,7 @@
 #include "core/geometry/polygon.h"
 #include "core/io/text_lines.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::io {
 
@@ -230,7 +231,7 @@ class PlyReader {
     for (std::uint64_t i = 0; i < count; ++i) {
       const double index = numbers_.next(property.type);
       if (!(index >= 0 && index < double(arrays_.positions.size()) && index == std::floor(index)))
-        throw Error("found vertex " + std::to_string(index) + ", but there are only " +
+        throw Error("found vertex " + numberText(index) + ", but there are only " +
                     std::to_string(arrays_.positions.size()) + " before it, counted from 0");
       corners_.push_back(std::uint32_t(index));
       places_.push_back(arrays_.positions[corners_.back()]);

@@ -62,9 +62,10 @@ void DirectionRows::buildMethod(QFormLayout& form) {
     m_method->setItemData(m_method->count() - 1, explanation, Qt::ToolTipRole);
   }
   form.addRow(tr("Metho&d"), m_method);
-  m_seed =
-      rowField(tr("Seed"), tr("Seed of the random directions and of the noise; change it to get other random values"),
-               1, 1e6, 1, {});
+  m_seed = rowField(
+      tr("Seed"),
+      tr("Seed of the methods Random and Condition number, and of the noise; change it to get other random values"), 1,
+      1e6, 1, {});
   form.addRow(tr("Seed"), m_seed);
   m_seed->setValue(1);
 }

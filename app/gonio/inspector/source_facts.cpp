@@ -61,8 +61,9 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   if (!own)
     return {SourceFactsText::tr("Table for fits"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
-            SourceFactsText::tr("Fits, factors and codes use a table sampled from the file; the image and its edits "
-                                "use the file itself.") +
+            SourceFactsText::tr("Fits, factors and codes use a table sampled from %1; the preview and the edits use "
+                                "the material itself.")
+                    .arg(sourceText(loaded)) +
                 '\n' + gridExplanation + '\n' + errorExplanation};
   widgets::Fact fact{
       SourceFactsText::tr("Table"),

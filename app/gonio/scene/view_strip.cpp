@@ -82,7 +82,7 @@ void ViewStrip::build() {
   m_backgrounds->setToolTip(tr("Background behind the object"));
   m_slider->setRange(-maxStops, maxStops, models::ParameterScale::linear);
   m_slider->setReference(0);
-  m_slider->setToolTip(tr("Exposure in stops; double-click for 0 (Ctrl+[, Ctrl+], Ctrl+\\)"));
+  m_slider->setToolTip(tr("Exposure in stops (Ctrl+[ darker, Ctrl+] brighter); double-click or Ctrl+\\ for 0"));
   m_slider->setAccessibleName(tr("Exposure"));
   m_exposure->setRange(-hardStops, hardStops);
   m_exposure->setUnit(tr("EV"));

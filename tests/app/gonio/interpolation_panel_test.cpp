@@ -53,19 +53,19 @@ class InterpolationPanelTest : public QObject {
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
     QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
-    Q_EMIT editor.panel.placeEditor().slider().numberEdited(0.25);
+    Q_EMIT editor.panel.positionEditor().slider().numberEdited(0.25);
     QVERIFY(changed.count() > 0);
-    QCOMPARE(editor.panel.placeEditor().number().value(), 0.25);
-    QCOMPARE(editor.panel.placeEditor().slider().number(), 0.25);
+    QCOMPARE(editor.panel.positionEditor().number().value(), 0.25);
+    QCOMPARE(editor.panel.positionEditor().slider().number(), 0.25);
     QVERIFY(std::holds_alternative<widgets::PreviewBlend>(editor.panel.subject()->shown));
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.3) < 1e-6);
-    Q_EMIT editor.panel.placeEditor().number().valueEdited(0.5);
-    QCOMPARE(editor.panel.placeEditor().slider().number(), 0.5);
+    Q_EMIT editor.panel.positionEditor().number().valueEdited(0.5);
+    QCOMPARE(editor.panel.positionEditor().slider().number(), 0.5);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.4) < 1e-6);
     QVERIFY(editor.panel.description().contains("50 % dark") && editor.panel.description().contains("Linear"));
     QCOMPARE(editor.panel.wells().well(1).content().note, QStringLiteral("50 %"));
     // The end is the material, not a blend of one.
-    Q_EMIT editor.panel.placeEditor().slider().numberEdited(1);
+    Q_EMIT editor.panel.positionEditor().slider().numberEdited(1);
     QVERIFY(editor.panel.subject()->isMeasured());
     QVERIFY(editor.panel.subject()->base() == editor.panel.ends().at(1)->material.table);
     // Swapped: the same place, the other end.
@@ -105,25 +105,25 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
-    QVERIFY(editor.panel.placeEditor().slider().isVisible());
+    QVERIFY(editor.panel.positionEditor().slider().isVisible());
     editor.panel.ends().addPlace();
-    QVERIFY(!editor.panel.placeEditor().slider().isVisible() && editor.panel.placeEditor().pad().isVisible());
+    QVERIFY(!editor.panel.positionEditor().slider().isVisible() && editor.panel.positionEditor().pad().isVisible());
     QVERIFY(!editor.panel.subject());
     for (const double weight : editor.panel.weights()) QVERIFY(std::abs(weight - 1 / 3.0) < 1e-12);  // as before: equal
     editor.fill(2, "white", 0.9);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject() || !editor.panel.isShownInPreview(), patienceMilliseconds);
-    editor.panel.placeEditor().pad().setFocus();
-    QTest::keyClick(&editor.panel.placeEditor().pad(), Qt::Key_Home);
+    editor.panel.positionEditor().pad().setFocus();
+    QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
-    QVERIFY(editor.panel.placeEditor().pad().place() == editor.panel.place());
-    QVERIFY(editor.panel.weights() == editor.panel.placeEditor().pad().weights());
+    QVERIFY(editor.panel.positionEditor().pad().place() == editor.panel.place());
+    QVERIFY(editor.panel.weights() == editor.panel.positionEditor().pad().weights());
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 1.7 / 3) < 1e-6);
-    QTest::keyClick(&editor.panel.placeEditor().pad(), Qt::Key_3);
+    QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_3);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
     // Back to two: the place goes to the nearest that there is.
     editor.panel.wells().well(2).clearButton()->click();
     QCOMPARE(editor.panel.ends().count(), 2);
-    QVERIFY(editor.panel.placeEditor().slider().isVisible());
+    QVERIFY(editor.panel.positionEditor().slider().isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
   }
 
