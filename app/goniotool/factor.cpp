@@ -141,9 +141,10 @@ int factor(const FactorArguments& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
-        std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) +
-            " bytes, relative residual " + (result.residuals.empty() ? "unknown" : number(result.residuals.back())) +
-            ", " + qualityText(quality, result.seconds));
+        std::to_string(f.terms()) + (f.terms() == 1 ? " term, " : " terms, ") +
+            std::to_string(materials::pdvFileBytes(f)) + " bytes, relative residual " +
+            (result.residuals.empty() ? "unknown" : number(result.residuals.back())) + ", " +
+            qualityText(quality, result.seconds));
   return 0;
 }
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isOutput(const CLI::Option& option) {
-  constexpr std::array names{"out", "image", "save", "csv", "latex", "predict"};
+  constexpr std::array names{"out", "image", "save", "csv", "latex", "predict", "decode", "uncertainty"};
   return option.get_name(true) == "OUT" ||
          std::ranges::any_of(names, [&](const char* name) { return option.check_lname(name); });
 }

@@ -13,7 +13,7 @@ namespace gonio {
 /// direction of the viewer: for models of the projected deviation Dp = wi_xy + wo_xy. `Radial` is a density in the
 /// plane:
 ///   double sample(double u) const; // |Dp|
-///   double density(double r) const; // per unit area; 0 beyond `reach`, integrates to 1
+///   double density(double r) const; // per unit area; 0 beyond diskReach, integrates to 1
 /// Points outside the disk are moved inside by inversion in the unit circle (x becomes x / |x|^2), so that the density
 /// integrates to 1: d omega cos theta = dx dy, and inversion scales areas by |x|^-4.
 template <typename Radial>

@@ -7,7 +7,7 @@
 
 namespace gonio {
 
-const char* incidentSlotId(IncidentDirection slot) {
+const char* incidentDirectionId(IncidentDirection slot) {
   switch (slot) {
     case IncidentDirection::light:
       return "light";

@@ -9,17 +9,17 @@
 
 namespace gonio {
 
-/// Which direction of a pair is used as the file's incident direction. This matters only if the measurement is not
-/// reciprocal.
+/// Which direction of a pair is used as the file's incident direction (the "slot" below). This matters only if the
+/// measurement is not reciprocal.
 enum class IncidentDirection {
   viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light for a given viewer
   light,   ///< wi, as the file names it
   mean     ///< the mean of both, which is reciprocal
 };
-inline constexpr IncidentDirection allIncidentSlots[] = {IncidentDirection::viewer, IncidentDirection::light,
-                                                         IncidentDirection::mean};
+inline constexpr IncidentDirection allIncidentDirections[] = {IncidentDirection::viewer, IncidentDirection::light,
+                                                              IncidentDirection::mean};
 /// The name in files: "viewer", "light" or "mean".
-const char* incidentSlotId(IncidentDirection slot);
+const char* incidentDirectionId(IncidentDirection slot);
 
 /// How an RGL or UTIA file is read; empty for other BRDFs, which have no stored incident direction.
 std::optional<IncidentDirection> incidentDirectionOf(const Brdf& brdf);

@@ -13,7 +13,7 @@
 
 namespace gonio {
 
-/// A density for importance sampling of any BRDF that has none of its own: its value times cos theta_i, tabulated for
+/// A density for importance sampling of any BRDF: its value times cos theta_i, tabulated for
 /// several viewers over the unit square of half vectors (core/brdf/lobe_square.h). For an anisotropic BRDF the table is
 /// the mean over several azimuths, and grain() follows the highlight. A lobe for LobeMixture; the preview's shader
 /// reads the same table. Samples with a half vector that faces away from the viewer or a direction below the horizon

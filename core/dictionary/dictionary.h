@@ -24,7 +24,7 @@ struct Dictionary {
   int sparsity = 0;                      ///< number of coefficients per signal in training
 };
 
-/// The dictionaries of all trained sparsities.
+/// The dictionaries of all trained sparsities. (In training, an ensemble is the dictionaries of one sparsity.)
 struct Ensemble {
   HalfDifferenceGrid grid;
   std::vector<Dictionary> dictionaries;

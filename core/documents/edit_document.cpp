@@ -142,7 +142,7 @@ nlohmann::json contentToJson(const EditDocument& document) {
     source["blend"] = toJson(*document.blend);
   else
     source["path"] = document.sourcePath;
-  if (document.incident != IncidentDirection::viewer) source["incident"] = incidentSlotId(document.incident);
+  if (document.incident != IncidentDirection::viewer) source["incident"] = incidentDirectionId(document.incident);
   return {{"source", std::move(source)}, {"edits", std::move(edits)}};
 }
 
@@ -159,8 +159,8 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   if (source.contains("incident")) {
     const std::string id = source.text("incident");
     const auto slot =
-        std::ranges::find_if(allIncidentSlots, [&](IncidentDirection s) { return id == incidentSlotId(s); });
-    if (slot == std::end(allIncidentSlots)) source.fail("incident", "viewer, light or mean");
+        std::ranges::find_if(allIncidentDirections, [&](IncidentDirection s) { return id == incidentDirectionId(s); });
+    if (slot == std::end(allIncidentDirections)) source.fail("incident", "viewer, light or mean");
     document.incident = *slot;
   }
   document.sourceSha256 = source.text("sha256");

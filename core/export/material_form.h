@@ -35,8 +35,8 @@ std::string azimuthLoss();
 /// an edited RGL or UTIA file, the change of the edits is added to the values at the file's nodes; all other content is
 /// kept.
 /// @param base the material without edits, as it was read.
-/// @param source the same material with edits: `brdf` is `base.brdf` if there are none, and a table if an edited table;
-/// `rgl` and `rglFile` are set if `base` is an RGL file.
+/// @param source the same material with edits: `brdf` is `base.brdf` if there are none, and a table if `base` is a
+/// table; `rgl` and `rglFile` are set if `base` is an RGL file.
 /// @throws Error if the form cannot represent `base`; Cancelled.
 FormFile encodeMaterial(const ExportSource& source, const materials::Material& base, MaterialForm form,
                         const TaskControl& control = {});

@@ -54,9 +54,10 @@ class RepresentationBuilder {
   /// @param planned all representations that will be built.
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
-  /// Deterministic except for times. Fits, factors and baselines take about a second, codes two, non-parametric factors
-  /// some seconds, neural BRDFs 12 s. @throws Error for a representation that was not planned, more components than the
-  /// basis has, or a table with another grid than the basis; Cancelled.
+  /// Deterministic except for times. Fits, factors and most baselines take about a second, codes two, joint factors,
+  /// the Gaussian process and non-parametric factors some seconds, neural BRDFs 12 s. @throws Error for a
+  /// representation that was not planned, more components than the basis has, or a table with another grid than the
+  /// basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:

@@ -162,7 +162,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv
             files with as many terms in the form "3d".
         coefficients: Numbers of coefficients per channel for the codes of "codes", "published" and "alternatives".
-        dictionary: The ensemble of dictionaries for "codes"; None: the bundled one.
+        dictionary: The ensemble of dictionaries for all these codes; None: the bundled one.
         components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
         basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required
             for "components".

@@ -189,8 +189,8 @@ def baselines() -> dict[str, str]:
 
 
 def factorize_baseline(material: Material, method: str, bytes: int = 44680, progress: Progress = None) -> BaselineFactors:
-    """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Takes up to a
-    minute.
+    """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Takes up
+    to some seconds.
 
     Args:
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).

@@ -77,7 +77,7 @@ void LibraryView::buildControls() {
     updateEmptyState();
     m_visibleTimer.start();
   });
-  m_search->setToolTip(tr("Searches the names, kinds and sources for all words, in any order"));
+  m_search->setToolTip(tr("Searches the names, kinds, badges, sources and tags for all words, in any order"));
   m_filter->setText(tr("Filter"));
   m_filter->setCheckable(true);
   m_filter->setFocusPolicy(Qt::StrongFocus);

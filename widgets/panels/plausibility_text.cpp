@@ -43,13 +43,16 @@ Text textOf(const metrics::PlausibilityCheck& check) {
         PlausibilityText::tr("Exchanging light and viewer does not change the BRDF value."),
         PlausibilityText::tr("Maximum difference: %1 of the value (limit %2)")
             .arg(percent(check.worst), percent(check.limit)),
-        PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal.")};
+        PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal. "
+                             "Measured RGL and UTIA files are reciprocal only if Incident direction, in the section "
+                             "Source, is set to Mean of both.")};
   if (check.name == "negative")
     return {PlausibilityText::tr("Non-negative"),
             PlausibilityText::tr("BRDF values are at least 0. Where an edit subtracts more than was measured, the "
                                  "image shows black patches."),
-            PlausibilityText::tr("Minimum value: %1 1/sr, at %2 of the directions")
-                .arg(number(-check.worst), percent(check.fraction)),
+            check.worst > 0 ? PlausibilityText::tr("Negative at %1 of the directions; most negative value: %2 1/sr")
+                                  .arg(percent(check.fraction), number(-check.worst))
+                            : PlausibilityText::tr("No negative values"),
             PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every BRDF value is a finite number."),

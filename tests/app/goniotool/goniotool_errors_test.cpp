@@ -73,6 +73,7 @@ class GoniotoolErrorsTest : public QObject {
           QStringList{"edit", document, "--model", "ggx", "--control", "roughness=2", "--out", document},
           QStringList{"fit", own, "--model", "ggx", "--out", own}, QStringList{"render", own, "--out", own},
           QStringList{"interpolate", own, plastic_, "--out", own},
+          QStringList{"factor", own, "--terms", "1", "--decode", own},
           QStringList{"interpolate", series, plastic_, "--steps", "3", "--out", folder_.path("series.binary")},
           QStringList{"export", document, folder_.path("own"), "--for", "merl"}}) {
       const ToolResult result = runTool(arguments);

@@ -15,6 +15,7 @@
 #include "core/rendering/scene_light.h"
 #include "core/support/error.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
 namespace scene_file_test {
@@ -149,7 +150,7 @@ class SceneFileTest : public QObject {
   }
 
   void theComparisonSceneHasTwoNames() {
-    const LambertBrdf grey(Rgb(0.5));
+    const test::FunctionBrdf grey([](const Direction&, const Direction&) { return Rgb(0.2); });
     RenderOptions options;
     options.width = options.height = 24;
     options.samples = 4;
