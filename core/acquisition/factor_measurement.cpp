@@ -48,7 +48,8 @@ void sortBy(double FactorCoordinates::*coordinate, std::vector<Reading>& reading
     return b.place.*coordinate - a.place.*coordinate < samePlace;
   });
   if (same != readings.end())
-    throw Error(sampleText(*(same + 1)) + "same position on the curve as sample " + std::to_string(same->index));
+    throw Error(sampleText(*(same + 1)) + "found the same position on the curve as sample " +
+                std::to_string(same->index) + ", expected each position once");
 }
 
 /// The angle of the readings across, that of the one nearest to the mirror direction.

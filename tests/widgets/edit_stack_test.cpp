@@ -43,8 +43,8 @@ class EditStackTest : public QObject {
 
   void showsWhatItIsTold() {
     QCOMPARE(named<NumberField>("Strength of Factor curves")->text(), QStringLiteral("50\u202F%"));
-    QVERIFY(named<QToolButton>("Factor curves is shown")->isChecked());
-    QVERIFY(!named<QToolButton>("GGX is shown")->isChecked());
+    QVERIFY(named<QToolButton>("Factor curves enabled")->isChecked());
+    QVERIFY(!named<QToolButton>("GGX enabled")->isChecked());
     QVERIFY(!named<ParameterSlider>("Strength of GGX")->isEnabled());  // what is hidden has no strength to pull
     m_stack->setEntries({}, -1, "None");
     const auto* empty = m_stack->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
@@ -66,7 +66,7 @@ class EditStackTest : public QObject {
     QSignalSpy enabled(m_stack.get(), &EditStack::enabledChosen);
     QSignalSpy strength(m_stack.get(), &EditStack::strengthEdited);
     QSignalSpy removed(m_stack.get(), &EditStack::deleteRequested);
-    QTest::keyClick(named<QToolButton>("GGX is shown"), Qt::Key_Space);
+    QTest::keyClick(named<QToolButton>("GGX enabled"), Qt::Key_Space);
     QCOMPARE(enabled.count(), 1);
     QCOMPARE(enabled[0][0].toInt(), 1);
     QVERIFY(enabled[0][1].toBool());

@@ -12,6 +12,7 @@
 #include "tests/support/test_program.h"
 #include "widgets/inputs/collapsible_section.h"
 #include "widgets/parameters/colour_swatch.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"
 #include "widgets/parameters/parameter_row.h"
@@ -235,8 +236,9 @@ class ParameterPanelTest : public QObject {
     const models::ParameterSpec& roughness = m_spec.parameters[index("roughness")];
     const Rgb fitted(0.25);
     const QString text = parameterToolTip(roughness, &fitted);
-    for (const auto& part : {roughness.label, roughness.symbol, roughness.description, roughness.reference})
+    for (const auto& part : {roughness.label, roughness.description, roughness.reference})
       QVERIFY(text.contains(toQString(part).toHtmlEscaped()));
+    for (const auto& part : {roughness.symbol, roughness.formula}) QVERIFY(text.contains(formulaHtml(part)));
     QVERIFY(text.contains("0.25"));
   }
 

@@ -130,7 +130,7 @@ class ImageDialogTest : public QObject {
       choose(*dialog, "As in preview");
       QCOMPARE(dialog->request().width, 320);
       QCOMPARE(dialog->request().height, 200);
-      choose(*dialog, "1920 x 1080");
+      choose(*dialog, QString::fromUtf8("1920 \u00d7 1080"));
       QCOMPARE(dialog->request().height, 1080);
       field(*dialog, "Width").setValue(50);
       field(*dialog, "Height").setValue(20);

@@ -237,7 +237,7 @@ class DictionaryReconstructionTest : public QObject {
     MeasuredValues negative = values, few = values;
     negative.rgb[3].y = -1;
     few.rgb.pop_back();
-    QVERIFY(messageOf(run(prior, negative)).contains("sample 4: found the value -1"));
+    QVERIFY(messageOf(run(prior, negative)).contains("sample 4: found a value of -1"));
     QVERIFY(messageOf(run(prior, few)).contains("found 9 values for a plan of 10 samples"));
     QVERIFY(messageOf(run(randomPrior(1, 5), values)).contains("found 1 dictionaries, expected 2"));
     QVERIFY(messageOf(run(prior, values, -1)).contains("noise"));

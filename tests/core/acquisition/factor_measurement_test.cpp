@@ -106,7 +106,7 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(test::contains(errorOf(plan), "degrees on the curve across, expected 60"));
     plan = good;
     plan.plan.samples[4].directions = plan.plan.samples[3].directions;
-    QVERIFY(test::contains(errorOf(plan), "sample 5: same position on the curve as sample 4"));
+    QVERIFY(test::contains(errorOf(plan), "sample 5: found the same position on the curve as sample 4"));
     plan = good;
     std::ranges::fill(plan.curves, FactorCurve::along);
     QVERIFY(test::contains(errorOf(plan), "found no reading across"));

@@ -120,7 +120,7 @@ class BlendSourceTest : public QObject {
     const materials::Material own = readSource(document, {});
     QVERIFY(own.brdf->asRgl() && !own.table);
     QCOMPARE(own.source.notes.size(), std::size_t(1));
-    QVERIFY(own.source.notes[0].find("nodes of paper_") != std::string::npos);
+    QVERIFY(own.source.notes[0].find("angles of paper_") != std::string::npos);
 
     blend->materials[1] = fileDocument("light.binary");
     const materials::Material mixed = readSource(document, {});

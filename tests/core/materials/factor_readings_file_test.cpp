@@ -84,13 +84,13 @@ class FactorReadingsFileTest : public QObject {
     row("angle", with("20,180,60", "95,180,60"), "line 5: found 95 for theta_i");
     row("value", with("1,0.9,0.8\n3", "-1,0.9,0.8\n3"), "line 3: found -1 for r");
     row("not a number", with("0.5,0.4", "x,0.4"), "line 2");
-    row("index twice", with("2,along", "1,along"), "line 3: found the index 1 again");
+    row("index twice", with("2,along", "1,along"), "line 3: found the index 1 a second time");
     row("off the mirror", with("1,along,30,180", "1,along,40,180"),
         "sample 1: found the distance 0.1428 from the mirror");
     row("another angle", with("4,across,20,180,60", "4,across,20,180,50"),
         "sample 4: found the angle 50 degrees on the curve across, expected 60");
     row("same place", with("1,along,30,180,30", "1,along,60,180,60"),
-        "sample 2: the curve has a reading at this place");
+        "sample 2: found the same position on the curve as sample 1");
     row("no curve along", with("1,along", "1,across"), "sample");
     row("empty", "", "");
   }

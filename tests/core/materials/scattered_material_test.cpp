@@ -145,7 +145,7 @@ class ScatteredMaterialTest : public QObject {
   }
 
   void nothingToLearnFromIsRefused() {
-    QVERIFY(contains(errorOf([] { materialOf({}); }), "found 0 points, expected at least one"));
+    QVERIFY(contains(errorOf([] { materialOf({}); }), "found 0 samples, expected at least one"));
     // Light and viewer all but opposite: no half vector that a table holds.
     ScatteredSamples grazing;
     grazing.add({glm::normalize(Direction(1, 0, 1e-9)), glm::normalize(Direction(-1, 0, 1e-9))}, Rgb(1));
