@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QTest>
+#include <QToolButton>
 #include <QWindow>
 #include <optional>
 #include <random>
@@ -119,6 +120,9 @@ class Monkey : public QObject {
     for (const QWidget* one = widget; one; one = one->parentWidget())
       for (const char* source : {"QListView", "QTextEdit", "QLabel", "gonio::widgets::MaterialSlotWidget"})
         if (one->inherits(source)) return false;
+    // Pressed again while its menu is open, a button starts a second loop over the first, which then never ends.
+    const auto* button = qobject_cast<const QToolButton*>(widget);
+    if (button && button->menu()) return false;
     return widget && !widget->inherits("QDockWidget");
   }
 
