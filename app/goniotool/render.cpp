@@ -96,7 +96,7 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
 
 int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
-    throw UsageError("--out is missing: name an image to write, or use --effects alone");
+    throw UsageError("--out is missing: name an image to write, or use --effects, --effect-costs or --strategy-costs");
   if (!options.out.empty()) checkPicture(options.out);
   const RenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));

@@ -208,9 +208,10 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
-      ->add_option("--dictionary", options->dictionaries,
-                   "Dictionary file of the codes (bundled dictionary); repeatable: each material is encoded with the "
-                   "first dictionary that was not trained on it")
+      ->add_option(
+          "--dictionary", options->dictionaries,
+          "Dictionary file of the codes; repeatable: each material is encoded with the first dictionary that was "
+          "not trained on it (bundled dictionary)")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

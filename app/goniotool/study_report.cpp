@@ -104,7 +104,7 @@ Json summaryJson(std::span<const StudySummary> summaries) {
 std::string recordsText(std::span<const StudyRecord> records) {
   char line[200];
   std::snprintf(line, sizeof line, "  %-52s %17s %11s %10s %9s %10s\n", "representation", "rendered SNR [dB]",
-                "value [ns]", "frame [ms]", "bytes", "encode [s]");
+                "eval. [ns]", "frame [ms]", "bytes", "encode [s]");
   std::string text = line;
   for (const StudyRecord& record : records) {
     const std::string label = record.representation.fullLabel();

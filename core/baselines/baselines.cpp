@@ -101,6 +101,12 @@ Models buildHosvd(const TabulatedBrdf& table, Budgets budgets, const TaskControl
   });
 }
 
+Models buildCosineSeries(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  return buildTensor(table, budgets, control, [](const HalfDifferenceTensor& tensor, std::size_t budget) {
+    return truncateCosineSeries(tensor, cosineCoefficients(tensor.axes, budget));
+  });
+}
+
 Models buildMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
   const McCoolFactors factors = factorizeMcCool(sampleHalfDifference(table, mcCoolAxes(), control), control);
   return Models(budgets.size(), {makeMcCoolBrdf(factors), factors.bytes()});
@@ -148,6 +154,8 @@ constexpr Baseline allBaselines[] = {
      "Carroll and Chang 1970; Kolda and Bader 2009, Tensor Decompositions and Applications", 33'284, buildCp},
     {"hosvd", "Higher-order SVD", "higher-order SVD in half-difference coordinates",
      "De Lathauwer, De Moor and Vandewalle 2000, A Multilinear Singular Value Decomposition", 263'036, buildHosvd},
+    {"cosine-series", "Cosine series", "discrete cosine transform in half-difference coordinates",
+     "Ahmed, Natarajan and Rao 1974, Discrete Cosine Transform", 340'204, buildCosineSeries},
     {"nmf", "Non-negative matrix factorisation", "non-negative matrix factorisation in half-difference coordinates",
      "Lee and Seung 2001, Algorithms for Non-negative Matrix Factorization", exactMatrixBytes, buildNonnegative},
     {"gaussian-process", "Gaussian process", "Gaussian process in half-difference coordinates",

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 #include "core/brdf/pairwise_brdf.h"
 #include "core/factorization/canonical_polyadic.h"
@@ -34,6 +36,19 @@ std::size_t hosvdBytes(const HalfDifferenceAxes& axes, const std::array<int, 3>&
     matrices += std::size_t(sizes[mode]) * std::size_t(ranks[mode]);
   }
   return (coreSize + matrices) * sizeof(float) + boundBytes;
+}
+
+/// Of a coefficient in single precision and its position, of which there are less than 65,536.
+constexpr std::size_t cosineBytes = sizeof(float) + sizeof(std::uint16_t);
+
+/// Orthonormal; a row per frequency.
+Eigen::MatrixXd cosineTransform(int size) {
+  Eigen::MatrixXd matrix(size, size);
+  for (int frequency = 0; frequency < size; ++frequency)
+    for (int node = 0; node < size; ++node)
+      matrix(frequency, node) =
+          std::sqrt((frequency == 0 ? 1.0 : 2.0) / size) * std::cos(pi * frequency * (node + 0.5) / size);
+  return matrix;
 }
 
 /// The decomposition of `tensor` that these values and bytes are.
@@ -117,6 +132,30 @@ std::array<int, 3> hosvdRanks(const HalfDifferenceAxes& axes, std::size_t byteBu
 HalfDifferenceTensor decomposeHosvd(const HalfDifferenceTensor& tensor, const std::array<int, 3>& ranks) {
   const HigherOrderSvd found = decomposeHigherOrderSvd(tensor.values, {ranks[0], ranks[1], ranks[2], 3});
   return decomposed(tensor, compose(found), hosvdBytes(tensor.axes, ranks));
+}
+
+std::size_t cosineCoefficients(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+  const std::size_t all = 3 * axes.thetaH.size() * axes.thetaD.size() * axes.phiD.size();
+  const std::size_t room = byteBudget > boundBytes ? byteBudget - boundBytes : 0;
+  return std::clamp(room / cosineBytes, std::size_t(1), all);
+}
+
+HalfDifferenceTensor truncateCosineSeries(const HalfDifferenceTensor& tensor, std::size_t coefficients) {
+  Tensor series = tensor.values;
+  for (int mode = 0; mode < series.modes(); ++mode)
+    series = modeProduct(series, cosineTransform(series.size(mode)), mode);
+  coefficients = std::min(coefficients, series.count());
+  std::vector<std::size_t> order(series.count());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto isLarger = [&](std::size_t a, std::size_t b) {
+    const double ofA = std::abs(series[a]), ofB = std::abs(series[b]);
+    return ofA != ofB ? ofA > ofB : a < b;
+  };
+  std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(coefficients - 1), order.end(), isLarger);
+  for (std::size_t i = coefficients; i < order.size(); ++i) series[order[i]] = 0;
+  for (int mode = 0; mode < series.modes(); ++mode)
+    series = transposedModeProduct(series, cosineTransform(series.size(mode)), mode);
+  return decomposed(tensor, std::move(series), coefficients * cosineBytes + boundBytes);
 }
 
 std::shared_ptr<const Brdf> makeHalfDifferenceTensorBrdf(HalfDifferenceTensor tensor) {

@@ -45,6 +45,14 @@ std::array<int, 3> hosvdRanks(const HalfDifferenceAxes& axes, std::size_t byteBu
 /// @param ranks each at most the size of its mode.
 HalfDifferenceTensor decomposeHosvd(const HalfDifferenceTensor& tensor, const std::array<int, 3>& ranks);
 
+/// The number of coefficients of a cosine series that fits in the budget, from 1 to all.
+std::size_t cosineCoefficients(const HalfDifferenceAxes& axes, std::size_t byteBudget);
+/// The largest coefficients of the orthonormal discrete cosine transform (type II) over the nodes of all four modes.
+/// Ahmed, Natarajan and Rao 1974, "Discrete Cosine Transform". The squared residual is the energy of the omitted
+/// coefficients. A coefficient has four bytes, its position two. Tens of milliseconds.
+/// @param coefficients at least 1; more than there are: all.
+HalfDifferenceTensor truncateCosineSeries(const HalfDifferenceTensor& tensor, std::size_t coefficients);
+
 /// Linear between the nodes.
 std::shared_ptr<const Brdf> makeHalfDifferenceTensorBrdf(HalfDifferenceTensor tensor);
 

@@ -87,7 +87,7 @@ class ContainerReader {
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> squareMatrix(int size) {
     expectAtLeast(std::size_t(size) * std::size_t(size) * sizeof(Scalar));
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> matrix(size, size);
-    values(matrix, "entry of a matrix");
+    values(matrix, "matrix entry");
     return matrix;
   }
   nlohmann::json description();

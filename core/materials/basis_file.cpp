@@ -97,10 +97,10 @@ Eigen::VectorXf basisColumn(const Sizes& sizes, const std::string& name, io::Con
   Eigen::VectorXf column(cells);
   if (sizes.precision == BasisPrecision::half) {
     HalfVector half(cells);
-    file.values(half, "entry");
+    file.values(half, "column entry");
     column = half.cast<float>();
   } else {
-    file.values(column, "entry");
+    file.values(column, "column entry");
   }
   column *= scale;
   if (!column.allFinite()) file.fail("found " + name + " with an entry that is not finite");

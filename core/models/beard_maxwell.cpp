@@ -35,7 +35,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "tau", .label = "Shadowing falloff", .symbol = "tau", .unit = "rad",
      .softMin = 0.05, .softMax = 3, .hardMin = 1e-3, .hardMax = 100, .defaultValue = 1,
      .scale = ParameterScale::angle, .group = ParameterGroup::shadowing,
-     .description = "Angle between light and viewer at which the shadows of the facets are fully visible; large values "
+     .description = "Angle between light and viewer at which the shadows of the facets have 63 % of their full strength; large values "
                     "remove the shadows.",
      .formula = obscurationFormula, .reference = westlundMeyer},
     {.id = "omega", .label = "Shadowing onset", .symbol = "Omega", .unit = "rad",

@@ -194,9 +194,8 @@ def factorize_baseline(material: Material, method: str, bytes: int = 44680, prog
 
     Args:
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
-        method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd", "nmf" or
-            "gaussian-process"
-            ([command line](command-line.md#baselines)).
+        method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd", "cosine-series",
+            "nmf" or "gaussian-process" ([command line](command-line.md#baselines)).
         bytes: Maximum size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 

@@ -35,7 +35,7 @@ QString stateName(CellState state) {
     case CellState::belowHorizon:
       return CellStateText::tr("below the horizon");
     case CellState::grazing:
-      return CellStateText::tr("grazing");
+      return CellStateText::tr("beyond the max. polar angle");
     case CellState::forbidden:
       return CellStateText::tr("unreachable by the rig");
     case CellState::unlearned:

@@ -23,7 +23,7 @@ enum class CellState : std::uint8_t {
 inline constexpr CellState shadedStates[] = {CellState::belowHorizon, CellState::grazing, CellState::forbidden,
                                              CellState::unlearned};
 
-/// "grazing"
+/// "beyond the max. polar angle"
 QString stateName(CellState state);
 /// Shading of cells, distinguishable by the hatching.
 QBrush stateBrush(CellState state, const PlotStyle& style);

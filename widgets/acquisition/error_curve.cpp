@@ -141,7 +141,7 @@ bool ErrorCurve::eventFilter(QObject* watched, QEvent* event) {
   const Point& one = m_points[std::size_t(point)];
   QToolTip::showText(
       help->globalPos(),
-      tr("%n samples\n", nullptr, one.samples) + QStringLiteral("%1: %2").arg(m_title, formatNumber(one.value)), this);
+      tr("Samples: %n\n", nullptr, one.samples) + QStringLiteral("%1: %2").arg(m_title, formatNumber(one.value)), this);
   return true;
 }
 

@@ -32,9 +32,8 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
                                     "sample best from all others (leave-one-out)")
                                      .arg(maxComponents)},
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
-       tr("Ridge with the published η, over the same number of components. That value suits about 400 training "
-          "signals; "
-          "with fewer, it smooths too much.")},
+       tr("Ridge with the published η, over as many components as with automatic η. The published η suits about "
+          "400 training signals; with fewer, it smooths too much.")},
       {tr("Ridge, published equation"),
        tr("The published equation (Tongbuasirilai 2023, eq. 5.14): η = %1, as many components as samples, and the same "
           "noise in all samples")

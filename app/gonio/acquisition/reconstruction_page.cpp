@@ -54,7 +54,7 @@ void ReconstructionPage::showResult() {
       facts << tr("rendered SNR %1 dB").arg(result->error->renderedSnr, 0, 'f', 1)
             << tr("log error %1").arg(widgets::formatNumber(result->error->logError));
     const acquisition::Reconstruction& made = *result->reconstruction;
-    facts << tr("%n components", nullptr, made.components);
+    facts << tr("components: %n", nullptr, made.components);
     if (made.ridge > 0) facts << tr("η = %1").arg(widgets::formatNumber(made.ridge));
     if (std::isfinite(made.leaveOneOutError))
       facts << tr("leave-one-out error of ln ρ: %1").arg(widgets::formatNumber(made.leaveOneOutError));

@@ -104,7 +104,7 @@ void TrainingRows::setEnabled(bool enabled) {
 void TrainingRows::refresh() {
   const QStringList all = training().ids;
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
-  QString facts = count < 2 ? tr("%n materials: a training set needs at least 2", nullptr, count)
+  QString facts = count < 2 ? tr("Materials: %n; a training set needs at least 2", nullptr, count)
                             : tr("%n materials, one signal for each colour channel", nullptr, count);
   if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n excluded", nullptr, left);
   m_facts->setText(facts);

@@ -149,7 +149,7 @@ QString FigureView::restText() const {
         .arg(m_missing)
         .arg(m_cells);
   if (m_cells == 0) return {};
-  QString text = tr("All %1 cells are measured.").arg(m_cells);
+  QString text = tr("Every cell is measured.");
   if (m_maker->description().errorMaps)
     text += ' ' + tr("Scale of the error maps: 0 to %1.").arg(widgets::formatNumber(m_errorMaximum));
   return text;

@@ -62,7 +62,7 @@ QWidget* InterpolationPanel::buildChoice() {
   m_show->setToolTip(tr("Shows the blend in the preview while it changes; if off, shows the open material"));
   m_show->setChecked(true);
   m_keep->setToolTip(
-      tr("Opens the blend as a material, a table that can be edited, saved and exported.\nUndo restores the previous "
+      tr("Opens the blend as a material that can be edited, saved and exported.\nUndo restores the previous "
          "material."));
   auto* label = new QLabel(tr("Spa&ce"));
   label->setBuddy(m_spaceBox);

@@ -32,7 +32,7 @@ class FigureMakingTest : public QObject {
     QVERIFY(maker.isMeasuring());
     QCOMPARE(dialog->view().measureButton().text().remove('&'), QString("Stop"));
     QVERIFY(editor.settled(*dialog));
-    QVERIFY2(dialog->view().status().startsWith("All 4 cells are measured"), qPrintable(dialog->view().status()));
+    QVERIFY2(dialog->view().status().startsWith("Every cell is measured"), qPrintable(dialog->view().status()));
     QVERIFY(dialog->view().page().grab().toImage() != page);
     const figures::FigureMeasurement measured = maker.known();
     const auto redraws = [&](const auto& change) {

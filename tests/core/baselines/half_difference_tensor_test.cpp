@@ -90,6 +90,30 @@ class HalfDifferenceTensorTest : public QObject {
     QVERIFY(largest > 0 && squared <= all * (1 + 1e-9) && squared >= largest * (1 - 1e-9));
   }
 
+  /// Parseval: the squared residual is the energy of what is left out. One product of cosines needs one coefficient.
+  void cosineSeriesKeepTheLargestCoefficients() {
+    const HalfDifferenceAxes axes = makeHalfDifferenceAxes(12, 8, 5);
+    const auto tensor = sampleHalfDifferenceTensor(samplesOf(axes, manyTerms));
+    QVERIFY(truncateCosineSeries(tensor, 12 * 8 * 5 * 3).residual < 1e-12);
+    double before = 1;
+    for (const std::size_t count : {1, 10, 100, 600}) {
+      const HalfDifferenceTensor series = truncateCosineSeries(tensor, count);
+      // The kept part is orthogonal to the residual.
+      const double kept = series.values.norm() / tensor.values.norm();
+      QVERIFY(std::abs(kept * kept + series.residual * series.residual - 1) < 1e-12);
+      QVERIFY(series.residual < before);
+      before = series.residual;
+    }
+    HalfDifferenceTensor wave = tensor;
+    std::size_t i = 0;
+    for (int c = 0; c < 3; ++c)
+      for (int p = 0; p < 5; ++p)
+        for (int d = 0; d < 8; ++d)
+          for (int h = 0; h < 12; ++h)
+            wave.values[i++] = std::cos(pi * 3 * (h + 0.5) / 12) * std::cos(pi * 2 * (d + 0.5) / 8);
+    QVERIFY(truncateCosineSeries(wave, 1).residual < 1e-12);
+  }
+
   /// The composed tensor, interpolated, is the sum of the products of the interpolated curves.
   void evaluationInterpolatesTheCurves() {
     const HalfDifferenceAxes axes = innerAxes();
@@ -135,6 +159,10 @@ class HalfDifferenceTensorTest : public QObject {
     QCOMPARE(cpTerms(axes, 5 * term + 3), 4);
     QCOMPARE(cpTerms(axes, 3), 1);
     QCOMPARE(cpTerms(axes, 100'000'000), maxCpTerms);
+    QCOMPARE(cosineCoefficients(axes, 5 * 6 + 4), std::size_t(5));
+    QCOMPARE(cosineCoefficients(axes, 5 * 6 + 3), std::size_t(4));
+    QCOMPARE(cosineCoefficients(axes, 0), std::size_t(1));
+    QCOMPARE(cosineCoefficients(axes, 100'000'000), std::size_t(90 * 30 * 7 * 3));
     QVERIFY((hosvdRanks(axes, 100'000'000) == std::array<int, 3>{90, 30, 7}));
     QVERIFY((hosvdRanks(axes, 1) == std::array<int, 3>{1, 1, 1}));
     // Ranks 30, 10, 2: a core of 1,800 numbers, matrices of 2,700, 300, 14 and 9, and the bound.
