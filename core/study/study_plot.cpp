@@ -36,9 +36,9 @@ struct Shape {
 };
 /// Shapes of the baselines in their order; no family has them.
 constexpr Shape baselineShapes[] = {
-    {Marker::circle, true},  {Marker::saltire, false},     {Marker::triangleDown, false},
-    {Marker::diamond, true}, {Marker::triangleDown, true}, {Marker::cross, true},
-    {Marker::star, true},    {Marker::saltire, true},      {Marker::fourStar, true}};
+    {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
+    {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::threeStar, true},
+    {Marker::saltire, true},      {Marker::fourStar, true}};
 
 Shape baselineShape(std::string_view id) {
   const auto all = studiedBaselines();

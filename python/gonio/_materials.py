@@ -152,8 +152,8 @@ class Material:
     def sample(self, wo: ArrayLike, u: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Samples directions toward the light with a density about proportional to the BRDF times cos theta_i.
 
-        Models, factors and RGL files have their own sampling method; for other materials a density is estimated from their
-        values at the first call (up to 0.1 s).
+        The density is that of gonio.render(), chosen at the first call (up to 0.1 s): the material's own sampling method (in
+        practice only that of models), or one estimated from the values of the material, whichever has less noise at equal time.
 
         The directional albedo at wo is the integral of the BRDF times cos theta_i over the hemisphere. Its Monte Carlo
         estimate from a million samples:

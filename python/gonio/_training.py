@@ -25,11 +25,11 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
         sources: Measured materials: files, or folders of them. All tables must have the same grid.
         out: The .dictionary file to write; an existing file is replaced in one step.
         excluded: Names of materials to exclude.
-        dictionaries: Number of dictionaries of each ensemble, K.
-        sparsities: Numbers of coefficients per signal; one ensemble is learned for each.
-        iterations: Maximum number of rounds per ensemble.
+        dictionaries: Number of dictionaries for each sparsity, K.
+        sparsities: Numbers of coefficients per signal; the dictionaries of each sparsity are learned together.
+        iterations: Maximum number of rounds per sparsity.
         passes: Passes over the dictionaries per round.
-        tolerance: An ensemble is finished when a round lowers its relative squared error by less than this fraction.
+        tolerance: The rounds of a sparsity end when one lowers the relative squared error by less than this fraction.
         subspace_loss: Maximum fraction of the energy that the subspace shared by all dictionaries may omit.
         as_published: Whether to learn from transformed values without cell scaling.
         seed: Seed of the first assignment of materials to dictionaries.
