@@ -140,8 +140,8 @@ void StudyScatter::refresh() {
   addFront(style);
   addSeries(style);
   if (hasFocus()) addMark(m_current, {}, QPen(style.accent, 2, Qt::DotLine), currentSize, false);
-  addMark(m_shown, tr("Shown in the preview"), QPen(style.accent, 2), fitRingSize, false);
-  addMark(m_best, tr("Best within the limits"), QPen(style.text, 1.5, Qt::DashLine), fitRingSize + 4, true);
+  addMark(m_shown, tr("shown"), QPen(style.accent, 2), fitRingSize, false);
+  addMark(m_best, tr("best"), QPen(style.text, 1.5, Qt::DashLine), fitRingSize + 4, true);
   m_hint->setVisible(m_records.empty());
   m_chart->legend->setVisible(!m_records.empty());
   for (QCPAxis* axis : m_chart->axisRect()->axes()) axis->setVisible(!m_records.empty());

@@ -47,7 +47,7 @@ void DirectionRows::buildSamples(QFormLayout& form) {
 void DirectionRows::buildMethod(QFormLayout& form) {
   m_method = rowBox(tr("Method that chooses the directions"));
   const std::tuple<acquisition::SelectionMethod, QString, QString> methods[] = {
-      {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, whole training set"),
+      {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, all signals"),
        tr("Simultaneous orthogonal matching pursuit over all training signals, one for each colour channel of each "
           "material (FROST)")},
       {acquisition::SelectionMethod::simultaneousPursuitFirstColumns, tr("SOMP, as released"),

@@ -68,7 +68,7 @@ void StudySummaryWindow::build() {
   m_table->header()->setStretchLastSection(false);
   const int widths[] = {17, 5, 8, 7, 9, 4, 7, 5, 6};
   for (int column = 0; column < StudySummaryModel::ColumnCount; ++column)
-    m_table->header()->resizeSection(column, widths[column] * em);
+    m_table->header()->resizeSection(column, std::max(m_table->header()->sectionSizeHint(column), widths[column] * em));
   m_copy->setToolTip(tr("Copies the table, with every error, as comma-separated text"));
   for (QPushButton* button : {m_measure, m_copy}) button->setAutoDefault(false);
   m_status->setTextFormat(Qt::PlainText);

@@ -41,7 +41,8 @@ void StudyView::buildTable() {
   QHeaderView* header = m_table->header();
   header->resizeSection(StudyModel::NameColumn, 18 * line);
   for (int column = StudyModel::SnrColumn; column < StudyModel::ColumnCount; ++column)
-    header->resizeSection(column, (column == StudyModel::EvaluationColumn ? 9 : 6) * line);
+    header->resizeSection(
+        column, std::max(header->sectionSizeHint(column), (column == StudyModel::EvaluationColumn ? 9 : 6) * line));
 }
 
 void StudyView::connectParts() {
