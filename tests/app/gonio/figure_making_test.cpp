@@ -40,7 +40,7 @@ class FigureMakingTest : public QObject {
       change(figure);
       dialog->setDescription(figure);
       if (maker.isMeasuring() || !editor.settled(*dialog)) return false;
-      return dialog->view().page().grab().toImage() != page && dialog->view().status().startsWith("All ");
+      return dialog->view().page().grab().toImage() != page && dialog->view().status().startsWith("Every cell");
     };
     QVERIFY(redraws([](FigureDescription& f) { f.materials[0].label = "mirror"; }));
     QVERIFY(redraws([](FigureDescription& f) { f.representations[0].label = "theirs"; }));
@@ -79,7 +79,7 @@ class FigureMakingTest : public QObject {
     QVERIFY(first);
     dialog->view().measureButton().click();
     QVERIFY(editor.settled(*dialog));
-    QVERIFY(dialog->view().status().startsWith("All 4 cells"));
+    QVERIFY(dialog->view().status().startsWith("Every cell"));
     QVERIFY(maker.known().rows[0].cells[0] == first);
   }
 
