@@ -44,6 +44,8 @@ class FormulaTextTest : public QObject {
                                 << "Δ<i>E</i> of Δp";
     QTest::newRow("capitals") << "Gamma(p), Lambda(o), Omega, psi"
                               << "Γ(<i>p</i>), Λ(<i>o</i>), Ω, ψ";
+    QTest::newRow("hyphen") << "half-vector: 8 - n"
+                            << "half-vector: 8 − <i>n</i>";
     QTest::newRow("markup") << "a & b"
                             << "<i>a</i> &amp; <i>b</i>";
     QTest::newRow("nothing") << ""

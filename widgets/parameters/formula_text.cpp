@@ -31,6 +31,10 @@ class FormulaReader {
 
  private:
   bool follows(QStringView token) const { return m_text.sliced(m_at).startsWith(token); }
+  /// Whether the sign stands between letters: "half-vector".
+  bool isInWord() const {
+    return m_at > 0 && m_at + 1 < m_text.size() && m_text[m_at - 1].isLetter() && m_text[m_at + 1].isLetter();
+  }
   void replace(QStringView token, QStringView html) {
     m_html += html;
     m_at += token.size();
@@ -44,7 +48,7 @@ class FormulaReader {
     if (follows(u"<=")) return replace(u"<=", u"≤");
     if (follows(u">=")) return replace(u">=", u"≥");
     if (follows(u" . ")) return replace(u" . ", u" · ");
-    if (next == u'-') return replace(u"-", u"−");
+    if (next == u'-') return replace(u"-", isInWord() ? u"-" : u"−");
     // Means stand in angle brackets.
     if (next == u'<') return replace(u"<", u"⟨");
     if (next == u'>') return replace(u">", u"⟩");
