@@ -143,7 +143,7 @@ class BlockSums {
   template <typename ValueAt>
   const OfPairs& ofPairs(std::optional<OfPairs>& known, const ValueAt& valueAt) const {
     if (known) return *known;
-    known.emplace();
+    known = OfPairs{};
     known->columns.resize(3, reference_.cols());
     double* column = known->columns.data();
     for (std::size_t i = 0; i < cells_.pairs.size(); ++i, column += 3) {
