@@ -50,7 +50,8 @@ inline Bytes utiaFile(const std::vector<Rgb>& values) {
 
 /// A UTIA `.exr` file.
 inline Bytes utiaPicture(const std::vector<Rgb>& values) {
-  Image image(int(UtiaBrdf::directionCount), int(UtiaBrdf::directionCount));
+  constexpr int side = UtiaBrdf::directionCount;
+  Image image(side, side);
   for (std::size_t i = 0; i < values.size(); ++i) image.pixels[i] = values[i];
   const auto path = outputPath("io/utia.exr");
   io::writeExr(image, path);
