@@ -112,7 +112,7 @@ std::size_t defaultPosition(const CLI::Option& option) {
   return std::string::npos;
 }
 
-/// ".binary (MERL table), .bsdf (RGL material, Zemax BSDF, LightTools BSDF), ...".
+/// ".binary (MERL file), .bsdf (RGL file, Zemax BSDF, LightTools BSDF), ...".
 std::string formatsText() {
   std::vector<std::pair<std::string, std::string>> suffixes;
   for (const materials::MaterialFormat& format : materials::materialFormats()) {

@@ -3,9 +3,9 @@
 #include "app/goniotool/outputs.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
+#include "app/goniotool/output_options.h"
 #include "core/documents/open_material.h"
 #include "core/io/atomic_file.h"
 
@@ -16,9 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isOutput(const CLI::Option& option) {
-  constexpr std::array names{"out", "image", "save", "csv", "latex", "predict", "decode", "uncertainty"};
   return option.get_name(true) == "OUT" ||
-         std::ranges::any_of(names, [&](const char* name) { return option.check_lname(name); });
+         std::ranges::any_of(outputOptions, [&](const char* name) { return option.check_lname(name); });
 }
 
 }  // namespace

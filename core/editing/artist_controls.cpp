@@ -171,7 +171,7 @@ void apply(ArtistControl control, const Rgb& value, const Controlled& c) {
       return;
     case ArtistControl::contrast:
       c.change(isSpecular, [root = std::sqrt(x)](const Rgb& k) { return k * root; });
-      return c.change([](ParameterRole role) { return role == ParameterRole::body; },
+      return c.change([](ParameterRole role) { return role == ParameterRole::diffuse; },
                       [root = std::sqrt(x)](const Rgb& k) { return k / root; });
     case ArtistControl::coatStrength:
       return coat(c, x);
@@ -220,7 +220,7 @@ bool actsOn(ArtistControl control, const ModelSpec& model) {
   const auto has = [&](const auto& wanted) {
     return std::ranges::any_of(model.parameters, [&](const ParameterSpec& spec) { return wanted(spec.role); });
   };
-  const auto isDiffuse = [](ParameterRole role) { return role == ParameterRole::body; };
+  const auto isDiffuse = [](ParameterRole role) { return role == ParameterRole::diffuse; };
   switch (control) {
     case ArtistControl::roughness:
       return has([](ParameterRole role) { return role == ParameterRole::width || role == ParameterRole::sharpness; });

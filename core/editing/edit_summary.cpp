@@ -24,7 +24,7 @@ Rgb logRatio(const Rgb& before, const Rgb& after) {
 
 /// How an edit changes widths, strengths and colours: sums over the parameters of each kind.
 struct Changes {
-  double width = 0, highlight = 0, body = 0;
+  double width = 0, highlight = 0, diffuse = 0;
   bool coloured = false;
 };
 
@@ -43,8 +43,8 @@ Changes changesOf(const DifferentialEdit& edit) {
       case ParameterRole::sharpness:
         changes.width -= mean;
         continue;
-      case ParameterRole::body:
-        changes.body += mean;
+      case ParameterRole::diffuse:
+        changes.diffuse += mean;
         break;
       case ParameterRole::highlight:
       case ParameterRole::peak:
@@ -68,7 +68,7 @@ std::string wordsOf(const DifferentialEdit& edit) {
   if (changes.coloured) words.emplace_back("recoloured");
   if (std::abs(changes.highlight) > minChange)
     words.emplace_back(changes.highlight > 0 ? "stronger highlight" : "weaker highlight");
-  if (std::abs(changes.body) > minChange) words.emplace_back(changes.body > 0 ? "lighter" : "darker");
+  if (std::abs(changes.diffuse) > minChange) words.emplace_back(changes.diffuse > 0 ? "lighter" : "darker");
   if (words.empty()) return "edited";
   std::string text = words.front();
   for (std::size_t i = 1; i < std::min(words.size(), maxWords); ++i) text += ", " + words[i];

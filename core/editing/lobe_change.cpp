@@ -19,10 +19,10 @@ Rgb ratioOf(const Rgb& measured, const Rgb& fitted) {
   return (measured + LobeChange::epsilon) / (fitted + LobeChange::epsilon);
 }
 
-/// What the body carries of the ratio.
-Rgb bodyRatio(const Rgb& ratio, const Rgb& body, const Rgb& model) {
+/// What the diffuse term carries of the ratio.
+Rgb diffuseRatio(const Rgb& ratio, const Rgb& diffuse, const Rgb& model) {
   constexpr double darkest = 1e-30;
-  const Rgb part = body / glm::max(model, Rgb(darkest)), squared = part * part;
+  const Rgb part = diffuse / glm::max(model, Rgb(darkest)), squared = part * part;
   return 1.0 + squared * squared * (ratio - 1.0);
 }
 
@@ -46,7 +46,7 @@ LobeEffect changeOf(const models::ModelLobe& fitted, const models::ModelLobe& ed
   if (isSame || !(change.wasNonzero || change.isNonzero)) return change;
   const models::LobeWidth &from = fitted.width, &to = edited.width;
   const bool hasWidth = from.x > 0 && from.y > 0 && to.x > 0 && to.y > 0;
-  change.kind = hasWidth ? LobeEffect::highlight : LobeEffect::body;
+  change.kind = hasWidth ? LobeEffect::highlight : LobeEffect::diffuse;
   if (hasWidth && change.wasNonzero) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
   return change;
 }
@@ -76,8 +76,8 @@ LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->insta
     isIsotropic_ = isIsotropic_ && edited[k].brdf->isIsotropic();
     auto group = std::ranges::find(groups_, changes[k].warp, &Group::warp);
     if (group == groups_.end()) group = groups_.insert(group, Group{changes[k].warp, {}});
-    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), changes[k].kind == LobeEffect::body,
-                            changes[k].isRecoloured, !changes[k].wasNonzero});
+    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf),
+                            changes[k].kind == LobeEffect::diffuse, changes[k].isRecoloured, !changes[k].wasNonzero});
   }
 }
 
@@ -115,7 +115,7 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, con
   lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Rgb here = lobe.isDiffuse ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
+    const Rgb here = lobe.isDiffuse ? diffuseRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
     const Rgb carried = lobe.isNew ? Rgb(1) : lobe.isDiffuse ? here : ratios.carried[i];
     changes[i] +=
         edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;

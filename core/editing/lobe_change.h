@@ -75,7 +75,7 @@ Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
 /// The effect of an edit on one lobe of the model.
 struct LobeEffect {
-  enum Kind { none, body, highlight } kind = none;  ///< body: a lobe without a width, such as the diffuse term
+  enum Kind { none, diffuse, highlight } kind = none;  ///< diffuse: a lobe without a width, such as the diffuse term
   bool isRecoloured = false;
   LobeWarp warp = {};                          ///< for a highlight
   bool wasNonzero = false, isNonzero = false;  ///< whether the fitted and the edited lobe are not black

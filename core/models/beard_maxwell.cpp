@@ -27,7 +27,7 @@ constexpr ParameterSpec parameters[] = {
      .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
      .description = "Light scattered once below the surface: brighter towards grazing angles than the diffuse term.",
      .formula = "2 k_v / (pi (cos theta_i + cos theta_o))", .reference = westlundMeyer,
-     .role = ParameterRole::body},
+     .role = ParameterRole::diffuse},
     specularParameter(1, "k_s D F SO / (4 cos theta_i cos theta_o)", westlundMeyer),
     roughnessParameter("m", "Width of the highlight: the root mean square slope of the microfacets.",
                        "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", westlundMeyer),

@@ -15,7 +15,7 @@ constexpr ParameterSpec diffuseParameter(double defaultValue) {
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
           .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
           .description = "Fraction of the light that is scattered equally in all directions: the diffuse albedo.",
-          .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .role = ParameterRole::body};
+          .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .role = ParameterRole::diffuse};
 }
 
 constexpr ParameterSpec specularParameter(double defaultValue, std::string_view formula, std::string_view reference) {
@@ -117,11 +117,11 @@ template <typename Create>
 std::vector<ModelLobe> diffuseAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
                                            std::vector<Rgb> ofDiffuse = {}) {
   constexpr std::size_t kd = 0, ks = 1;
-  ParameterValues body = p, highlight = p;
-  body.values[ks] = highlight.values[kd] = Rgb(0);
+  ParameterValues diffuseOnly = p, highlightOnly = p;
+  diffuseOnly.values[ks] = highlightOnly.values[kd] = Rgb(0);
   std::vector<ModelLobe> result;
-  result.push_back({create(body), {}, {p.values[kd]}, std::move(ofDiffuse)});
-  result.push_back({create(highlight), width, {p.values[ks]}, {p.values.begin() + ks + 1, p.values.end()}});
+  result.push_back({create(diffuseOnly), {}, {p.values[kd]}, std::move(ofDiffuse)});
+  result.push_back({create(highlightOnly), width, {p.values[ks]}, {p.values.begin() + ks + 1, p.values.end()}});
   return result;
 }
 

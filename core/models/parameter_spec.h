@@ -15,7 +15,7 @@ enum class ParameterGroup { diffuse, specular, fresnel, shadowing, layer, coeffi
 /// Meaning of a parameter across models; the artist's controls select parameters by it.
 enum class ParameterRole {
   other,
-  body,               ///< strength and colour of the diffuse term
+  diffuse,            ///< strength and colour of the diffuse term
   highlight,          ///< strength and colour of a highlight (at normal incidence, if there is an `edge` too)
   peak,               ///< the same, given as the value at the peak: the energy grows with the square of the width
   edge,               ///< strength and colour of a highlight toward grazing angles

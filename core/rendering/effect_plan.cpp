@@ -79,9 +79,7 @@ class Analysis {
     plan.decisions[std::size_t(effect)] = {calledFor, calledFor, std::move(reason)};
   }
   bool reflects(std::size_t object) const { return materials_[object] && !materials_[object]->bound().isBlack(); }
-  bool isNonzero(std::size_t object) const {
-    return std::ranges::find(plan.lit[object], true) != plan.lit[object].end();
-  }
+  bool isLit(std::size_t object) const { return std::ranges::find(plan.lit[object], true) != plan.lit[object].end(); }
 
   const Scene& scene_;
   Materials materials_;
@@ -205,7 +203,7 @@ void Analysis::decideInterreflection() {
       pair = other == object ? "parts of " + scene_.objects[object].name + " are visible from each other"
                              : scene_.objects[other].name + " is visible from " + scene_.objects[object].name;
     }
-  const auto lit = [&](std::size_t object) { return isNonzero(object); };
+  const auto lit = [&](std::size_t object) { return isLit(object); };
   bool anyLit = false;
   for (std::size_t object = 0; object < scene_.objects.size(); ++object) anyLit = anyLit || lit(object);
   plan.reflections = anyLit ? 1 : 0;

@@ -13,7 +13,7 @@ float entering(float cosine) {
   return 1.0 - m2 * m2 * m;
 }
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_ASHIKHMIN_SHIRLEY = 2;
 void lobes_ashikhmin_shirley(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_ASHIKHMIN_SHIRLEY], out vec3 lobes[LOBE_COUNT_ASHIKHMIN_SHIRLEY]) {
   SurfaceGeometry g;
@@ -24,8 +24,8 @@ void lobes_ashikhmin_shirley(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_ASHIKHMIN_
   float exponent = g.sin2H > 0.0 ? (nx * g.h.x * g.h.x + ny * g.h.y * g.h.y) / g.sin2H : 0.0;
   float lobe = sqrt((nx + 1.0) * (ny + 1.0)) / (8.0 * pi) * halfVectorPower(g, exponent) *
                fresnel(g.cosD, f0, p[6].x, p[5].x) / (g.cosD * max(g.cosI, g.cosO));
-  float body = p[7].x < 0.5 ? 28.0 / 23.0 * (1.0 - f0) * entering(g.cosI) * entering(g.cosO) : 1.0;
-  lobes[0] = p[0] * (body / pi);
+  float shape = p[7].x < 0.5 ? 28.0 / 23.0 * (1.0 - f0) * entering(g.cosI) * entering(g.cosO) : 1.0;
+  lobes[0] = p[0] * (shape / pi);
   lobes[1] = p[1] * lobe;
 }
 

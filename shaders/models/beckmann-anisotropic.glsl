@@ -25,7 +25,7 @@ float beckmannCosineOverG1(vec3 w, vec2 alpha) {
   return w.z * (1.0 - 0.5 * complementaryError(a)) + slope * exp(-a * a) / (2.0 * sqrt(pi));
 }
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_BECKMANN_ANISOTROPIC = 2;
 void lobes_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMANN_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_BECKMANN_ANISOTROPIC]) {
   SurfaceGeometry g;

@@ -10,7 +10,7 @@
 
 const int PARAMETER_COUNT_GGX_ANISOTROPIC = 10;
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_GGX_ANISOTROPIC = 2;
 void lobes_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_GGX_ANISOTROPIC]) {
   SurfaceGeometry g;

@@ -23,7 +23,7 @@ vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
   return surfaceGeometry(wi, wo, g) ? p[0] / pi + ggxHighlight(g, p) : vec3(0.0);
 }
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_GGX = 2;
 void lobes_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX], out vec3 lobes[LOBE_COUNT_GGX]) {
   SurfaceGeometry g;

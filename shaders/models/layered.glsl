@@ -28,7 +28,7 @@ vec3 layeredRetro(vec3 wi, vec3 wo, vec3 strength, float alpha) {
   return surfaceGeometry(wi, vec3(-wo.xy, wo.z), g) ? layeredLobe(g, strength, strength, alpha) : vec3(0.0);
 }
 
-// The terms of the sum: the body, the lobes from wide to sharp, sheen, retroreflection.
+// The terms of the sum: the diffuse term, the lobes from wide to sharp, sheen, retroreflection.
 const int LOBE_COUNT_LAYERED = 6;
 void lobes_layered(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED], out vec3 lobes[LOBE_COUNT_LAYERED]) {
   SurfaceGeometry g;

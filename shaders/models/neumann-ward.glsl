@@ -6,7 +6,7 @@
 
 const int PARAMETER_COUNT_NEUMANN_WARD = 6;
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_NEUMANN_WARD = 2;
 void lobes_neumann_ward(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_NEUMANN_WARD], out vec3 lobes[LOBE_COUNT_NEUMANN_WARD]) {
   SurfaceGeometry g;

@@ -6,7 +6,7 @@
 
 const int PARAMETER_COUNT_WARD_ANISOTROPIC = 6;
 
-// The terms of the sum: the body, then the highlight.
+// The terms of the sum: the diffuse term, then the highlight.
 const int LOBE_COUNT_WARD_ANISOTROPIC = 2;
 void lobes_ward_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_WARD_ANISOTROPIC]) {
   SurfaceGeometry g;

@@ -54,15 +54,15 @@ vec3 recolouredRatio(vec3 ratio, vec3 fitted, vec3 edited) {
   return min(before, after) > 1e-30 ? carried : ratio;
 }
 
-// What the body carries of a ratio: twin of LobeChange.
-vec3 bodyRatio(vec3 ratio, vec3 body, vec3 model) {
-  vec3 part = body / max(model, vec3(1e-30));
+// What the diffuse term carries of a ratio: twin of LobeChange.
+vec3 diffuseRatio(vec3 ratio, vec3 diffuse, vec3 model) {
+  vec3 part = diffuse / max(model, vec3(1e-30));
   part *= part;
   return 1.0 + part * part * (ratio - 1.0);
 }
 
-vec3 bodyChange(vec3 ratio, vec3 before, vec3 after, vec3 model) {
-  vec3 own = bodyRatio(ratio, before, model);
+vec3 diffuseChange(vec3 ratio, vec3 before, vec3 after, vec3 model) {
+  vec3 own = diffuseRatio(ratio, before, model);
   return after * recolouredRatio(own, before, after) - before * own;
 }
 

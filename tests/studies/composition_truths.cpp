@@ -68,7 +68,7 @@ const Change changes[] = {
 
 using models::ParameterRole;
 
-bool isDiffuse(ParameterRole role) { return role == ParameterRole::body; }
+bool isDiffuse(ParameterRole role) { return role == ParameterRole::diffuse; }
 bool isSpecular(ParameterRole role) {
   return role == ParameterRole::highlight || role == ParameterRole::peak || role == ParameterRole::edge ||
          role == ParameterRole::coat || role == ParameterRole::coatEdge;

@@ -344,10 +344,10 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= samples, 20000);
     // So many samples may be those of a coarse picture, and the first sample of a fine one may lie in a shadow.
-    const auto isNonzero = [this](const Image& picture) {
+    const auto isLit = [this](const Image& picture) {
       return picture.width == widget_->width() && picture.at(picture.width / 2, picture.height / 2).x > 0.02f;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isNonzero(widget_->linearPicture()), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(isLit(widget_->linearPicture()), 60000);
   }
 
   std::shared_ptr<const TabulatedBrdf> table_;

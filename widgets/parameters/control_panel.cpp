@@ -18,7 +18,7 @@ namespace {
 /// A control may change many parameters; a line names so many of them, and its tooltip all.
 constexpr qsizetype maxNamedChanges = 2;
 
-/// The colour of the body is set where an artist looks for it.
+/// The colour of the diffuse term is set where an artist looks for it.
 constexpr ArtistControl controlBeforeDiffuse = ArtistControl::tint;
 
 const models::ParameterSpec& specOf(ArtistControl control) {
@@ -62,16 +62,16 @@ void ControlPanel::setEdit(const editing::DifferentialEdit* edit, const QString&
   if (m_controls.empty() || m_spec != &edit->model->spec()) build(edit->model->spec());
   for (std::size_t i = 0; i < m_controls.size(); ++i)
     m_controls[i].row->setValue(edit->controls.values[i], Rgb(specOf(ArtistControl(i)).defaultValue));
-  if (m_body)
-    m_body->setValue(edit->edited.values[std::size_t(m_diffuseParameter)],
-                     edit->fitted.values[std::size_t(m_diffuseParameter)]);
+  if (m_diffuse)
+    m_diffuse->setValue(edit->edited.values[std::size_t(m_diffuseParameter)],
+                        edit->fitted.values[std::size_t(m_diffuseParameter)]);
   showChanges(*edit);
 }
 
 void ControlPanel::showEmpty(const QString& text) {
   m_spec = nullptr;
   m_controls.clear();
-  m_body = nullptr;
+  m_diffuse = nullptr;
   delete m_content;
   auto* hint = new QLabel(text, this);
   hint->setWordWrap(true);
@@ -84,7 +84,7 @@ void ControlPanel::build(const models::ModelSpec& spec) {
   m_spec = &spec;
   m_editing = false;
   m_controls.clear();
-  m_body = nullptr;
+  m_diffuse = nullptr;
   delete m_content;
   m_content = new QWidget(this);
   m_layout->addWidget(m_content);
@@ -131,15 +131,16 @@ void ControlPanel::addControl(ArtistControl control) {
 }
 
 void ControlPanel::addDiffuse() {
-  const auto body = std::ranges::find(m_spec->parameters, models::ParameterRole::body, &models::ParameterSpec::role);
-  if (body == m_spec->parameters.end()) return;
-  m_diffuseParameter = int(body - m_spec->parameters.begin());
-  m_diffuseSpec = *body;
+  const auto diffuse =
+      std::ranges::find(m_spec->parameters, models::ParameterRole::diffuse, &models::ParameterSpec::role);
+  if (diffuse == m_spec->parameters.end()) return;
+  m_diffuseParameter = int(diffuse - m_spec->parameters.begin());
+  m_diffuseSpec = *diffuse;
   m_diffuseSpec->label = "Diffuse colour";
-  m_body = addRow(*m_diffuseSpec);
-  connect(m_body, &ParameterRow::valueEdited, this,
+  m_diffuse = addRow(*m_diffuseSpec);
+  connect(m_diffuse, &ParameterRow::valueEdited, this,
           [this](const Rgb& value) { Q_EMIT diffuseEdited(m_diffuseParameter, value); });
-  connect(m_body, &ParameterRow::resetRequested, this, [this] { Q_EMIT diffuseResetRequested(m_diffuseParameter); });
+  connect(m_diffuse, &ParameterRow::resetRequested, this, [this] { Q_EMIT diffuseResetRequested(m_diffuseParameter); });
 }
 
 void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
@@ -168,7 +169,7 @@ QString ControlPanel::changesText(ArtistControl control) const {
 const ParameterRow* ControlPanel::currentRow() const {
   std::vector<const ParameterRow*> rows;
   for (const Control& control : m_controls) rows.push_back(control.row);
-  if (m_body) rows.push_back(m_body);
+  if (m_diffuse) rows.push_back(m_diffuse);
   const QWidget* focus = focusWidget();
   const auto hovered = std::ranges::find_if(rows, [](const ParameterRow* row) { return row->underMouse(); });
   if (hovered != rows.end()) return *hovered;
@@ -185,7 +186,7 @@ std::optional<ArtistControl> ControlPanel::currentControl() const {
 }
 
 std::optional<int> ControlPanel::currentDiffuseParameter() const {
-  if (!m_body || currentRow() != m_body) return {};
+  if (!m_diffuse || currentRow() != m_diffuse) return {};
   return m_diffuseParameter;
 }
 

@@ -29,7 +29,7 @@ class ControlPanel : public QWidget {
 
   /// Null if nothing can be edited.
   ParameterRow* row(editing::ArtistControl control) const;
-  ParameterRow* diffuseRow() const { return m_body; }
+  ParameterRow* diffuseRow() const { return m_diffuse; }
   /// The text below a control; empty if it has no effect.
   QString changesText(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
@@ -66,7 +66,7 @@ class ControlPanel : public QWidget {
   QVBoxLayout* m_layout;
   QWidget* m_content = nullptr;
   std::vector<Control> m_controls;  ///< in the order of ArtistControl; empty while nothing can be edited
-  ParameterRow* m_body = nullptr;
+  ParameterRow* m_diffuse = nullptr;
   std::optional<models::ParameterSpec> m_diffuseSpec;  ///< of the model, with the name used in this panel
   int m_diffuseParameter = -1;
   bool m_editing = false;  ///< whether an interaction is running

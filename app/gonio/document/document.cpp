@@ -140,10 +140,10 @@ void Document::installEdits(EditList edits, const QString& text, std::optional<i
   m_atBegin = state();
 }
 
-void Document::setIncident(IncidentDirection slot) {
+void Document::setIncident(IncidentDirection incident) {
   ++m_interaction;
   EditState after = state();
-  after.incident = slot;
+  after.incident = incident;
   addStep(std::move(after), tr("Incident direction"));
   ++m_interaction;
 }

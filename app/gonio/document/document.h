@@ -89,7 +89,7 @@ class Document : public QObject {
   /// @param selected the selected edit; by default unchanged.
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
   /// Sets which direction is used as the incident one (EditState::incident), in one undo step.
-  void setIncident(IncidentDirection slot);
+  void setIncident(IncidentDirection incident);
   void beginInteraction();
   void endInteraction() { m_interacting = false; }
   bool isInteracting() const { return m_interacting; }

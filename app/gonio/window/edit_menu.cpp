@@ -59,7 +59,8 @@ void EditMenu::addEdits() {
   addSeparator();
   QAction* reset = addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
     if (const auto control = m_inspector.controls()->currentControl()) return resetControl(document, *control);
-    if (const auto body = m_inspector.controls()->currentDiffuseParameter()) return resetParameter(document, *body);
+    if (const auto diffuse = m_inspector.controls()->currentDiffuseParameter())
+      return resetParameter(document, *diffuse);
     const int parameter = m_inspector.parameters()->currentParameter();
     if (parameter >= 0) resetParameter(document, parameter);
   });

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QRegularExpression>
 #include <QTest>
+#include <set>
 
+#include "app/goniotool/output_options.h"
 #include "core/baselines/baselines.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
@@ -50,6 +52,23 @@ class GoniotoolSystemsTest : public QObject {
       QVERIFY2(page.contains(QString("| `%1` |").arg(kind)), kind);
       QVERIFY2(help.out.contains(kind), kind);
     }
+  }
+
+  /// An option that writes a file but is not known as an output could replace a file that the command reads.
+  void optionsThatWriteAreOutputs() {
+    const QRegularExpression command("^  ([a-z][a-z-]+) ", QRegularExpression::MultilineOption),
+        option("^  --([a-z-]+) FILE[^-]*?(to write|to this file|File for the)", QRegularExpression::MultilineOption);
+    std::set<QString> found;
+    QStringList names;
+    auto commands = command.globalMatch(runTool({"--help"}).out);
+    while (commands.hasNext()) names << commands.next().captured(1);
+    QVERIFY(names.contains("factor") && names.contains("figure"));
+    for (const QString& name : names) {
+      auto options = option.globalMatch(runTool({name, "--help"}).out);
+      while (options.hasNext()) found.insert(options.next().captured(1));
+    }
+    std::set<QString> known(tool::outputOptions.begin(), tool::outputOptions.end());
+    QCOMPARE(found, known);
   }
 
   /// The help names values by words, with ranges and defaults; MATERIAL is explained where it is an argument.

@@ -41,7 +41,7 @@ ParameterValues coloured(const models::Model& model) {
 ParameterValues narrowHighlight(const models::Model& model) {
   ParameterValues values = models::defaultParameters(model.spec());
   for (std::size_t i = 0; i < values.values.size(); ++i)
-    if (model.spec().parameters[i].role == ParameterRole::body) values.values[i] = Rgb(0);
+    if (model.spec().parameters[i].role == ParameterRole::diffuse) values.values[i] = Rgb(0);
   return changed(model, values, ArtistControl::roughness, Rgb(0.125));
 }
 

@@ -72,8 +72,8 @@ struct LobeStage {
   QString bodies() const {
     QString result;
     for (std::size_t k = 0; k < parts.changes.size(); ++k)
-      if (parts.changes[k].kind == LobeEffect::body && parts.changes[k].wasNonzero)
-        result += QString("change += bodyChange(ratio, before[%1], after[%1], model); ").arg(k);
+      if (parts.changes[k].kind == LobeEffect::diffuse && parts.changes[k].wasNonzero)
+        result += QString("change += diffuseChange(ratio, before[%1], after[%1], model); ").arg(k);
     return result;
   }
 
