@@ -58,8 +58,8 @@ class PreviewWidgetTest : public QObject {
   void aMeshIsDrawn() {
     widget_->setFixedSize(96, 96);
     QSignalSpy planned(&content(), &PreviewContent::planChanged);
+    content().showScene(openScene("bowl"));  // first: no picture of another scene may be read
     content().setSubject(widgets::measuredSubject(table_));
-    content().showScene(openScene("bowl"));
     QVERIFY(content().tracing() != Tracing::always && planned.count() > 0);
     QVERIFY(content().plan().simulates(Effect::selfShadowing) && !content().plan().simulates(Effect::castShadows));
     showsSomethingAfter(4);
@@ -347,7 +347,9 @@ class PreviewWidgetTest : public QObject {
     const auto isLit = [this](const Image& picture) {
       return picture.width == widget_->width() && picture.at(picture.width / 2, picture.height / 2).x > 0.02f;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isLit(widget_->linearPicture()), 60000);
+    // Once is enough: QTRY reads again after its loop, and a further sample may lie in a shadow.
+    bool lit = false;
+    QTRY_VERIFY_WITH_TIMEOUT(lit = lit || isLit(widget_->linearPicture()), 60000);
   }
 
   std::shared_ptr<const TabulatedBrdf> table_;
