@@ -2,16 +2,19 @@
 // SPDX-FileCopyrightText: The Gonio authors
 //
 // gonio_studies acquisition --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... [--every N]
-// [--reconstructions ID,..] [--measured FOLDER] FOLDER...: how well materials that a training set has not seen are told
-// from few measurements. 10-fold cross-validation over the .binary and .bsdf files of the folders: folder after folder,
-// those of each in the order of names, numbered from 0 through all folders; number i belongs to fold i mod 10.
-// Principal components are learned from the other nine folds, directions are chosen over them, and each held-out
-// material (every Nth with --every) is measured there without noise and reconstructed. With --measured all files of the
-// folders teach, but those whose name a file of FOLDER has, and the files of FOLDER (.binary and .bsdf) are
-// reconstructed. Selections: somp, somp-first-columns, condition-number, random, uniform, and pdv, the two curves of a
-// rig with two arms (half the
-// readings each), which no training set is needed for; those that draw are repeated with N seeds (5). A line a case;
-// records are kept in the file, and what is in it is not computed again. At the end tables.
+// [--reconstructions ID,..] [--components P,P,..] [--training N] [--measured FOLDER] FOLDER...: how accurately
+// materials outside the training set are reconstructed from few measurements. 10-fold cross-validation over the .binary
+// and .bsdf files of the folders: folder after folder, those of each in the order of names, numbered from 0 through all
+// folders; number i belongs to fold i mod 10. Principal components are learned from the other nine folds, directions
+// are chosen over them, and each held-out material (every Nth with --every) is measured there without noise and
+// reconstructed. With
+// --measured, the training set is all files of the folders except those whose name a file of FOLDER has, and the files
+// of FOLDER (.binary and .bsdf) are reconstructed. With --training, the training set is N of these materials, at even
+// distances in their order. Selections: somp, somp-first-columns, condition-number, random, uniform, and pdv, the two
+// curves of a rig with two arms (half the readings each), which needs no training set; random selections are repeated
+// with N seeds (5). --components adds reconstructions with P components for the directions of somp, with the ridge 40
+// (ridge-40-P) and by leave-one-out (ridge-auto-P). One line per case; records are kept in the file, and what is in it
+// is not computed again. At the end tables.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -54,11 +57,11 @@ constexpr Selection selections[] = {
     {"pdv-symmetric", std::nullopt, false, acquisition::FactorAxes::symmetricDeviation}};
 
 struct Way {
-  const char* id;
+  std::string id;
   acquisition::ReconstructionOptions options;  // 0 components: as many as samples
 };
 /// All but the first for the directions of `somp` alone.
-const Way ways[] = {
+const std::vector<Way> standardWays = {
     {"ridge-40", {.ridge = acquisition::publishedRidge, .uncertainty = false}},
     {"ridge-auto", {.ridge = std::nullopt, .uncertainty = false}},
     {"ridge-40-all", {.ridge = acquisition::publishedRidge, .components = 1 << 20, .uncertainty = false}},
@@ -72,6 +75,8 @@ struct Options {
   std::set<std::string> only, reconstructions;
   int seeds = 5;
   std::size_t every = 1;
+  std::size_t training = 0;  ///< materials of the training set; 0: all
+  std::vector<Way> ways = standardWays;
   std::vector<fs::path> folders;
 
   Options(int count, char** values) {
@@ -95,15 +100,26 @@ struct Options {
         seeds = std::stoi(next());
       else if (value == "--every")
         every = std::max<std::size_t>(1, std::stoul(next()));
+      else if (value == "--training")
+        training = std::stoul(next());
+      else if (value == "--components")
+        for (const std::string& one : split(next())) addComponents(std::stoi(one));
       else
         folders.emplace_back(value);
     }
   }
 
+  void addComponents(int count) {
+    const std::pair<const char*, std::optional<double>> ridges[] = {{"ridge-40-", acquisition::publishedRidge},
+                                                                    {"ridge-auto-", std::nullopt}};
+    for (const auto& [id, ridge] : ridges)
+      ways.push_back({id + std::to_string(count), {.ridge = ridge, .components = count, .uncertainty = false}});
+  }
+
   bool wants(const Selection& selection) const { return only.empty() || only.contains(selection.id); }
   bool wants(const Selection& selection, const Way& way) const {
     return selection.id == std::string("somp") ? reconstructions.empty() || reconstructions.contains(way.id)
-                                               : &way == ways;
+                                               : way.id == ways.front().id;
   }
 };
 
@@ -142,12 +158,23 @@ class HeldOut {
   RenderedComparison comparison_;
 };
 
+/// `count` of the materials, at even distances; all where there are no more, or `count` is 0.
+std::vector<fs::path> spreadOver(const std::vector<fs::path>& materials, std::size_t count) {
+  if (count == 0 || count >= materials.size()) return materials;
+  std::vector<fs::path> some;
+  for (std::size_t i = 0; i < count; ++i) some.push_back(materials[i * materials.size() / count]);
+  return some;
+}
+
 /// One training set and what it has not seen.
 class Trial {
  public:
-  Trial(std::vector<fs::path> training, std::vector<fs::path> tested, const Options& options,
+  Trial(const std::vector<fs::path>& training, std::vector<fs::path> tested, const Options& options,
         AcquisitionRecords& records)
-      : training_(std::move(training)), tested_(std::move(tested)), options_(options), records_(records) {}
+      : training_(spreadOver(training, options.training)),
+        tested_(std::move(tested)),
+        options_(options),
+        records_(records) {}
 
   void run() {
     for (std::size_t i = 0; i < tested_.size(); i += options_.every) {
@@ -170,7 +197,7 @@ class Trial {
       return add(material, record, *acquisition::predictFromFactors(curves, acquisition::FactorBound::none));
     }
     for (std::uint64_t seed = 1; seed <= (selection.draws ? std::uint64_t(options_.seeds) : 1); ++seed)
-      for (const Way& way : ways) {
+      for (const Way& way : options_.ways) {
         AcquisitionRecord record = material.caseOf(selection.id, way.id, samples, seed);
         if (!options_.wants(selection, way) || records_.contains(record)) continue;
         const acquisition::SamplingPlan& plan = planOf(selection, samples, seed);
@@ -241,7 +268,8 @@ int run(const Options& options) {
     std::fprintf(stderr,
                  "usage: gonio_studies acquisition --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only "
                  "SELECTION]... "
-                 "[--every N] [--reconstructions ID,..] [--measured FOLDER] FOLDER...\n");
+                 "[--every N] [--reconstructions ID,..] [--components P,P,..] [--training N] [--measured FOLDER] "
+                 "FOLDER...\n");
     return 2;
   }
   const std::vector<fs::path> files = filesOf(options.folders, extensions);

@@ -7,11 +7,11 @@
 // first, when
 // --every is given. A line a material, model and count of coefficients: rendered SNR and PSNR in comparisonScene(), SNR
 // of the reflectances, bytes, seconds. Models: "ensemble" (of its two transforms that of the smaller gamma-mapped
-// error), "ensemble-squared" (that of the smaller squared error), and with at most as many bytes as "ensemble" has
-// "components" and "patches", which learn from the same materials (held_out_models.h); "nonparametric" and "fit" have
-// their own size, whatever the count. --only leaves other models out, but never the codes, whose bytes the others may
-// have. Records are kept in the file, and what is in it is not computed again. At the end tables of the means, and of
-// what the ensemble is ahead of the others by.
+// error), "ensemble-squared" (that of the smaller squared error), each transform by its name, and with at most as many
+// bytes as "ensemble" has "components" and "patches", which learn from the same materials (held_out_models.h);
+// "nonparametric" and "fit" have their own size, whatever the count. --only leaves other models out, but never the
+// codes, whose bytes the others may have. Records are kept in the file, and what is in it is not computed again. At the
+// end tables of the means, and of what the ensemble is ahead of the others by.
 //
 // gonio_studies cross_validation --fold K FOLDER...: the names of fold K of 5, for `goniotool dictionary train
 // --exclude`: the files of each folder in the order of their names, folder after folder; number i belongs to fold i
@@ -159,10 +159,14 @@ class Trial {
     for (const int count : counts) {
       const auto start = std::chrono::steady_clock::now();
       const EnsembleModels models = ensembleModels(fold_.encoder(), *court().table(), std::size_t(count));
-      ComparisonRecord record = court().score(ours, models.gamma, secondsSince(start));
-      addRecord(record, ours, count);
-      if (models.squared.brdf != models.gamma.brdf) record = court().score(bySquares, models.squared, record.seconds);
-      addRecord(record, bySquares, count);
+      const double seconds = secondsSince(start);
+      std::vector<ComparisonRecord> judged;
+      for (const EnsembleModels::Candidate& candidate : models.candidates) {
+        judged.push_back(court().score(std::string(candidate.transform), candidate.model, seconds));
+        addRecord(judged.back(), judged.back().model, count);
+      }
+      addRecord(judged[models.byGamma], ours, count);
+      addRecord(judged[models.bySquares], bySquares, count);
     }
   }
 

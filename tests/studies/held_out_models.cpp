@@ -25,12 +25,15 @@ ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
 
 EnsembleModels ensembleModels(const Encoder& encoder, const TabulatedBrdf& table, std::size_t coefficients) {
   const EncodeResult encoded = encoder.encode(table, {.coefficients = coefficients});
-  const auto least = [&](double EncodedCandidate::*error) {
-    return std::ranges::min_element(encoded.candidates, {}, error);
+  const auto smallest = [&](double EncodedCandidate::*error) {
+    return std::size_t(std::ranges::min_element(encoded.candidates, {}, error) - encoded.candidates.begin());
   };
-  const auto byGamma = least(&EncodedCandidate::gammaError), bySquares = least(&EncodedCandidate::squaredError);
-  EnsembleModels models{.gamma = modelOf(encoder.ensemble(), byGamma->code), .squared = {}};
-  models.squared = bySquares == byGamma ? models.gamma : modelOf(encoder.ensemble(), bySquares->code);
+  EnsembleModels models{.candidates = {},
+                        .byGamma = smallest(&EncodedCandidate::gammaError),
+                        .bySquares = smallest(&EncodedCandidate::squaredError)};
+  for (const EncodedCandidate& candidate : encoded.candidates)
+    models.candidates.push_back(
+        {dataTransformNames[std::size_t(candidate.code.transform)], modelOf(encoder.ensemble(), candidate.code)});
   return models;
 }
 

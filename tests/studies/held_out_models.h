@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/baselines/baselines.h"
@@ -18,10 +19,15 @@ namespace gonio::study {
 using Budgets = std::span<const std::size_t>;
 using factorization::ComparedModel;
 
-/// A code as its file holds it, by either way to choose between the transforms.
+/// The code in each transform, as its file holds it, and which of them either error would choose.
 struct EnsembleModels {
-  ComparedModel gamma;    ///< by the gamma-mapped error, as the encoder does
-  ComparedModel squared;  ///< by the squared error; the same object where both choose the same
+  struct Candidate {
+    std::string_view transform;
+    ComparedModel model;
+  };
+  std::vector<Candidate> candidates;
+  std::size_t byGamma = 0;    ///< with the smallest gamma-mapped error, as the encoder chooses
+  std::size_t bySquares = 0;  ///< with the smallest squared error
 };
 
 /// @param coefficients per channel.

@@ -74,7 +74,8 @@ void judge(const fs::path& file, const dictionary::Encoder& held, const dictiona
   const Table filled = zeroFilled(*court.table());
   for (const std::size_t count : counts) {
     const auto add = [&](const char* name, const dictionary::Encoder& encoder, const TabulatedBrdf& table) {
-      ComparisonRecord record = court.score(name, ensembleModels(encoder, table, count).gamma, 0);
+      const EnsembleModels models = ensembleModels(encoder, table, count);
+      ComparisonRecord record = court.score(name, models.candidates[models.byGamma].model, 0);
       record.terms = int(count);
       records.add(record);
       std::printf("%-28s %-14s %4d %7.2f %7.2f\n", record.material.c_str(), name, record.terms, record.rendered,
