@@ -120,7 +120,8 @@ int decode(const EncodeArguments& options, const Tool& tool) {
   materials::writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
   print(tool,
         {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
-        "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients per channel\n");
+        "wrote " + options.out + ", decoded from " + std::to_string(file.code.coefficients()) +
+            " coefficients per channel\n");
   return 0;
 }
 

@@ -48,8 +48,8 @@ std::string text(const Json& json) {
     result += "  albedo at " + angle + " degrees " + rgbText({value[0], value[1], value[2]}) + "\n";
   if (json.contains("tableSnr"))
     result += json["tableSnr"].is_null() ? "  rendered SNR of its table: undefined (it is a table itself, or black)\n"
-                                         : "  rendered SNR of its table for fits, factors and codes " +
-                                               number(json["tableSnr"].get<double>()) + " dB\n";
+                                         : "  rendered SNR of its table: " + number(json["tableSnr"].get<double>()) +
+                                               " dB (used for factors, codes and fits of isotropic materials)\n";
   result += std::string("  shown and edited ") +
             (json["shownAs"] == "measured" ? "in its native form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";

@@ -191,7 +191,7 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--representations", options->representations,
-          "Families of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
+          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
           "alternatives, neural (all except components, baselines, published, alternatives and neural)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');

@@ -60,7 +60,7 @@ FactorPlan planFactors(const FactorPlanOptions& options) {
   }
   if (along == 0 || along == result.curves.size())
     throw Error("factor measurement: the arms or the horizon obstruct all readings of the curve " +
-                std::string(along == 0 ? "along the mirror direction" : "across it"));
+                std::string(along == 0 ? "along" : "across") + " the mirror direction");
   return result;
 }
 

@@ -136,8 +136,10 @@ void setScattered(const io::ScatteredSamples& samples, const TaskControl& contro
   material.source.description = samples.description;
   addNotes(samples, points, measured.plan.samples.size(), reconstruction, material.source.notes);
   if (limitedCount > 0)
-    material.source.notes.push_back(std::to_string(limitedCount) +
-                                    " reconstructed values were limited to the maximum of the bundled materials");
+    material.source.notes.push_back(
+        std::to_string(limitedCount) +
+        " reconstructed values were limited to the maximum of the bundled materials at the same "
+        "angles, or to the largest measured value if that is larger");
 }
 
 }  // namespace gonio::materials

@@ -76,8 +76,8 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec carPaintSpec = {
     .id = "car-paint", .name = "Car paint",
     .description = "Three Cook-Torrance lobes over a matte base: clear coat, flat flakes and disordered flakes, "
-                   "without the sparkle of single flakes. Reciprocal; conserves energy with normalisation 'walter', "
-                   "gains up to 4/pi with 'rump'.",
+                   "without the sparkle of single flakes. Reciprocal; conserves energy with normalisation 'walter'; "
+                   "the energy is too high by a factor of up to 4/pi with 'rump'.",
     .formula = "k_d / pi + sum over three lobes of k D F G / (N cos theta_i cos theta_o)", .reference = guenther,
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on

@@ -27,7 +27,8 @@ constexpr ParameterSpec parameters[] = {
     choiceParameter("normalisation", "Normalisation", "N",
                     "Constant N in the denominator of the highlight, which differs between publications: choose that "
                     "of the fit.",
-                    "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (their D lacks 1/pi, N = pi)",
+                    "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (the paper has N = pi and a D without "
+                    "the factor 1/pi, which is equivalent)",
                     "Walter et al. 2007, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "
                     "Torrance 1982", normalisations),
     fresnelParameter(FresnelChoice::dielectric),
@@ -36,8 +37,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec cookTorranceSpec = {
     .id = "cook-torrance", .name = "Cook-Torrance",
-    .description = "Beckmann microfacets with V-cavity masking. Reciprocal; conserves "
-                   "energy with normalisation 'walter', gains up to 4/pi with 'ngan' and 4 with 'original-1982'.",
+    .description = "Beckmann microfacets with V-cavity masking. Reciprocal; conserves energy with "
+                   "normalisation 'walter'; the energy is too high by a factor of up to 4/pi with 'ngan' and up to 4 "
+                   "with 'original-1982'.",
     .formula = "k_d / pi + k_s D F G / (N cos theta_i cos theta_o)", .reference = cookTorrance1982,
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on

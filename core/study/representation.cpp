@@ -146,7 +146,7 @@ RepresentationFamily familyById(std::string_view id) {
   if (found != families.end()) return RepresentationFamily(found - families.begin());
   std::string known;
   for (const FamilyRecord& family : families) known += (known.empty() ? "" : ", ") + std::string(family.id);
-  throw Error("found the family of representations '" + std::string(id) + "', expected one of " + known);
+  throw Error("found the kind of representation '" + std::string(id) + "', expected one of " + known);
 }
 
 std::vector<RepresentationFamily> familiesWithoutTraining() {

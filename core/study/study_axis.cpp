@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace gonio::study {
 
@@ -14,6 +15,22 @@ namespace {
 constexpr double endShare = 0.07;
 constexpr int mostDecades = 12;
 constexpr double decibelStep = 10;
+
+struct Prefix {
+  double size;
+  const char* symbol;
+};
+constexpr Prefix prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
+
+/// Three significant digits, with the largest prefix that fits: `separator` before it, and none below `smallest`.
+std::string prefixed(double value, double smallest, const char* separator) {
+  // What three digits round up to the next thousand has its prefix.
+  const Prefix& prefix = *std::ranges::find_if(
+      prefixes, [&](const Prefix& one) { return one.size <= smallest || std::abs(value) >= 0.9995 * one.size; });
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g%s%s", value / prefix.size, separator, prefix.symbol);
+  return text;
+}
 
 /// Without both ends, so that a scale of whole decades or tens shows all.
 StudyAxis logarithmicAxis(const std::vector<double>& values) {
@@ -94,19 +111,13 @@ StudyAxis qualityAxis(std::span<const StudyRecord> records, Quality quality) {
 std::string shortNumber(double value) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
-  constexpr struct {
-    double size;
-    const char* prefix;
-  } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}};
-  char text[32];
-  for (const auto& [size, prefix] : prefixes)
-    // What three digits round up to the next thousand has its prefix.
-    if (std::abs(value) >= 0.9995 * size) {
-      std::snprintf(text, sizeof text, "%.3g%s", value / size, prefix);
-      return text;
-    }
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  return prefixed(value, 1, "");
+}
+
+std::string shortQuantity(double value, std::string_view unit) {
+  const bool hasPrefix = std::isfinite(value) && value != 0;
+  return (hasPrefix ? prefixed(value, prefixes[std::size(prefixes) - 1].size, " ") : shortNumber(value) + " ") +
+         std::string(unit);
 }
 
 }  // namespace gonio::study

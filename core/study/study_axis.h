@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/metrics/brdf_metric.h"
@@ -46,5 +47,7 @@ StudyAxis qualityAxis(std::span<const StudyRecord> records, Quality quality);
 
 /// Three significant digits with an SI prefix: "1.2k", "35M"; "∞".
 std::string shortNumber(double value);
+/// The same with a unit, which has the prefix: "44.7 kB", "512 B", "1.28 µs".
+std::string shortQuantity(double value, std::string_view unit);
 
 }  // namespace gonio::study

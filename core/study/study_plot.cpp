@@ -56,8 +56,9 @@ struct Box {
 
 std::string numbersText(const StudyRecord& record) {
   return record.representation.fullLabel() + ": " + shortNumber(record.renderedSnr) + " dB, " +
-         shortNumber(record.evaluation.median) + " ns, " + shortNumber(record.frameMilliseconds) + " ms per frame, " +
-         shortNumber(double(record.bytes)) + "B, encoded in " + shortNumber(record.encodeSeconds) + " s";
+         shortQuantity(1e-9 * record.evaluation.median, "s") + ", " +
+         shortQuantity(1e-3 * record.frameMilliseconds, "s") + " per frame, " +
+         shortQuantity(double(record.bytes), "B") + ", encoded in " + shortQuantity(record.encodeSeconds, "s");
 }
 
 /// Short, beside a point: the budget where its shape shows the rest.

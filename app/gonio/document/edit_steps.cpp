@@ -53,8 +53,7 @@ QString changeText(const Document& document, int edit, int parameter, const Rgb&
   if (!before || before->model != now.model) before = &now;  // undone in the midst of an interaction
   const models::ParameterSpec& spec = specOf(now, parameter);
   return EditStepText::tr("Change %1 %2 to %3")
-      .arg(widgets::toQString(spec.label).toLower(),
-           widgets::displayValue(spec, before->edited.values[std::size_t(parameter)]),
+      .arg(widgets::toQString(spec.label), widgets::displayValue(spec, before->edited.values[std::size_t(parameter)]),
            widgets::displayValue(spec, value));
 }
 
@@ -85,9 +84,8 @@ void resetParameter(Document& document, int parameter) {
   if (edit < 0) return;
   const auto& active = std::get<DifferentialEdit>(document.edits()[std::size_t(edit)].content);
   const Rgb fitted = active.fitted.values[std::size_t(parameter)];
-  document.installEdits(
-      editing::withParameter(document.edits(), std::size_t(edit), std::size_t(parameter), fitted),
-      EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(active, parameter).label).toLower()));
+  document.installEdits(editing::withParameter(document.edits(), std::size_t(edit), std::size_t(parameter), fitted),
+                        EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(active, parameter).label)));
 }
 
 void resetParameters(Document& document) {
@@ -113,7 +111,7 @@ void resetControl(Document& document, editing::ArtistControl control) {
   const int edit = activeIndex<DifferentialEdit>(document.state());
   if (edit < 0) return;
   document.installEdits(withControl(document, edit, control, Rgb(specOf(control).defaultValue)),
-                        EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(control).label).toLower()));
+                        EditStepText::tr("Reset %1").arg(widgets::toQString(specOf(control).label)));
 }
 
 QString compositionName(editing::Composition composition) {

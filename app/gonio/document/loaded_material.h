@@ -32,8 +32,8 @@ struct LoadedMaterial {
   bool isSampled() const { return material.brdf && material.brdf != base; }
   /// Whether table() is the base itself.
   bool isTable() const { return base->asTable() != nullptr; }
-  /// The table for fits, factors and codes: the base, or sampled from it at the first call (up to a second, for an
-  /// anisotropic measurement a few seconds; concurrent calls wait). Not for the GUI thread.
+  /// The table for factors, codes and the fits of isotropic materials: the base, or sampled from it at the first call
+  /// (up to a second, for an anisotropic measurement a few seconds; concurrent calls wait). Not for the GUI thread.
   /// @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
   /// The BRDF to which models are fitted: the base if it is anisotropic, else table(). Not for the GUI thread.

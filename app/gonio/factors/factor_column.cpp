@@ -96,9 +96,9 @@ struct Button {
 };
 constexpr Button buttons[] = {
     {FactorOperation::wider, QT_TRANSLATE_NOOP("FactorColumn", "Wider"),
-     QT_TRANSLATE_NOOP("FactorColumn", "Stretches the curves of all terms by 10 % along the axis")},
+     QT_TRANSLATE_NOOP("FactorColumn", "Stretches the curves of all terms along the axis to 1.1 times their width")},
     {FactorOperation::narrower, QT_TRANSLATE_NOOP("FactorColumn", "Narrower"),
-     QT_TRANSLATE_NOOP("FactorColumn", "Shrinks the curves of all terms by 10 % along the axis")},
+     QT_TRANSLATE_NOOP("FactorColumn", "Shrinks the curves of all terms along the axis to 1 / 1.1 of their width")},
     {FactorOperation::stronger, QT_TRANSLATE_NOOP("FactorColumn", "Stronger"),
      QT_TRANSLATE_NOOP("FactorColumn", "Scales the curves of all terms by 1.1")},
     {FactorOperation::weaker, QT_TRANSLATE_NOOP("FactorColumn", "Weaker"),
@@ -145,7 +145,7 @@ PdvFactors operated(const PdvFactors& factors, const PdvFactors& original, Facto
 QString operationText(FactorOperation operation, FactorAxis axis) {
   for (const Button& button : buttons)
     if (button.operation == operation)
-      return QStringLiteral("F%1: %2").arg(int(axis) + 1).arg(FactorColumnText::tr(button.text).toLower());
+      return QStringLiteral("F%1: %2").arg(int(axis) + 1).arg(FactorColumnText::tr(button.text));
   return {};
 }
 

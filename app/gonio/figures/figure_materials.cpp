@@ -88,7 +88,7 @@ void FigureMaterials::fillMenu() {
   QMenu& menu = m_list->addMenu();
   menu.clear();
   const QString open = openId();
-  menu.addAction(tr("&Open Material"), this, [this, open] { add({open}); })
+  menu.addAction(tr("The &Open Material"), this, [this, open] { add({open}); })
       ->setEnabled(!open.isEmpty() && !contains(open));
   QStringList selected = m_parts.selectedIds();
   selected.removeIf([this](const QString& id) { return contains(id); });

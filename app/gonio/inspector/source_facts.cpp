@@ -59,10 +59,10 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
                                        "30 dB is a root mean square error of about 3 %.")
                                        .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
   if (!own)
-    return {SourceFactsText::tr("Table for fits"),
+    return {SourceFactsText::tr("Sampled table"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
-            SourceFactsText::tr("Fits, factors and codes use a table sampled from %1; the preview and the edits use "
-                                "the material itself.")
+            SourceFactsText::tr("Factors, codes and the fits of isotropic materials use a table sampled from %1; the "
+                                "preview, the edits and the fits of anisotropic materials use the material itself.")
                     .arg(sourceText(loaded)) +
                 '\n' + gridExplanation + '\n' + errorExplanation};
   widgets::Fact fact{

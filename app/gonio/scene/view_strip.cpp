@@ -48,7 +48,7 @@ ViewStrip::ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, Environ
       m_scene(scene),
       m_environment(environment),
       m_tasks(tasks),
-      m_shapes(new QComboBox),
+      m_scenes(new QComboBox),
       m_lights(new QComboBox),
       m_backgrounds(new QComboBox),
       m_slider(new widgets::ParameterSlider),
@@ -68,9 +68,9 @@ void ViewStrip::build() {
     layout->addWidget(label);
     layout->addWidget(part);
   };
-  for (const std::string& name : bundledSceneNames()) m_shapes->addItem(sceneTitle(name), QString::fromStdString(name));
-  m_shapes->addItem(tr("Mesh or scene..."), file);
-  m_shapes->setToolTip(tr("Shape or scene that shows the material"));
+  for (const std::string& name : bundledSceneNames()) m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
+  m_scenes->addItem(tr("Mesh or scene..."), file);
+  m_scenes->setToolTip(tr("Scene that shows the material: bundled, or a mesh or scene file"));
   m_lights->setToolTip(
       tr("Light of the scene; a chosen light stays when the scene changes. Shift + right drag rotates the "
          "environment."));
@@ -89,15 +89,15 @@ void ViewStrip::build() {
   m_exposure->setStep(0.5);
   m_exposure->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("-10.25 EV")) + fontMetrics().height());
   m_exposure->setAccessibleName(tr("Exposure in stops"));
-  for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
+  for (QComboBox* box : {m_scenes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(4);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
   }
   // The lists show whole names where the boxes have no room for them.
-  for (QComboBox* box : {m_shapes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
+  for (QComboBox* box : {m_scenes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  add(tr("S&hape"), m_shapes);
+  add(tr("Sce&ne"), m_scenes);
   add(tr("&Light"), m_lights);
   add(tr("&Background"), m_backgrounds);
   add(tr("E&xposure"), m_slider);
@@ -107,8 +107,8 @@ void ViewStrip::build() {
 }
 
 void ViewStrip::connectParts() {
-  connect(m_shapes, &QComboBox::activated, this, [this](int index) {
-    const QString name = m_shapes->itemData(index).toString();
+  connect(m_scenes, &QComboBox::activated, this, [this](int index) {
+    const QString name = m_scenes->itemData(index).toString();
     refresh();  // until the scene is there, the list shows the one that is
     if (name == file) return Q_EMIT sceneFileRequested();
     m_scene.open(name);
@@ -168,9 +168,9 @@ void ViewStrip::setLightIcon(const QString& name, const QImage& picture) {
 void ViewStrip::refresh() {
   const Scene& scene = m_preview.content().scene();
   const QString source = QString::fromStdString(scene.source);
-  if (!source.isEmpty() && m_shapes->findData(source) < 0)
-    m_shapes->insertItem(m_shapes->count() - 1, source.section('/', -1), source);
-  m_shapes->setCurrentIndex(m_shapes->findData(source));
+  if (!source.isEmpty() && m_scenes->findData(source) < 0)
+    m_scenes->insertItem(m_scenes->count() - 1, source.section('/', -1), source);
+  m_scenes->setCurrentIndex(m_scenes->findData(source));
   fillLights();
   const QString current = m_environment.name();
   m_lights->setCurrentIndex(m_lights->findData(m_environment.isFromScene() ? own

@@ -19,7 +19,7 @@ class BackgroundTasks;
 class EnvironmentController;
 class ScenePanel;
 
-/// The strip below the preview: shape, light, background and exposure.
+/// The strip below the preview: scene, light, background and exposure.
 class ViewStrip : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class ViewStrip : public QWidget {
   ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, EnvironmentController& environment,
             BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  QComboBox& shapes() const { return *m_shapes; }
+  QComboBox& scenes() const { return *m_scenes; }
   QComboBox& lights() const { return *m_lights; }
   QComboBox& backgrounds() const { return *m_backgrounds; }
   widgets::NumberField& exposure() const { return *m_exposure; }
@@ -52,7 +52,7 @@ class ViewStrip : public QWidget {
   ScenePanel& m_scene;
   EnvironmentController& m_environment;
   BackgroundTasks& m_tasks;
-  QComboBox *m_shapes, *m_lights, *m_backgrounds;
+  QComboBox *m_scenes, *m_lights, *m_backgrounds;
   widgets::ParameterSlider* m_slider;
   widgets::NumberField* m_exposure;
 };

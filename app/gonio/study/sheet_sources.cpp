@@ -32,10 +32,10 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
 SheetEntry studyEntry(const StudyModel::Studied& studied) {
   const study::StudyRecord& record = studied->record;
   return {.name = QString::fromStdString(record.representation.fullLabel()),
-          .numbers = sheetText("SNR %1 dB, %2, %3 ms per frame")
+          .numbers = sheetText("SNR %1 dB, %2, %3 per frame")
                          .arg(comparisonValue(record.renderedSnr),
                               QLocale().formattedDataSize(qint64(record.bytes), 1, QLocale::DataSizeSIFormat),
-                              QString::fromStdString(study::shortNumber(record.frameMilliseconds))),
+                              QString::fromStdString(study::shortQuantity(1e-3 * record.frameMilliseconds, "s"))),
           .snr = record.renderedSnr,
           .brdf = studied->brdf,
           .subject = [studied](const TaskControl& control) { return studiedSubject(*studied, control); }};

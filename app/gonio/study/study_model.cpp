@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QFont>
+#include <QLocale>
 #include <QPalette>
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,12 @@ namespace {
 
 constexpr int iconSide = 64;
 
-/// "1.2 k", as in the plot.
+/// "1.2k", as in the plot.
 QString shortText(double value) { return QString::fromStdString(study::shortNumber(value)); }
+
+/// "1.2 ms".
+QString secondsText(double seconds) { return QString::fromStdString(study::shortQuantity(seconds, "s")); }
+QString nanosecondsText(double nanoseconds) { return secondsText(1e-9 * nanoseconds); }
 
 QString asHtmlImage(const QImage& image) {
   QByteArray bytes;
@@ -107,12 +112,14 @@ QString StudyModel::toolTip(int row) const {
   const Row& one = m_rows[std::size_t(row)];
   if (!one.studied) return tr("Not measured yet");
   const study::StudyRecord& record = one.studied->record;
-  return tr("<p>%1</p><p><b>%2</b><br>rendered SNR %3 dB<br>%4 ns per evaluation (%5 to %6)<br>%7 ms per "
-            "frame<br>%8B<br>encoded in %9 s</p>")
+  return tr("<p>%1</p><p><b>%2</b><br>rendered SNR %3 dB<br>%4 per evaluation (%5 to %6)<br>%7 per "
+            "frame<br>%8<br>encoded in %9</p>")
       .arg(asHtmlImage(one.picture), QString::fromStdString(record.representation.fullLabel()).toHtmlEscaped(),
-           comparisonValue(record.renderedSnr), shortText(record.evaluation.median),
-           shortText(record.evaluation.lowerQuartile), shortText(record.evaluation.upperQuartile),
-           shortText(record.frameMilliseconds), shortText(double(record.bytes)), shortText(record.encodeSeconds));
+           comparisonValue(record.renderedSnr), nanosecondsText(record.evaluation.median),
+           nanosecondsText(record.evaluation.lowerQuartile), nanosecondsText(record.evaluation.upperQuartile),
+           secondsText(1e-3 * record.frameMilliseconds),
+           QLocale().formattedDataSize(qint64(record.bytes), 1, QLocale::DataSizeSIFormat),
+           secondsText(record.encodeSeconds));
 }
 
 int StudyModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }

@@ -81,8 +81,8 @@ void addModels(std::vector<SearchEntry>& entries, EditorParts& parts) {
 
 void addScenes(std::vector<SearchEntry>& entries, EditorParts& parts) {
   for (const std::string& name : bundledSceneNames())
-    entries.push_back({.text = SearchText::tr("Shape > %1").arg(sceneTitle(name)),
-                       .keywords = SearchText::tr("scene mesh object show on"),
+    entries.push_back({.text = SearchText::tr("Scene > %1").arg(sceneTitle(name)),
+                       .keywords = SearchText::tr("shape mesh object show on"),
                        .run = [&parts, name] { parts.scene.open(QString::fromStdString(name)); }});
   QStringList lights;
   for (const std::string& name : bundledEnvironmentNames()) lights << QString::fromStdString(name);

@@ -101,7 +101,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     for (std::size_t term = 0; term < 3; ++term)
       QVERIFY(maxDifference(edit().edited->channels[1][term].f1,
                             factorization::scaled(edit().original->channels[1][term].f1, 1.1)) < 1e-12);
-    QCOMPARE(m_document.history().text(0), QStringLiteral("F1: stronger"));
+    QCOMPARE(m_document.history().text(0), QStringLiteral("F1: Stronger"));
     press(FactorAxis::theta, "Weaker");
     QVERIFY(std::abs(f1(0, last) / was(0, last) - 1) < 1e-12);
     QCOMPARE(m_document.history().count(), 2);

@@ -45,7 +45,7 @@ class FigureDialogTest : public QObject {
     for (const char* text : {"Save Figure", "Save Numbers", "Save Description"})
       QVERIFY(!buttonOf(*dialog, text)->isEnabled());
     QVERIFY(buttonOf(*dialog, "Open Description")->isEnabled());
-    QVERIFY(!entryOf(dialog->materials().list().addMenu(), "Open Material")->isEnabled());
+    QVERIFY(!entryOf(dialog->materials().list().addMenu(), "The Open Material")->isEnabled());
     QVERIFY(!entryOf(dialog->representations().list().addMenu(), "Current Fit")->isEnabled());
     QVERIFY(editor.tasks.isIdle());
   }
@@ -76,7 +76,7 @@ class FigureDialogTest : public QObject {
     const auto dialog = editor.dialog();
     FigureMaterials& materials = dialog->materials();
     entryOf(materials.list().addMenu(), "Library Selection (3)")->trigger();
-    QVERIFY(!entryOf(materials.list().addMenu(), "Open Material")->isEnabled());
+    QVERIFY(!entryOf(materials.list().addMenu(), "The Open Material")->isEnabled());
     QVERIFY(!entryOf(materials.list().addMenu(), "Library Selection (0)")->isEnabled());
     QCOMPARE(labelsOf(materials.list()), QStringList({"chrome", "chrome", "rubber"}));
     const std::unique_ptr<QMimeData> drag(widgets::toDrag("library:sgd/nickel"));

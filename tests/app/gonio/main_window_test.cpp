@@ -226,7 +226,7 @@ class MainWindowTest : public QObject {
     };
     QVERIFY(found("rough").contains("Controls > Roughness") && found("rough").contains("GGX > Roughness"));
     QVERIFY(found("gold paint").contains("Library > gold-paint (near-measured)"));
-    QVERIFY(found("shader ball").contains("Shape > Shader ball"));
+    QVERIFY(found("shader ball").contains("Scene > Shader ball"));
     QVERIFY(found("hdri").contains("Light > Sunset"));
     QCOMPARE(found("model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
     QVERIFY(found("undo").first().startsWith("Edit > "));

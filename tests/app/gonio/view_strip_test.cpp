@@ -45,12 +45,12 @@ class ViewStripTest : public QObject {
   }
 
   /// What is chosen is shown, and the strip shows what is: also what was changed elsewhere.
-  void shapesAndLights() {
-    QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));
+  void scenesAndLights() {
+    QCOMPARE(strip_->scenes().currentText(), QString("Sphere"));
     QCOMPARE(strip_->lights().currentText(), QString("From scene"));
-    choose(strip_->shapes(), "Cloth");
+    choose(strip_->scenes(), "Cloth");
     QTRY_COMPARE(preview_->content().scene().name, std::string("cloth"));
-    QCOMPARE(strip_->shapes().currentText(), QString("Cloth"));
+    QCOMPARE(strip_->scenes().currentText(), QString("Cloth"));
     choose(strip_->lights(), "Window");
     QTRY_COMPARE(environment_->name(), QString("window"));
     QCOMPARE(strip_->lights().currentText(), QString("Window"));
@@ -60,7 +60,7 @@ class ViewStripTest : public QObject {
     choose(strip_->lights(), "From scene");
     QCOMPARE(environment_->name(), QString("studio"));
     scene_->open("sphere-distant-light");
-    QTRY_COMPARE(strip_->shapes().currentText(), QString("Sphere distant light"));
+    QTRY_COMPARE(strip_->scenes().currentText(), QString("Sphere distant light"));
   }
 
   /// A picture that was opened is named, is ticked, and can be chosen again.
@@ -91,7 +91,7 @@ class ViewStripTest : public QObject {
     QVERIFY(!preview_->display().checker && preview_->content().scene().showEnvironment);
     choose(strip_->backgrounds(), "Environment, blurred");
     QVERIFY(preview_->content().scene().showEnvironment && preview_->content().scene().blurBackground);
-    choose(strip_->shapes(), "Bowl");
+    choose(strip_->scenes(), "Bowl");
     QTRY_COMPARE(preview_->content().scene().name, std::string("bowl"));
     QCOMPARE(strip_->backgrounds().currentText(), QString("Environment, blurred"));
     choose(strip_->lights(), "Directional");
@@ -108,11 +108,11 @@ class ViewStripTest : public QObject {
   void filesAreAskedFor() {
     QSignalSpy scene(strip_.get(), &ViewStrip::sceneFileRequested);
     QSignalSpy environment(strip_.get(), &ViewStrip::environmentFileRequested);
-    choose(strip_->shapes(), "Mesh or scene...");
+    choose(strip_->scenes(), "Mesh or scene...");
     choose(strip_->lights(), "Image (HDR, EXR)...");
     QCOMPARE(scene.count(), 1);
     QCOMPARE(environment.count(), 1);
-    QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));
+    QCOMPARE(strip_->scenes().currentText(), QString("Sphere"));
     QCOMPARE(strip_->lights().currentText(), QString("From scene"));
   }
 

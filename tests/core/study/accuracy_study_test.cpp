@@ -65,7 +65,7 @@ class AccuracyStudyTest : public QObject {
       familyById("tables");
       QFAIL("accepted");
     } catch (const Error& error) {
-      QVERIFY(std::string(error.what()).find("'tables'") != std::string::npos);
+      QVERIFY(std::string(error.what()).find("kind of representation 'tables'") != std::string::npos);
       QVERIFY(std::string(error.what()).find("codes, components") != std::string::npos);
     }
   }

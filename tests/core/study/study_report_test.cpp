@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "core/math/parallel.h"
 #include "core/metrics/brdf_metric.h"
@@ -127,6 +128,10 @@ class StudyReportTest : public QObject {
                                                     {infinity, "∞"}, {0.0123456, "0.0123"}};
     for (const auto& [value, text] : cases) QCOMPARE(shortNumber(value), std::string(text));
     QCOMPARE(shortNumber(std::nan("")), std::string("-"));
+    const std::tuple<double, const char*, const char*> quantities[] = {
+        {44700, "B", "44.7 kB"}, {512, "B", "512 B"},    {1.28e-6, "s", "1.28 µs"}, {74.1e-9, "s", "74.1 ns"},
+        {9.996e-4, "s", "1 ms"}, {5e-10, "s", "0.5 ns"}, {0, "s", "0 s"},           {infinity, "s", "∞ s"}};
+    for (const auto& [value, unit, text] : quantities) QCOMPARE(shortQuantity(value, unit), std::string(text));
   }
 
   /// A marker with its numbers for each record that has some, in every panel; well-formed, whatever the names hold.
