@@ -137,7 +137,7 @@ Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace 
   const double snr = exports::formSnr(file, *exact, tool.control("measuring"));
   io::writeFileAtomically(out, file.bytes);
   Json json{{"snr", decibelsJson(snr)}, {"losses", file.losses}};
-  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodes;
+  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodesOf;
   return json;
 }
 

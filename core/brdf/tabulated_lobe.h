@@ -37,7 +37,7 @@ class TabulatedLobe {
   const RotatedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
   /// The closed-form, rotationally symmetric lobe to use instead of the table, if it gives less noise at equal time;
   /// empty otherwise.
-  const std::optional<SamplingLobe>& round() const { return round_; }
+  const std::optional<SamplingLobe>& symmetricLobe() const { return symmetricLobe_; }
   /// Approximate rendering time per sample, relative to a closed-form lobe.
   static constexpr double cost = 1.2;
 
@@ -45,7 +45,7 @@ class TabulatedLobe {
   MarginalWarp warp_;
   GrainLobe grain_;
   RotatedLobe<VisibleNormalLobe> alongGrain_;
-  std::optional<SamplingLobe> round_;
+  std::optional<SamplingLobe> symmetricLobe_;
 };
 
 /// Whether two lobes sample about equally well: their densities overlap by at least nine tenths.
