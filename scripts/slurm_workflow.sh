@@ -88,7 +88,7 @@ run() {
     "materials=['library:sgd/chrome', 'library:sgd/blue-fabric', 'library:sgd/gold-metallic-paint']") >"$folder/$1.log" 2>&1
 }
 
-# running RULE: sets `job` to a job of the rule that has run for some seconds.
+# running RULE: sets `job` to a job of the rule that has run for a few seconds.
 running() {
   job=$(squeue --noheader --states=RUNNING --name="gonio-$1" --format="%A %M" |
     awk '{split($2, t, ":"); if (t[1] > 0 || t[2] >= 4) {print $1; exit}}')

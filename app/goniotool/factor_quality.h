@@ -18,7 +18,8 @@ struct FactorQuality {
   double evaluationNs = 0;
 };
 
-/// @param table table of the material. @param samples per pixel of the pictures. Takes some seconds. @throws Cancelled.
+/// @param table table of the material. @param samples per pixel of the pictures. Takes a few seconds. @throws
+/// Cancelled.
 FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
                             int samples, const Tool& tool);
 

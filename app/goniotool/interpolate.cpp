@@ -122,8 +122,7 @@ std::string materialsText(std::span<const double> weights, std::span<const std::
   return text;
 }
 
-/// The blend as a file in a form that is no table, and how far that is from the blend. Returns what is reported about
-/// it.
+/// Writes the blend in a form other than a table and measures the difference from the blend. Returns the report.
 Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace space, std::span<const double> weights,
                          std::span<const std::string> names, const std::string& out, const Tool& tool) {
   const std::shared_ptr<const Brdf> exact = interpolation.brdf(weights);
@@ -138,7 +137,7 @@ Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace 
   const double snr = exports::formSnr(file, *exact, tool.control("measuring"));
   io::writeFileAtomically(out, file.bytes);
   Json json{{"snr", decibelsJson(snr)}, {"losses", file.losses}};
-  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodes;
+  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodesOf;
   return json;
 }
 
@@ -167,7 +166,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   return json;
 }
 
-/// Of a file that is no table.
+/// The accuracy of a file that is not a table; empty for a table.
 std::string accuracyText(const Json& step) {
   if (!step.contains("snr")) return {};
   std::string text =

@@ -37,7 +37,7 @@ std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurem
 struct FactorSupport {
   double contradicted = 0;  ///< exchanging light and viewer changes the unbounded prediction by more than a factor of 2
   double extrapolated = 0;  ///< outside the readings: the last reading of a curve is used
-  double bounded = 0;       ///< above both of the nearest readings by more than a factor of 2 without bound
+  double bounded = 0;  ///< the unbounded prediction exceeds both of the nearest readings by more than a factor of 2
   /// Sentences for the user: where and why the prediction is unreliable; empty if nothing speaks against it. An empty
   /// list does not prove that the material is a product of two curves.
   std::vector<std::string> warnings;

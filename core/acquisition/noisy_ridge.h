@@ -17,7 +17,8 @@ class NoisyRidge {
 
   /// (Q^T N^-1 Q + I)^-1 Q^T N^-1 y, N = diag(eta + n): components x channels.
   Eigen::MatrixXd coefficients() const { return regression_.coefficients(scaledRidge_); }
-  /// F, symmetric, of (Q^T N^-1 Q + I)^-1 = F F: the covariance of coefficients of variance 1 given the samples.
+  /// The symmetric F with F F = (Q^T N^-1 Q + I)^-1, which is the covariance of coefficients of variance 1 given the
+  /// samples.
   Eigen::MatrixXd posteriorFactor() const { return regression_.posteriorFactor(scaledRidge_); }
   /// trace(y^T (Q Q^T + N)^-1 y) (RidgeRegression::weightedEnergy).
   double weightedEnergy() const { return regression_.weightedEnergy(scaledRidge_); }

@@ -38,7 +38,7 @@ HalfOutAxes bilgiliAxes();
 /// The number of terms that fits in the budget, at least 1.
 int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget);
 
-/// Takes some seconds for 60 terms. @throws Cancelled.
+/// Takes a few seconds for 60 terms. @throws Cancelled.
 BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control = {});
 
 /// The model of the first `terms` terms, with kd and ks fitted again. @param samples the samples that were factorised.

@@ -36,7 +36,7 @@ HalfDifferenceAxes gaussianAxes();
 /// Fits a process: lengths by the marginal likelihood of 300 samples (coordinate search), nodes by the largest
 /// posterior variance in turn (pivoted Cholesky decomposition), weights by the projected-process approximation
 /// (Rasmussen and Williams, section 8.3.4) to all samples with a noise of 1 % of the standard deviation. Deterministic.
-/// Some seconds for 512 nodes. @throws Cancelled.
+/// A few seconds for 512 nodes. @throws Cancelled.
 GaussianProcess fitGaussianProcess(const HalfDifferenceSamples& samples, int nodes, const TaskControl& control = {});
 
 /// About 5 ns per node and pair.

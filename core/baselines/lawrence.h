@@ -39,7 +39,7 @@ HalfOutAxes lawrenceAxes();
 /// The number of terms of four products that fits in the budget; for small budgets three or two products, else one.
 LawrenceRanks lawrenceRanks(const HalfOutAxes& axes, std::size_t byteBudget);
 
-/// Takes some seconds for 20 terms. @throws Cancelled.
+/// Takes a few seconds for 20 terms. @throws Cancelled.
 LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceRanks& ranks,
                                   const TaskControl& control = {});
 

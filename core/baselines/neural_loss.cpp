@@ -68,8 +68,8 @@ double Loss::evaluate(const Weights& weights, const Batch& batch, Weights& gradi
       const bool capped = x > largestOutput;
       const double value = cosine * std::expm1(std::min(x, largestOutput));
       const double error = std::log1p(value) - batch.targets(c, sample);
-      const double root = std::sqrt(error * error + rounding * rounding);
-      sum += root - rounding;
+      const double root = std::sqrt(error * error + smoothing * smoothing);
+      sum += root - smoothing;
       x = capped ? 0 : scale * error / root * (value + cosine) / (1 + value);
     }
   }

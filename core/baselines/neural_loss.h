@@ -32,7 +32,7 @@ struct Batch {
 /// sqrt(e^2 + d^2) - d with d = 0.001, so that its derivative is continuous. Keeps the buffers between calls.
 class Loss {
  public:
-  static constexpr double rounding = 1e-3;
+  static constexpr double smoothing = 1e-3;  ///< d
 
   /// Returns the loss and sets its derivative with respect to each weight. About 2 kflop per sample.
   double evaluate(const Weights& weights, const Batch& batch, Weights& gradient);

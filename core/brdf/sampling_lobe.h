@@ -20,7 +20,7 @@ struct SamplingLobe {
   double pdf(const Direction& wi, const Direction& wo) const;
 };
 
-/// Fits the lobe to a BRDF: minimises the second moment of the estimator at isotropicMomentProbes(). Takes some ms.
+/// Fits the lobe to a BRDF: minimises the second moment of the estimator at isotropicMomentProbes(). Takes a few ms.
 SamplingLobe estimateSamplingLobe(const Brdf& brdf);
 
 /// Whether two lobes sample about equally well.

@@ -168,7 +168,7 @@ Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* vali
   bool found = false;
   Rgb value(0);
   if (at.valid && mode == TableLookup::nearest) {
-    const std::size_t cell = grid_.nearestIndex(at);
+    const std::size_t cell = grid_.cellIndex(at);
     found = valid_[cell] != 0;
     value = Rgb(values_[cell]);
   } else if (at.valid) {

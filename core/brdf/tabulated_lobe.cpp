@@ -74,8 +74,9 @@ TabulatedLobe::TabulatedLobe(const Brdf& brdf)
       grain_(estimateGrainLobe(brdf, *this, cosineFraction)),
       alongGrain_(grain_.lobe()) {
   const std::vector<MomentProbe> probes = momentProbes(brdf);
-  const SamplingLobe round = estimateSamplingLobe(brdf);
-  if (samplerMoment(probes, round) < samplerMoment(probes, tabulatedMixture(*this)) * cost) round_ = round;
+  const SamplingLobe symmetric = estimateSamplingLobe(brdf);
+  if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost)
+    symmetricLobe_ = symmetric;
 }
 
 Direction TabulatedLobe::sample(const Direction& wo, const glm::dvec2& u) const {
@@ -93,8 +94,8 @@ double TabulatedLobe::density(const Direction& w, const Direction& wo) const {
 }
 
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b) {
-  if (a.round().has_value() != b.round().has_value() || !areSimilar(a.grain(), b.grain())) return false;
-  if (a.round()) return areSimilar(*a.round(), *b.round());
+  if (a.symmetricLobe().has_value() != b.symmetricLobe().has_value() || !areSimilar(a.grain(), b.grain())) return false;
+  if (a.symmetricLobe()) return areSimilar(*a.symmetricLobe(), *b.symmetricLobe());
   const std::vector<float>&first = a.warp().cellDensity().values, &second = b.warp().cellDensity().values;
   double difference = 0;
   for (std::size_t i = 0; i < first.size(); ++i) difference += std::abs(double(first[i]) - second[i]);

@@ -17,10 +17,10 @@ namespace gonio {
 /// several viewers over the unit square of half vectors (core/brdf/lobe_square.h). For an anisotropic BRDF the table is
 /// the mean over several azimuths, and grain() follows the highlight. A lobe for LobeMixture; the preview's shader
 /// reads the same table. Samples with a half vector that faces away from the viewer or a direction below the horizon
-/// fail (some per mille, for grazing viewers).
+/// fail (a few in a thousand, for grazing viewers).
 class TabulatedLobe {
  public:
-  /// Evaluates the BRDF about 40,000 times (some ms), an anisotropic one ten times as often.
+  /// Evaluates the BRDF about 40,000 times (a few ms), an anisotropic one ten times as often.
   explicit TabulatedLobe(const Brdf& brdf);
 
   /// Fraction of cosine-weighted samples in tabulatedMixture(); they also find highlights between the nodes.
@@ -37,7 +37,7 @@ class TabulatedLobe {
   const RotatedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
   /// The closed-form, rotationally symmetric lobe to use instead of the table, if it gives less noise at equal time;
   /// empty otherwise.
-  const std::optional<SamplingLobe>& round() const { return round_; }
+  const std::optional<SamplingLobe>& symmetricLobe() const { return symmetricLobe_; }
   /// Approximate rendering time per sample, relative to a closed-form lobe.
   static constexpr double cost = 1.2;
 
@@ -45,7 +45,7 @@ class TabulatedLobe {
   MarginalWarp warp_;
   GrainLobe grain_;
   RotatedLobe<VisibleNormalLobe> alongGrain_;
-  std::optional<SamplingLobe> round_;
+  std::optional<SamplingLobe> symmetricLobe_;
 };
 
 /// Whether two lobes sample about equally well: their densities overlap by at least nine tenths.

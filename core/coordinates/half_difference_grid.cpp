@@ -57,7 +57,7 @@ double HalfDifferenceGrid::cellMeasure(std::size_t index) const {
   return half * difference * phiDPeriod() / phiDCount;
 }
 
-std::size_t HalfDifferenceGrid::nearestIndex(const HalfDifference& c) const {
+std::size_t HalfDifferenceGrid::cellIndex(const HalfDifference& c) const {
   const Position p = position(c);
   const auto cell = [](double x, int count) { return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1); };
   return index(cell(p.thetaH, thetaHCount), cell(p.thetaD, thetaDCount), cell(p.phiD, phiDCount));

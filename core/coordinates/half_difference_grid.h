@@ -55,8 +55,9 @@ struct HalfDifferenceGrid {
     return {std::sqrt((thetaH > 0 ? thetaH : 0.0) / halfPi) * thetaHCount, thetaD / halfPi * thetaDCount,
             phi * (phiDCount / phiDPeriod())};
   }
-  /// The look-up of the MERL reference code: the floor of each position, clamped.
-  std::size_t nearestIndex(const HalfDifference& coordinates) const;
+  /// Index of the cell that contains the coordinates, as in the MERL reference code: the floor of each position,
+  /// clamped. Not the nearest node; unlike in cellMeasure(), these cells start at their nodes.
+  std::size_t cellIndex(const HalfDifference& coordinates) const;
 };
 
 }  // namespace gonio

@@ -21,7 +21,7 @@ struct GridGeometry {
   /// of each mode is 1, and no square is below a hundredth of the mode's largest.
   std::array<Eigen::ArrayXd, 3> importance;
 
-  /// The geometry of a grid: computed at the first call (some 100 ms), then shared. Callable from several threads.
+  /// The geometry of a grid: computed at the first call (about 100 ms), then shared. Callable from several threads.
   static std::shared_ptr<const GridGeometry> of(const HalfDifferenceGrid& grid);
 };
 

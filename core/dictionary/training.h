@@ -46,7 +46,7 @@ struct TrainingResult {
 /// @param resume state to continue from, of the same materials and options.
 /// @param checkpoint called after each round with the state.
 /// @throws Cancelled if stopped before there is a dictionary; Error if there are no materials.
-/// Memory: the signals in the subspace (822 signals of 137 materials: some 350 MB), and a few tables.
+/// Memory: the signals in the subspace (822 signals of 137 materials: about 350 MB), and a few tables.
 TrainingResult train(const TrainingMaterials& materials, const TrainingOptions& options,
                      const TaskControl& control = {}, const TrainingState* resume = nullptr,
                      const std::function<void(const TrainingState&)>& checkpoint = {});

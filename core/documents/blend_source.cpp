@@ -151,7 +151,7 @@ materials::Material blendedMaterial(const BlendSource& blend, const Interpolatio
   if (const auto own = nativeFormBlend(interpolation, blend.space, blend.weights, control)) {
     material.brdf = own->brdf;
     if (std::isfinite(own->accuracy))
-      material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodes]), own->accuracy));
+      material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodesOf]), own->accuracy));
     return material;
   }
   if (mixesNativeForms(blend.space) &&

@@ -15,7 +15,7 @@ materials::Material withEdits(const materials::Material& base, std::span<const E
   if (isIdentity(edits)) return material;
   material.code = nullptr;
   const bool anisotropic = std::ranges::any_of(edits, [](const Edit& edit) { return isAnisotropic(edit); });
-  // What is no table keeps its own form under the edits.
+  // A material that is not a table is not sampled: the edits are applied to its BRDF.
   if (base.table) material.brdf = material.table = bakeEdits(base.table, edits, control);
   if (!base.table || anisotropic) material.brdf = applyEdits(base.brdf, edits);
   if (anisotropic) {

@@ -25,7 +25,7 @@ struct DensitySize {
 /// replaced by the highlights for viewers at six polar angles (the excess of the values over their minimum, for half
 /// vectors within 41 degrees of the normal, which removes the diffuse term), then the uniform distribution 1/pi is
 /// mixed in with the fraction `floor`. It is uniform if the material has no retro-reflection. The result only serves as
-/// a parameterisation, for which any positive D is correct. (columns rows)^2 steps: some ms isotropic, some 0.1 s
+/// a parameterisation, for which any positive D is correct. (columns rows)^2 steps: a few ms isotropic, about 0.1 s
 /// anisotropic.
 NormalDensity normalDensity(const Brdf& material, const DensitySize& size, double floor);
 

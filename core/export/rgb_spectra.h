@@ -18,7 +18,7 @@ struct SpectralBasis {
 };
 
 /// The smoothest basis (least squared second differences) whose colours under D65, for the CIE 1931 observer of
-/// core/math/spectrum.h, are exactly the primaries. Computed once, some ms.
+/// core/math/spectrum.h, are exactly the primaries. Computed once, a few ms.
 const SpectralBasis& spectralBasis();
 
 /// The basis at any wavelength, nm: linear between its knots, constant beyond them.

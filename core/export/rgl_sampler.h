@@ -39,7 +39,7 @@ struct RglSlice {
 /// evaluations per azimuth.
 RglSlice sampleSlice(const Brdf& material, const RglLayout& layout, double theta, std::size_t size);
 
-/// Assembles slices of ascending polar angles to the data of an RGL file, with the luminance of samplingLuminance().
+/// Assembles slices of ascending polar angles into the data of an RGL file, with the luminance of samplingLuminance().
 RglData assemble(const RglLayout& layout, std::span<const RglSlice* const> slices);
 
 }  // namespace gonio::exports

@@ -16,7 +16,7 @@ const TriangleMesh* meshOf(const SceneObject& object) {
   return shape ? &(*shape)->mesh() : nullptr;
 }
 
-/// One for each object: empty where it is no mesh.
+/// One suffix per object; empty if it is not a mesh.
 std::vector<std::string> meshSuffixesOf(const Scene& scene) {
   std::vector<std::string> suffixes;
   int count = 0;

@@ -67,7 +67,7 @@ struct PdvOptions {
   /// Nodes of |Dp|; empty: deviationNodes() of the material.
   std::vector<double> deviationNodes = {};
   /// Improves all terms together after they were found one by one (core/factorization/joint_terms.h). The squared error
-  /// is never larger; fewer terms of the result are then not the best ones of their number.
+  /// is never larger; the first terms of the result alone are then not the best model with that number of terms.
   bool joint = false;
 };
 inline constexpr int maxPdvTerms = 20;
@@ -91,7 +91,7 @@ struct PdvFactorization {
 
 /// Factorises a table: each term is the best rank-one approximation of the residual of the terms before, over the cells
 /// with data; with PdvOptions::joint these are the start of a joint fit of all terms. Deterministic. About 1 s for ten
-/// terms of three factors in RGB on two cores, some seconds more for a joint fit. @throws Cancelled; Error if
+/// terms of three factors in RGB on two cores, a few seconds more for a joint fit. @throws Cancelled; Error if
 /// the number of terms or the nodes are out of range.
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options = {},
                               const TaskControl& control = {});

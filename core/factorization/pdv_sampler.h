@@ -52,7 +52,7 @@ class DeviationRows {
 /// black. Immutable. About 0.2 us per sample and 0.1 us per density.
 class PdvSampler {
  public:
-  /// @param brdf of the lobe, i.e. the first term of a model; evaluated some 100,000 times.
+  /// @param brdf of the lobe, i.e. the first term of a model; evaluated about 100,000 times.
   PdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes, const std::vector<double>& deviationNodes);
 
   /// As Brdf::sample() and pdf().

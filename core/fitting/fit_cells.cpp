@@ -37,7 +37,7 @@ struct Patch {
       const double cellMeasure = grid.cellMeasure(grid.index(row, j, 0));
       for (int k = phiD.begin; k < phiD.end; ++k) {
         const std::size_t cell = grid.index(row, j, k);
-        if (!census.counts[cell]) continue;
+        if (!census.isUsed[cell]) continue;
         cells.push_back(cell);
         measure += cellMeasure;
       }
@@ -65,7 +65,7 @@ CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   constexpr std::size_t block = 4096;
   const std::size_t size = table.grid().size();
   CellSelection census;
-  census.counts.assign(size, 0);
+  census.isUsed.assign(size, 0);
   std::vector<std::size_t> used((size + block - 1) / block, 0);
   // Angles cost more than cosines: they decide only what rounding could turn.
   constexpr double rounding = 1e-9;
@@ -79,7 +79,7 @@ CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (!table.valid()[cell] || !isWithin(cell)) continue;
-      census.counts[cell] = 1;
+      census.isUsed[cell] = 1;
       ++used[begin / block];
     }
   });

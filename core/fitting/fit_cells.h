@@ -13,7 +13,7 @@ namespace gonio::fitting {
 
 /// The cells of a table that a fit uses.
 struct CellSelection {
-  std::vector<std::uint8_t> counts;  ///< one flag per cell: 1 if used
+  std::vector<std::uint8_t> isUsed;  ///< one flag per cell: 1 if used
   std::size_t used = 0, invalid = 0, grazing = 0;
 };
 /// @param maxPolarAngle rad; cells with a direction beyond it are grazing. Parallel, about 20 ms.

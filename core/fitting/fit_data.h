@@ -19,7 +19,8 @@ class FitData {
   FitData(const Brdf& base, const FitOptions& options);
 
   const FitOptions& options() const { return options_; }
-  /// Models without parameters along two axes can fit both kinds of data.
+  /// isotropic for a table, anisotropic for cells over all azimuths. Models without parameters along two axes can be
+  /// fitted to both.
   DataSymmetry symmetry() const { return table_ ? DataSymmetry::isotropic : DataSymmetry::anisotropic; }
   std::size_t usedCells() const { return table_ ? census_.used : azimuths_.used; }
   std::size_t invalidCells() const { return table_ ? census_.invalid : azimuths_.invalid; }

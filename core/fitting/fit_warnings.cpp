@@ -34,9 +34,9 @@ Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& cens
   const HalfDifferenceGrid& grid = table.grid();
   Channels channels;
   double measure = 0;
-  for (std::size_t cell = 0; cell < census.counts.size(); ++cell) {
+  for (std::size_t cell = 0; cell < census.isUsed.size(); ++cell) {
     if (cell % std::size_t(grid.phiDCount) == 0) measure = grid.cellMeasure(cell);  // the same for all phi_d
-    if (!census.counts[cell]) continue;
+    if (!census.isUsed[cell]) continue;
     for (int c = 0; c < 3; ++c) channels[std::size_t(c)].add(table.values()[cell][c], measure);
   }
   return channels;

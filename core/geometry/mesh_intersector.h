@@ -41,7 +41,8 @@ class MeshIntersector {
   const std::shared_ptr<const TriangleMesh>& sharedMesh() const { return mesh_; }
 
   /// The first hit with tMin <= t <= tMax, on either side of a triangle; the limits have single precision. tMin >= 0,
-  /// tMax may be infinite; `direction` may have any length except 0, which is the unit of t. O(log triangles).
+  /// tMax may be infinite. t is in units of the length of `direction`, which may be any length except 0. O(log
+  /// triangles).
   std::optional<MeshHit> closest(const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const;
   /// Whether there is any hit; faster than closest().
   bool occluded(const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const;

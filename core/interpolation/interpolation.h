@@ -106,11 +106,11 @@ class Interpolation {
   std::vector<DifferentialEdit> moves(std::span<const double> weights) const;
   /// The blended curves, in `factors`.
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;
-  /// The blended code, in `dictionary`. Takes some 100 ms if the codes use different dictionaries.
+  /// The blended code, in `dictionary`. Takes about 100 ms if the codes use different dictionaries.
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
   /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply moves() to the tables
-  /// before mixing. In `dictionary` they contain all coefficients. Some 50 ms and 18 MB per material. Differences from
+  /// before mixing. In `dictionary` they contain all coefficients. About 50 ms and 18 MB per material. Differences from
   /// brdf(): no limit on the number of coefficients, bounds of the codes per material instead of the blend, single
   /// precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }

@@ -12,13 +12,13 @@ namespace gonio::io {
 
 /// Bytes of known size with random access: a file, or memory. Readers compare announced sizes with size() before they
 /// allocate memory. Reading from several threads at once is safe. Errors do not name the file; the caller that knows
-/// the path adds it (core/support/naming_file.h).
+/// the path adds it (core/support/file_in_errors.h).
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
   virtual std::uint64_t size() const = 0;
   /// Fills `target` from `offset`.
-  /// @throws Error if the source ends before (such as a file that was truncated meanwhile) or the system reports an
+  /// @throws Error if the source ends too early (such as a file that was truncated meanwhile) or the system reports an
   /// error.
   virtual void readAt(std::uint64_t offset, std::span<std::byte> target) const = 0;
 

@@ -17,7 +17,7 @@
 /// The absolute scale is not documented beyond that; other readers rescale it (dj_brdf by Dupuy).
 namespace gonio::io {
 
-/// @throws FormatMismatch if the source has neither the size and plausible first values of a `.bin` file nor is an EXR
+/// @throws FormatMismatch if the source neither has the size and plausible first values of a `.bin` file nor is an EXR
 /// image of 288 x 288 pixels. EXR images of up to 16 MiB are read completely.
 void expectUtia(const ByteSource& source);
 

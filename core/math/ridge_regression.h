@@ -39,8 +39,8 @@ class RidgeRegression {
   /// the part of B outside the range of A is left out.
   double weightedEnergy(double ridge) const;
 
-  /// F, columns x columns, symmetric, of ridge (A^T A + ridge I)^-1 = F F: the covariance of the coefficients under a
-  /// prior of variance 1 and noise of variance `ridge`. @param ridge >= 0, or infinite.
+  /// The symmetric F (columns x columns) with F F = ridge (A^T A + ridge I)^-1, which is the covariance of the
+  /// coefficients under a prior of variance 1 and noise of variance `ridge`. @param ridge >= 0, or infinite.
   Eigen::MatrixXd posteriorFactor(double ridge) const;
 
  private:

@@ -22,8 +22,8 @@ namespace {
 
 }  // namespace
 
-Rgb labOf(const Rgb& reflectance) {
-  const Rgb white = diffuserRelative(reflectance.x, reflectance.y, reflectance.z);
+Rgb labOf(const Rgb& value) {
+  const Rgb white = diffuserRelative(value.x, value.y, value.z);
   const double fx = labRoot(white.x), fy = labRoot(white.y), fz = labRoot(white.z);
   return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }

@@ -70,7 +70,7 @@ void visitPower(MetricPower power, Visitor&& visitor) {
 }
 
 /// CIE 1976 L*, a*, b* of a BRDF value (1/sr, linear sRGB, >= 0), where the perfect diffuser, 1 / pi, is white.
-Rgb labOf(const Rgb& reflectance);
+Rgb labOf(const Rgb& value);
 /// The differences of L*, a*, b* of n pairs of colours. @param reference, test 3 x n, BRDF values as for labOf().
 /// @param differences 3 x n, result.
 void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& test, Eigen::Array3Xd& differences);

@@ -29,7 +29,7 @@ struct PlausibilityCheck {
 
 /// Checks reciprocity (relative difference at most 2 %), energy (albedo at most 1.01 for viewers at 0 to 85 degrees),
 /// negative and non-finite values, over a fixed set of directions. For an RGL file, which may contain colours outside
-/// the sRGB gamut, "negative" tests the luminance. Takes some 100 ms. @throws Cancelled.
+/// the sRGB gamut, "negative" tests the luminance. Takes about 100 ms. @throws Cancelled.
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control = {});
 
 /// The check "negative" for edits before clamping: counts values that are below 0 and below the base's value by more

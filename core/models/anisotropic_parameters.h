@@ -15,7 +15,7 @@ namespace gonio::models {
 // clang-format off
 constexpr ParameterSpec roughnessXParameter(std::string_view formula, std::string_view reference) {
   ParameterSpec spec = roughnessParameter(
-      "alpha_x", "Width of the highlight along x, the direction of the brushing; brushed metal is narrow along x, wide across.",
+      "alpha_x", "Width of the highlight along x, the direction of the brushing; the highlight of brushed metal is narrow along x and wide across it.",
       formula, reference);
   spec.id = "roughness-x";
   spec.label = "Roughness x";

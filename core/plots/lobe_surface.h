@@ -20,7 +20,7 @@ struct LobeSurface {
 };
 
 /// @param thetaI polar angle of the light, rad; its azimuth is pi, as in Section. @param coverage as in
-/// evaluatePlotted(). Takes some ms.
+/// evaluatePlotted(). Takes a few ms.
 LobeSurface lobeSurface(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr,
                         int rings = 64, int sectors = 96);
 

@@ -30,7 +30,7 @@ struct Slice {
 double thetaHFraction(ThetaHSpacing spacing, double thetaH);
 double thetaHAt(ThetaHSpacing spacing, double fraction);
 
-/// A slice of `size` x `size` cells (90 in MERL tables). Takes some ms. @param coverage as in evaluatePlotted().
+/// A slice of `size` x `size` cells (90 in MERL tables). Takes a few ms. @param coverage as in evaluatePlotted().
 Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,
                           const TabulatedBrdf* coverage = nullptr, int size = 90);
 

@@ -16,7 +16,7 @@ inline constexpr double blurConcentration = 91.2;
 
 /// The environment as a background out of focus, which does not illuminate objects: its radiance convolved on the
 /// sphere with the kernel above, cut off at 20 degrees. Constants are preserved. Computed once in the lifetime of the
-/// environment (some 0.1 s); callable from several threads. @param environment not null.
+/// environment (about 0.1 s); callable from several threads. @param environment not null.
 std::shared_ptr<const EnvironmentMap> blurredEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
 
 }  // namespace gonio

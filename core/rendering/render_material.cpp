@@ -36,11 +36,11 @@ RenderMaterial::Density RenderMaterial::chosenDensity(const Brdf& brdf,
   const double own = samplerMoment(probes, brdf) * brdf.samplingCost();
   if (hasOwn && own < nearTheLeast) return {};
   if (!tabulated) tabulated = std::make_shared<const TabulatedLobe>(brdf);
-  const std::optional<SamplingLobe>& round = tabulated->round();
-  if (hasOwn && own < (round ? samplerMoment(probes, *round)
-                             : samplerMoment(probes, tabulatedMixture(*tabulated)) * TabulatedLobe::cost))
+  const std::optional<SamplingLobe>& symmetric = tabulated->symmetricLobe();
+  if (hasOwn && own < (symmetric ? samplerMoment(probes, *symmetric)
+                                 : samplerMoment(probes, tabulatedMixture(*tabulated)) * TabulatedLobe::cost))
     return {};
-  if (round) return {.lobe = round};
+  if (symmetric) return {.lobe = symmetric};
   return {.tabulated = std::move(tabulated)};
 }
 

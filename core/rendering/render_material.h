@@ -19,7 +19,7 @@ class RenderMaterial {
 
   /// The density is `lobe` if given and the BRDF has no importance sampling of its own (or LobeUse::always). Otherwise
   /// it is the BRDF's own (models, factors, RGL files), a TabulatedLobe or its closed-form lobe, whichever gives the
-  /// least noise at equal time. Takes some ms; up to 50 ms for a sparse code, some 0.1 s for anisotropic materials.
+  /// least noise at equal time. Takes a few ms; up to 50 ms for a sparse code, about 0.1 s for anisotropic materials.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
   /// The same with an existing tabulated lobe.

@@ -16,7 +16,7 @@ struct EvaluationTime {
 
 /// Measures the current time of an evaluation on this machine, as processor time: one thread evaluates a batch of
 /// 16,384 pairs of directions, uniform over the hemisphere, seven times, or at least three times if that takes more
-/// than half a second. Takes some ms for most BRDFs. @throws Cancelled.
+/// than half a second. Takes a few ms for most BRDFs. @throws Cancelled.
 EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control = {});
 
 /// A quantile, linear between the values; NaN for no values. @param fraction in [0, 1]; 0.5 is the median.

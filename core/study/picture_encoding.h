@@ -14,7 +14,7 @@ struct PictureEncoding {
 
 /// Encodes with the smallest number of coefficients that reaches a rendered SNR: starts with 8, doubles until one of
 /// the transforms reaches it, then bisects the last interval to within 3 %; selects the transform that needs fewer. If
-/// `options.coefficients` are not sufficient, returns the code with the highest SNR found. Some 20 encodings and
+/// `options.coefficients` are not sufficient, returns the code with the highest SNR found. About 20 encodings and
 /// pictures, about a minute on two cores.
 /// @param renderedSnr to reach: decoded table against the table in comparisonScene(), dB.
 /// @param picture options of the pictures; use those of other comparisons, because smaller pictures give a higher SNR.

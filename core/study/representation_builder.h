@@ -55,7 +55,7 @@ class RepresentationBuilder {
   RepresentationBuilder(StudySubject subject, BuildOptions options, std::span<const Representation> planned);
 
   /// Deterministic except for times. Fits, factors and most baselines take about a second, codes two, joint factors,
-  /// the Gaussian process and non-parametric factors some seconds, neural BRDFs 12 s. @throws Error for a
+  /// the Gaussian process and non-parametric factors a few seconds, neural BRDFs 12 s. @throws Error for a
   /// representation that was not planned, more components than the basis has, or a table with another grid than the
   /// basis; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});

@@ -141,7 +141,8 @@ py::tuple directionsOf(const SamplingPlan& plan) {
 
 SamplingPlan planOf(const Vectors& wi, const Vectors& wo) {
   const std::vector<Direction> light = toRgb(wi, "wi"), viewer = toRgb(wo, "wo");
-  if (light.size() != viewer.size() || light.empty()) throw Error("expected as many wi as wo, at least one");
+  if (light.size() != viewer.size() || light.empty())
+    throw Error("wi and wo: expected the same number of directions, at least one");
   checkUnit(light, 0, "wi");
   checkUnit(viewer, 0, "wo");
   SamplingPlan plan;
@@ -172,7 +173,7 @@ MeasuredValues valuesOf(const Vectors& rgb, const py::object& noise) {
   return values;
 }
 
-/// (theta_h, theta_d, phi_d) with NaN where nothing is known.
+/// The values of the cells of a basis in an array of shape (theta_h, theta_d, phi_d); NaN in all other cells.
 py::array_t<float> onGrid(const dictionary::MappedCells& mapping, const std::vector<float>& deviation) {
   const HalfDifferenceGrid& grid = mapping.grid;
   py::array_t<float> array({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});

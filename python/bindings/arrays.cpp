@@ -12,13 +12,12 @@ namespace gonio::python {
 
 namespace {
 
-/// The rows of an array (..., 3) of any strides.
+/// The rows of an array of shape (..., 3) with any strides.
 class Rows {
  public:
   explicit Rows(const Vectors& array) : data_(reinterpret_cast<const char*>(array.data())) {
     const py::ssize_t last = array.ndim() - 1;
-    if (last < 0 || array.shape(last) != 3)
-      throw Error("found an array without rows of three, expected shape (..., 3)");
+    if (last < 0 || array.shape(last) != 3) throw Error("expected an array of shape (..., 3)");
     inner_ = array.strides(last);
     for (py::ssize_t d = 0; d < last; ++d) add(std::size_t(array.shape(d)), array.strides(d));
     if (shape_.empty()) add(1, 0);
@@ -28,7 +27,7 @@ class Rows {
   /// Rows [begin, begin + rows.size()).
   void read(std::size_t begin, std::span<glm::dvec3> rows) const {
     while (!rows.empty()) {
-      // As many as lie along the last dimension from `begin` on.
+      // The rows from `begin` to the end of the last dimension, which have one stride.
       const char* row = data_;
       std::size_t rest = begin;
       const std::size_t run = std::min(rows.size(), shape_.back() - begin % shape_.back());
@@ -44,7 +43,7 @@ class Rows {
   }
 
  private:
-  /// A dimension that continues the one before it becomes one with it.
+  /// Appends a dimension; merges it with the previous one if both are contiguous.
   void add(std::size_t size, py::ssize_t stride) {
     count_ *= size;
     if (!shape_.empty() && strides_.back() == py::ssize_t(size) * stride) {
@@ -64,7 +63,7 @@ class Rows {
   std::size_t count_ = 1;
 };
 
-/// From so many pairs on the calling thread looks for Ctrl+C, which costs starting a thread.
+/// Minimum number of pairs for which the calling thread checks for Ctrl+C, since that requires starting another thread.
 constexpr std::size_t interruptiblePairs = 1 << 16;
 
 }  // namespace
@@ -95,7 +94,7 @@ void forPairs(const Vectors& a, const Vectors& b, const PairWork& work) {
 void checkUnit(std::span<const glm::dvec3> directions, std::size_t firstRow, const char* name) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const double squared = glm::dot(directions[i], directions[i]);
-    // Negated: a length that is not a number is none.
+    // Negated, so that NaN is rejected too.
     if (!(std::abs(squared - 1) <= 2e-5))
       throw Error(std::string(name) + ": found a direction of length " + numberText(std::sqrt(squared)) + " (number " +
                   std::to_string(firstRow + i) + "), expected unit vectors");
@@ -118,8 +117,7 @@ py::array_t<double> toArray(std::span<const Rgb> values) {
 }
 
 std::vector<Rgb> toRgb(const Vectors& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 3)
-    throw Error(std::string(name) + ": expected an array of shape (n, 3), a row of red, green and blue a sample");
+  if (array.ndim() != 2 || array.shape(1) != 3) throw Error(std::string(name) + ": expected an array of shape (n, 3)");
   std::vector<Rgb> values(std::size_t(array.shape(0)));
   Rows(array).read(0, values);
   return values;

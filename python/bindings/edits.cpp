@@ -16,7 +16,7 @@ namespace {
 
 using namespace editing;
 
-/// The material with one edit more.
+/// The material with one more edit.
 PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& progress) {
   EditedMaterial result = material.edited();
   result.edits.push_back(std::move(edit));
@@ -26,7 +26,8 @@ PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& pr
   return std::make_shared<PyMaterial>(std::move(result));
 }
 
-/// Parameters are JSON texts. The second result are sentences about values that were cut to their ranges.
+/// Parameters are JSON text. The second result lists the ids of the parameters and controls that were clamped to their
+/// hard ranges.
 py::tuple edit(const PyMaterial& material, const std::string& id, const std::string& fitted, const std::string& changed,
                const std::string& controls, const std::string& composition, double strength,
                const py::object& progress) {
@@ -61,7 +62,8 @@ PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original,
 
 using Blends = std::shared_ptr<const Interpolation>;
 
-/// Of a material: its factors and code where it is such.
+/// The input of an interpolation for a material, with its factors or code if it consists of them.
+/// @param bundled whether the interpolation uses the bundled dictionary; the code is left out otherwise.
 InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
   InterpolationMaterial end{.table = material.table(control)};
   end.factors = factorization::pdvFactorsOf(*material.brdf());

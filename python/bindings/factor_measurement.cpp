@@ -48,7 +48,7 @@ MeasuredValues readingsOf(const Vectors& rgb, const py::object& noise) {
   return values;
 }
 
-/// Of each place the three channels: (places, 3).
+/// One row per node, one column per channel: (nodes, 3).
 py::array_t<double> columnsOf(const std::array<std::vector<double>, 3>& curves) {
   std::vector<Rgb> rows;
   for (std::size_t i = 0; i < curves[0].size(); ++i) rows.emplace_back(curves[0][i], curves[1][i], curves[2][i]);
@@ -78,7 +78,7 @@ void writeReadings(const SamplingPlan& plan, const std::string& axes, const std:
   const FactorPlan factorPlan = planOf(plan, axes, curves);
   const MeasuredValues values = readingsOf(rgb, noise);
   if (values.rgb.size() != factorPlan.curves.size())
-    throw Error("values: expected a row for each direction of the plan");
+    throw Error("values: expected one row for each direction of the plan");
   materials::writeFactorReadings(factorPlan, values, path);
 }
 

@@ -104,8 +104,8 @@ py::array_t<double> pdf(const PyMaterial& material, const Vectors& wi, const Vec
   return densities;
 }
 
-/// Seconds that C++ alone takes for the same evaluation, of pairs that lie in memory as it likes them: what Python's
-/// time is compared with.
+/// Time of the same evaluation in C++ alone, s, with the pairs already in contiguous memory: the baseline for the time
+/// in Python.
 double batchSeconds(const PyMaterial& material, const Vectors& wi, const Vectors& wo) {
   std::vector<DirectionPair> pairs(std::size_t(wi.size() / 3));
   forPairs(wi, wo, [&](std::size_t begin, std::span<const glm::dvec3> light, std::span<const glm::dvec3> viewer) {
@@ -121,7 +121,7 @@ double batchSeconds(const PyMaterial& material, const Vectors& wi, const Vectors
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// None where the material is no table.
+/// None if the material is not a table.
 py::object tableView(const PyMaterial& material) {
   const auto& table = material.shown().table;
   if (!table) return py::none();
@@ -135,7 +135,7 @@ py::object tableView(const PyMaterial& material) {
 
 PyMaterialPtr tabulated(const PyMaterial& material, const py::object& progress) {
   const auto table = resultOf(progress, [&](const TaskControl& control) { return material.table(control); });
-  // It is no longer what the file holds.
+  // The result differs from the file, so the path and the hash are removed.
   materials::Material copy = material.shown();
   copy.source.path.clear();
   copy.source.sha256.clear();
@@ -183,7 +183,8 @@ PyMaterialPtr fromTable(const py::array_t<float, py::array::c_style | py::array:
   } else {
     const auto given = py::array_t<bool, py::array::c_style | py::array::forcecast>(valid);
     if (given.ndim() != 3 || std::size_t(given.size()) != grid.size())
-      throw Error("valid: expected an array of shape (theta_h, theta_d, phi_d), as the values have");
+      throw Error(
+          "valid: expected an array of shape (theta_h, theta_d, phi_d), the first three dimensions of the values");
     std::copy_n(given.data(), grid.size(), mask.begin());
   }
   const auto first = reinterpret_cast<const TabulatedBrdf::Value*>(values.data());
@@ -191,13 +192,13 @@ PyMaterialPtr fromTable(const py::array_t<float, py::array::c_style | py::array:
                      std::make_shared<const TabulatedBrdf>(grid, std::vector(first, first + grid.size()), mask));
 }
 
-/// Returns sentences about what the file cannot hold.
+/// Returns what the file cannot represent, one sentence each.
 std::vector<std::string> save(const PyMaterial& material, const std::string& path, const py::object& progress) {
   if (editing::isDocumentName(path)) {
     const materials::MaterialSource& source = material.base().source;
     if (source.sha256.empty() || source.path.empty())
-      throw Error(path + ": a document names the file that was edited, and " + material.shown().name +
-                  " comes from no file; save it as a table (.binary)");
+      throw Error(path + ": a document stores the path of the edited file, but " + material.shown().name +
+                  " has no file; save it as a table (.binary)");
     editing::EditDocument document;
     document.sourcePath = source.path.string();
     document.sourceSha256 = source.sha256;
@@ -209,7 +210,7 @@ std::vector<std::string> save(const PyMaterial& material, const std::string& pat
   return resultOf(progress, [&](const TaskControl& control) -> std::vector<std::string> {
     if (exports::isNativeForm(path))
       return exports::writeNativeForm(material.exported(), material.base(), path, control);
-    // Only what was not edited may be a copy of its file.
+    // Only an unedited material may be written as a copy of its file.
     if (material.edits().empty())
       materials::writeMaterial(material.shown(), path, control);
     else

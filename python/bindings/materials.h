@@ -12,7 +12,7 @@
 
 namespace gonio::python {
 
-/// A material as Python holds it. Immutable.
+/// A material in Python. Immutable.
 class PyMaterial {
  public:
   explicit PyMaterial(editing::EditedMaterial edited) : edited_(std::move(edited)) {}
@@ -26,7 +26,7 @@ class PyMaterial {
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control) const {
     return edited_.shown.tabulated(control);
   }
-  /// With a density to sample from, which is made at the first call.
+  /// The material with a density for importance sampling, which is computed at the first call.
   std::shared_ptr<const RenderMaterial> rendered() const;
   exports::ExportSource exported() const;
 
@@ -37,17 +37,17 @@ class PyMaterial {
 };
 using PyMaterialPtr = std::shared_ptr<PyMaterial>;
 
-/// A material that is no file. @param kind stands where files have their format.
+/// A material without a file. @param kind MaterialSource::format, which is the file format of other materials.
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const Brdf> brdf,
                           const std::string& description = {});
-/// The same of a table.
+/// The same for a table.
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const TabulatedBrdf> table,
                           const std::string& description = {});
 
-/// {metric: error} of errors in the order of metrics::allBrdfMetrics().
+/// A dict {metric: error}. @param errors in the order of metrics::allBrdfMetrics().
 py::dict errorsOf(const std::vector<double>& errors);
 
-// The functions of the module, an area each.
+// Each adds the functions of one area to the module.
 void bindMaterials(py::module_& module);
 void bindModels(py::module_& module);
 void bindEdits(py::module_& module);

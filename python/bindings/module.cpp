@@ -7,7 +7,7 @@ namespace gonio::python {
 
 namespace {
 
-/// Bounds the threads of all parallel loops of the process; 0: all cores.
+/// Limits the number of threads of all parallel loops in the process; 0: one per core.
 void setThreads(int count) {
   static std::optional<ThreadLimit> limit;
   if (count < 0) throw Error("threads: expected 1 or more, or 0 for all cores");

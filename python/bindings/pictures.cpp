@@ -17,7 +17,7 @@ namespace gonio::python {
 
 namespace {
 
-/// A scene with its materials in place.
+/// A scene and the materials of its objects.
 struct Filled {
   Scene scene;
   RenderMaterials materials;
@@ -71,7 +71,7 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
   Result result = resultOf(progress, [&](const TaskControl& control) {
     Result made;
     const auto table = a.table(control.between(0, 0.1));
-    // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
+    // A table is isotropic, so an anisotropic material is compared by its mean over the azimuths.
     const std::shared_ptr<const Brdf> other = b.brdf()->isIsotropic() ? b.brdf() : b.table({control.stop, {}});
     made.errors = metrics::brdfErrors(*table, *other, maxPolarAngle);
     made.brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
@@ -166,7 +166,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   exports::ExportOptions options{.snr = snr};
   if (thetaCount > 0) options.size = {thetaCount, size};
   if (options.size && !target.usesSize) throw Error("grid: only targets that write .bsdf files accept it, found " + id);
-  if (!sceneName.empty() && !target.scene) throw Error("scene: " + id + " has no scenes");
+  if (!sceneName.empty() && !target.scene) throw Error("scene: the target " + id + " cannot write scenes");
   std::vector<exports::ExportFile> files;
   const exports::ExportResult made = resultOf(progress, [&](const TaskControl& control) {
     std::optional<Scene> scene;

@@ -112,7 +112,7 @@ void setCurves(PdvFactors& factors, Curve curve, const py::object& given, const 
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>(given);
   const py::array_t<double> old = curves(factors, curve);
   if (array.ndim() != 3 || !std::equal(array.shape(), array.shape() + 3, old.shape()))
-    throw Error(std::string(name) + ": expected an array of the same shape as before, (3, terms, nodes)");
+    throw Error(std::string(name) + ": expected the shape of the existing curves, (3, terms, nodes)");
   const double* values = array.data();
   if (!std::all_of(values, values + array.size(), [](double value) { return std::isfinite(value); }))
     throw Error(std::string(name) + ": found a value that is not finite");
@@ -130,7 +130,7 @@ PyFactors withCurves(const PyFactors& from, const py::object& f1, const py::obje
   return {std::make_shared<const PdvFactors>(withRoomForEdits(factors)), {}, 0};
 }
 
-/// A sparse code with the dictionary that it is over.
+/// A sparse code and its dictionary.
 struct PyCode {
   dictionary::SparseCode code;
   PyDictionaryPtr dictionary;
@@ -178,7 +178,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     } else {
       encoded = encoder.encode(*sampled, options, control.between(0.1, 1));
     }
-    // As its file holds it, in half precision.
+    // The coefficients in half precision, as in the file.
     const auto file = materials::encodeCode(encoded.code, result.dictionary->id);
     result.code = materials::readCode(io::MemorySource(file)).code;
     result.bytes = file.size();
@@ -230,7 +230,7 @@ py::tuple atoms(const PyDictionaryPtr& named, std::size_t number) {
   py::list result;
   for (const Eigen::MatrixXd& mode : modes) {
     const auto step = py::ssize_t(sizeof(double));
-    // Eigen's matrices lie column by column.
+    // Eigen stores matrices column by column.
     result.append(py::array_t<double>({mode.rows(), mode.cols()}, {step, step * mode.rows()}, mode.data()));
   }
   return py::tuple(result);

@@ -9,7 +9,7 @@
 
 namespace gonio::python {
 
-/// Factors as Python holds them. Immutable.
+/// Factors in Python. Immutable.
 struct PyFactors {
   std::shared_ptr<const factorization::PdvFactors> factors;
   std::vector<double> residuals;

@@ -9,11 +9,11 @@ namespace gonio::python {
 
 namespace {
 
-/// What the two threads share.
+/// State that the two threads share.
 struct Shared {
   std::mutex mutex;
   std::condition_variable changed;
-  double fraction = -1;  ///< the last that was reported
+  double fraction = -1;  ///< the last reported one; -1 if it was passed on or there is none
   bool done = false;
   std::exception_ptr failure;
 
@@ -32,16 +32,18 @@ struct Shared {
   }
 };
 
-/// How often Ctrl+C is looked for.
+/// Interval between checks for Ctrl+C.
 constexpr auto signalInterval = std::chrono::milliseconds(50);
 
-/// Raises what a signal's handler or the callback raises.
+/// Runs pending signal handlers, and calls `progress` if there is a new fraction. Throws the Python exception that
+/// either raises.
 void serve(const py::object& progress, double fraction) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (fraction >= 0 && !progress.is_none()) progress(fraction);
 }
 
-/// Returns true once the work is done, false where there may be something to serve; the fraction where it is new.
+/// Waits until the work is done, a new fraction is reported or signalInterval has passed. Returns whether the work is
+/// done; sets `fraction` to the new fraction, or to -1 if there is none.
 bool waitForNews(Shared& shared, double& fraction) {
   const py::gil_scoped_release released;
   std::unique_lock lock(shared.mutex);

@@ -15,12 +15,12 @@ namespace gonio::python {
 
 namespace py = pybind11;
 
-/// Runs `work` on a thread of its own without the GIL, while the calling thread waits: it handles signals (Ctrl+C) and
-/// calls `progress(fraction)`, where that is not None. Where either raises, the work is asked to stop and the exception
-/// leaves this function when it has stopped. Whatever `work` throws is thrown again.
+/// Runs `work` on a new thread without the GIL. Meanwhile the calling thread handles signals (Ctrl+C) and calls
+/// `progress(fraction)` if that is not None. If either raises an exception, the work is asked to stop, and the
+/// exception is thrown once it has stopped. Exceptions of `work` are rethrown.
 void runTask(const py::object& progress, const std::function<void(const TaskControl&)>& work);
 
-/// The same of work with a result.
+/// The same for work with a result.
 template <typename Work>
 auto resultOf(const py::object& progress, Work work) {
   std::optional<decltype(work(TaskControl()))> result;

@@ -64,7 +64,7 @@ __all__ = [
     "Target",
 ]
 
-Error.__doc__ = "What all functions raise for bad input: the message states the file, what was found and what was expected."
+Error.__doc__ = "Raised by all functions for bad input. The message states the file, what was found and what was expected."
 for _name in __all__:
     globals()[_name].__module__ = __name__
 del _name

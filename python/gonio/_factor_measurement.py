@@ -18,9 +18,9 @@ from ._materials import Material, PathLike
 
 class FactorPlan(Plan):
     """The pairs of directions of a factor measurement, by gonio.plan_factors(): two curves in the plane of incidence.
-    gonio.measure() simulates their readings. Besides the properties of a plan, it has `axes` (their name), `curves` (for each
-    sample "along", the mirror direction, or "across", at the fixed angle) and `blocked` (number of readings that were left out
-    because the horizon or an arm is in the way).
+    gonio.measure() simulates their readings. Besides the properties of a plan, it has `axes` (the name of its axes), `curves`
+    (for each sample "along", in the mirror direction, or "across", at the fixed angle) and `blocked` (number of readings that
+    were left out: a direction is below the horizon or beyond the maximum polar angle, or one arm occludes the other).
     """
 
     __slots__ = ("axes", "curves", "blocked")
@@ -40,15 +40,15 @@ class FactorPlan(Plan):
 
 def plan_factors(axes: str, fixed_angle: float = math.radians(60), angles: int = 90, distances: int = 90,
                  max_polar_angle: float = math.radians(89), min_separation: float = math.radians(2)) -> FactorPlan:
-    """The readings of a factor measurement (Tongbuasirilai et al. 2017): one curve along the mirror direction, and one across
-    it at a fixed angle.
+    """The readings of a factor measurement (Tongbuasirilai et al. 2017): the curve "along", in the mirror direction at
+    increasing angles, and the curve "across", at a fixed angle and increasing distances from the mirror direction.
 
     Args:
         axes: Angle and distance from the mirror direction: "projected-deviation" (theta_R, |Dp|), "symmetric-deviation"
             (theta_d, |Dp|, from the same readings), "half-difference" (theta_d, theta_h) or "half-out" (theta_o, theta_h).
-        fixed_angle: Angle of the curve across, rad.
-        angles: Number of readings along, even in the angle.
-        distances: Number of readings across, even in the square root of the distance.
+        fixed_angle: Fixed angle of the "across" curve, rad.
+        angles: Number of "along" readings, evenly spaced in the angle.
+        distances: Number of "across" readings, evenly spaced in the square root of the distance.
         max_polar_angle: Maximum polar angle of both directions, rad.
         min_separation: Minimum angle between light and viewer, rad.
 
@@ -81,21 +81,24 @@ class FactorPrediction:
     material: Material
     """The predicted material."""
     angles: NDArray[np.float64] = field(repr=False)
-    """Angles of the readings along, rad."""
+    """Angles of the "along" readings, rad."""
     along: NDArray[np.float64] = field(repr=False)
-    """The curve along the mirror direction: z = ln(1 + rho), shape (angles, 3)."""
+    """Curve "along": z = ln(1 + rho) in the mirror direction, shape (angles, 3); 1 in a channel that is unscaled."""
     distances: NDArray[np.float64] = field(repr=False)
-    """Distances of the readings across from the mirror direction."""
+    """Distances of the "across" readings from the mirror direction: |Dp|, or theta_h in rad, depending on the axes."""
     across: NDArray[np.float64] = field(repr=False)
-    """The curve across, relative to z in the mirror direction at the fixed angle, shape (distances, 3)."""
+    """Curve "across": z at the fixed angle divided by z in the mirror direction there, shape (distances, 3). For the axes
+    "symmetric-deviation" it is also multiplied by z(fixed angle) / z(theta_d) of the curve "along". In a channel that is
+    unscaled, it is z itself."""
     contradicted: float
-    """Fraction at which exchanging light and viewer changes the prediction without bound by more than a factor of 2."""
+    """Fraction at which exchanging light and viewer changes the unbounded prediction by more than a factor of 2."""
     extrapolated: float
     """Fraction outside the readings, where the last reading of a curve is used."""
     bounded: float
     """Fraction at which the product is more than twice as large as the readings at the same angle and at the same distance."""
     unscaled: tuple[bool, bool, bool]
-    """Whether the mirror direction of a channel is black at the fixed angle; the curve across is then used for all angles."""
+    """Whether the mirror direction of a channel is black at the fixed angle; the curve "across" is then used for all
+    angles."""
     warnings: list[str]
     """Sentences that state where and why the prediction is unreliable."""
 

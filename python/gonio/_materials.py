@@ -128,7 +128,8 @@ class Material:
     def _table(self) -> tuple[NDArray[Any], NDArray[Any]]:
         table = self._handle.table()
         if table is None:
-            raise _core.Error(f"{self.name}: {self.format} is no table; material.tabulated() samples one")
+            raise _core.Error(f"{self.name}: the material is not a table ({self.format}); material.tabulated() samples it as a "
+                              "table")
         return table
 
     def evaluate(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:

@@ -218,7 +218,8 @@ class Export:
     facts: dict[str, Any] = field(repr=False)
     """Further properties of the export, by name, which depend on the target."""
     warnings: list[str]
-    """What the files do not represent, one sentence each."""
+    """Warnings, one sentence each: what the files do not represent, a low SNR, or a material that reflects more light than it
+    receives; usually empty."""
     material: Material = field(repr=False)
     """The exported material as the renderer shows it, by the formula of the target."""
 

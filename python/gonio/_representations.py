@@ -142,7 +142,7 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
         weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
             docs/factors.md) or "equal" (as in the papers).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
-        joint: Fit all terms together after they were found one after the other (docs/factors.md). Takes some seconds. The
+        joint: Fit all terms together after they were found one after the other (docs/factors.md). Takes a few seconds. The
             first terms then depend on the number.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -190,7 +190,7 @@ def baselines() -> dict[str, str]:
 
 def factorize_baseline(material: Material, method: str, bytes: int = 44680, progress: Progress = None) -> BaselineFactors:
     """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Takes up
-    to some seconds.
+    to a few seconds.
 
     Args:
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
@@ -350,7 +350,8 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
     """Encodes a material as a sparse code. Takes about 1 s, or a minute if `rendered_snr` is given.
 
     Args:
-        material: The material to encode. A material that is not a table is sampled as a table first (1 s).
+        material: The material to encode. A material that is not a table is sampled as a table first (1 s). A table on another
+            grid than that of the dictionary is resampled.
         coefficients: Maximum number of coefficients per channel.
         dictionary: The ensemble of dictionaries; None: the bundled one.
         transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
@@ -366,7 +367,7 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: An argument is out of its range, or the material's table has another grid than the dictionary.
+        Error: An argument is out of its range.
     """
     return Code(_core.encode(material._handle, coefficients, dictionary._handle if dictionary else None, list(transforms),
                              gamma, relative_error, max_bytes, rendered_snr, method, as_published, progress))

@@ -32,7 +32,7 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
         tolerance: The rounds of a sparsity end when one lowers the relative squared error by less than this fraction.
         subspace_loss: Maximum fraction of the energy that the subspace shared by all dictionaries may omit.
         as_published: Whether to learn from transformed values without cell scaling.
-        seed: Seed of the first assignment of materials to dictionaries.
+        seed: Seed of the first assignment of signals to dictionaries.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:

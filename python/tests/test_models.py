@@ -88,7 +88,7 @@ def test_documents_hold_edits(paint, tmp_path):
     again = gonio.open(tmp_path / "rough.gonio")
     assert again.edit_count == 1
     np.testing.assert_array_equal(again.values, edited.values)
-    with pytest.raises(gonio.Error, match="comes from no file"):
+    with pytest.raises(gonio.Error, match="has no file"):
         gonio.edit(paint, "lambert").save(tmp_path / "none.gonio")
 
 

@@ -104,7 +104,7 @@ class Session {
     const Scene spheres = openScene("two-spheres"), bowl = openScene("bowl");
     measure("another scene (new shader)", [&](int) { preview_.content().showScene(spheres); });
     measure("orbit", orbit, 60);
-    preview_.content().setOther(widgets::measuredSubject(table, lobe), "Other");
+    preview_.content().setSecond(widgets::measuredSubject(table, lobe), "Other");
     for (const auto& [mode, name] : {std::pair{CompareMode::split, "compare: split"},
                                      {CompareMode::difference, "compare: difference"},
                                      {CompareMode::twoUp, "compare: side by side"},

@@ -158,7 +158,8 @@ void main() {
   }
   /// At a node nothing is interpolated: the closed form of two numbers, whatever core does. Three things round: the
   /// arithmetic; the cosines, of directions in single precision; and the place of a node, which the look-up finds to
-  /// some 1e-4 of a cell. Toward the horizon the cosine-weighted values change by much of themselves from cell to cell.
+  /// about 1e-4 of a cell. Toward the horizon the cosine-weighted values change by much of themselves from cell to
+  /// cell.
   void nodesOfEveryTransform() {
     QFETCH(int, transform);
     const auto kind = DataTransform(transform);

@@ -13,7 +13,7 @@ using widgets::LibraryItem, widgets::LibraryThumbnail, widgets::LibraryModel, wi
 inline std::vector<LibraryItem> threeMaterials() {
   return {{"a", "gold", "MERL file"}, {"b", "chrome", "MERL file"}, {"c", "felt", "RGL file"}};
 }
-inline LibraryThumbnail look(double hue, double roughness) {
+inline LibraryThumbnail makeThumbnail(double hue, double roughness) {
   QImage image(8, 8, QImage::Format_RGBA8888);
   image.fill(Qt::gray);
   return {image, hue, roughness};

@@ -25,9 +25,9 @@ class LibraryViewTest : public QObject {
     model.setItems(threeMaterials());
     QCOMPARE(model.pending(), QStringList({"a", "b", "c"}));
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    model.setThumbnail("b", look(10, 0.1));
+    model.setThumbnail("b", makeThumbnail(10, 0.1));
     model.setFailure("c", "c.bsdf: too short");
-    model.setThumbnail("gone", look(0, 0));
+    model.setThumbnail("gone", makeThumbnail(0, 0));
     QCOMPARE(changed.count(), 2);
     QCOMPARE(model.pending(), QStringList{"a"});
     QVERIFY(!model.index(1).data(Qt::DecorationRole).isNull());
@@ -42,9 +42,9 @@ class LibraryViewTest : public QObject {
     model.setItems(threeMaterials());
     QSignalSpy opened(&view.selection(), &LibrarySelection::openRequested);
     QCOMPARE(idsOf(view), QStringList({"b", "c", "a"}));
-    model.setThumbnail("a", look(45, 0.2));
-    model.setThumbnail("b", look(-1, 0.01));
-    model.setThumbnail("c", look(120, 0.9));
+    model.setThumbnail("a", makeThumbnail(45, 0.2));
+    model.setThumbnail("b", makeThumbnail(-1, 0.01));
+    model.setThumbnail("c", makeThumbnail(120, 0.9));
     view.setSortMode(1);
     QCOMPARE(idsOf(view), QStringList({"b", "a", "c"}));
     view.setSortMode(2);
@@ -92,8 +92,8 @@ class LibraryViewTest : public QObject {
     LibraryView view(&model);
     model.setItems(threeMaterials());
     const auto coloured = [](const QColor& colour, double roughness) {
-      LibraryThumbnail made = look(0, roughness);
-      made.thumbnail.fill(colour);
+      LibraryThumbnail made = makeThumbnail(0, roughness);
+      made.image.fill(colour);
       return made;
     };
     model.setThumbnail("a", coloured(QColor(200, 30, 30), 0.1));
@@ -179,8 +179,8 @@ class LibraryViewTest : public QObject {
     QCOMPARE(idsOf(view), QStringList{"c"});
   }
 
-  /// Another list of the same files keeps the looks, but of those that have changed.
-  void looksStay() {
+  /// Another list of the same files keeps the thumbnails, except of files that have changed.
+  void thumbnailsStay() {
     LibraryModel model;
     model.setItems({{.id = "a", .version = 1}, {.id = "b", .version = 1}});
     for (const char* id : {"a", "b"}) model.setThumbnail(id, {QImage(4, 4, QImage::Format_RGB32), 0, 0.5});

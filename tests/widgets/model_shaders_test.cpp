@@ -73,7 +73,7 @@ std::vector<DirectionPair> makePairs() {
 /// drivers add some units in the last place. Two steps of SGD amplify the rounding, so its C++ is evaluated with that
 /// much less and more of what rounds: the masking takes exp(ln c + k ln(theta - theta_0)), as if c were off by k times
 /// the error of theta; the Fresnel term is a difference of numbers about 1, as if F_0 were off by some units in the
-/// last place. The terms of spherical harmonics, up to some 100 times one in size, cancel each other; the steep
+/// last place. The terms of spherical harmonics, up to about 100 times one in size, cancel each other; the steep
 /// parabola of DSBRDF's exponents stretches the rounding of theta_d; the power under the exponential of Holzschuch and
 /// Pacanowski's facets multiplies that of the logarithm. Turning a half vector into the frame of a grain rounds it by
 /// some units in the last place, as if the rotation were off by as much.

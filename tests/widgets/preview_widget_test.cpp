@@ -72,7 +72,7 @@ class PreviewWidgetTest : public QObject {
     content().setSubject(widgets::measuredSubject(table_));
     content().showScene(openScene("two-spheres", 2));
     const auto other = grey();
-    content().setOthers({{widgets::measuredSubject(other), std::make_shared<const RenderMaterial>(other)}});
+    content().setOtherSlotMaterials({{widgets::measuredSubject(other), std::make_shared<const RenderMaterial>(other)}});
     QVERIFY(content().tracing() == Tracing::atRest);
     int drawn = 0, traced = 0;  // frames, samples
     const QObject watch;
@@ -89,7 +89,7 @@ class PreviewWidgetTest : public QObject {
     drawn = 0;
     QTest::keyClick(widget_.get(), Qt::Key_Right);
     QTRY_VERIFY_WITH_TIMEOUT(drawn > 0, 20000);
-    content().setOthers({});
+    content().setOtherSlotMaterials({});
     QVERIFY(content().tracing() == Tracing::never);
     content().showScene(openScene("sphere"));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
@@ -222,7 +222,7 @@ class PreviewWidgetTest : public QObject {
   void comparisonOfTwoSubjects() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
     content().setSubject(widgets::measuredSubject(table_), "Grey");
-    content().setOther(widgets::measuredSubject(black), "Black");
+    content().setSecond(widgets::measuredSubject(black), "Black");
     content().setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QVERIFY(content().isComparing());
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
@@ -243,7 +243,7 @@ class PreviewWidgetTest : public QObject {
   /// The bar follows the mouse and the keys, and tells its place.
   void splitBarMoves() {
     content().setSubject(widgets::measuredSubject(table_), "A");
-    content().setOther(widgets::measuredSubject(table_), "B");
+    content().setSecond(widgets::measuredSubject(table_), "B");
     content().setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
     widgets::SplitBar* bar = widget_->overlay()->splitBar();
@@ -264,7 +264,7 @@ class PreviewWidgetTest : public QObject {
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
     content().setSubject(widgets::measuredSubject(table_), "Grey");
-    content().setOther(widgets::measuredSubject(black), "Black");
+    content().setSecond(widgets::measuredSubject(black), "Black");
     content().setComparison({.mode = widgets::CompareMode::difference});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const double found = widget_->differenceRange();

@@ -35,7 +35,7 @@ class ShaderValues : protected QOpenGLFunctions_4_1_Core {
   ~ShaderValues() { glDeleteVertexArrays(1, &vertexArray_); }
   const std::vector<DirectionPair>& pairs() const { return pairs_; }
 
-  /// Of a base that is no table. @throws std::runtime_error with the compiler's log.
+  /// The values for a base that is not a table. @throws std::runtime_error with the compiler's log.
   std::vector<Rgb> evaluate(const widgets::EditedMaterial& material) {
     const auto program = link(material);
     const auto base = widgets::uploadShaderBase(*this, *material.base);

@@ -78,7 +78,7 @@ double FigurePage::shownWidth(int width) const {
 
 int FigurePage::pageWidth() const { return std::max(1, int(shownWidth(width()) * devicePixelRatioF())); }
 
-/// The height of a page in pixels is rounded, so a pixel or two are no other width.
+/// The height of a page in pixels is rounded, so a difference of one or two pixels is not a new width.
 void FigurePage::reportWidth() {
   constexpr int tolerance = 2;
   if (std::abs(pageWidth() - m_reportedWidth) <= tolerance) return;

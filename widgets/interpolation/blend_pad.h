@@ -29,11 +29,11 @@ class BlendPad : public QWidget {
   /// Sets two (a line) to four corners. The point is kept if possible, else moved to the nearest valid place.
   void setCorners(std::vector<BlendCorner> corners);
   int materials() const { return int(m_corners.size()); }
-  /// Shows a place (of blend_place.h); emits nothing.
+  /// Shows a blend position (blend_position.h), which this class calls its place; emits nothing.
   void setPlace(const QPointF& place);
   QPointF place() const { return m_place; }
   std::vector<double> weights() const { return weightsAt(materials(), m_place); }
-  /// Position of a place on the widget.
+  /// The point of the widget, in pixels, at which a place is drawn.
   QPointF position(const QPointF& place) const;
 
   QSize sizeHint() const override;

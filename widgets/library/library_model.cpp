@@ -83,13 +83,13 @@ int LibraryModel::find(const QString& id) const {
   return found == m_entries.end() ? -1 : int(found - m_entries.begin());
 }
 
-void LibraryModel::setThumbnail(const QString& id, const LibraryThumbnail& look) {
+void LibraryModel::setThumbnail(const QString& id, const LibraryThumbnail& thumbnail) {
   const int row = find(id);
   if (row < 0) return;
   Entry& entry = m_entries[std::size_t(row)];
-  entry.look = look;
-  entry.lab = meanLab(look.thumbnail);
-  entry.pixmap = QPixmap::fromImage(look.thumbnail);
+  entry.thumbnail = thumbnail;
+  entry.lab = meanLab(thumbnail.image);
+  entry.pixmap = QPixmap::fromImage(thumbnail.image);
   Q_EMIT dataChanged(index(row), index(row));
 }
 
@@ -100,15 +100,15 @@ void LibraryModel::setFailure(const QString& id, const QString& reason) {
   Q_EMIT dataChanged(index(row), index(row));
 }
 
-void LibraryModel::setReference(const std::optional<LibraryThumbnail>& look) {
+void LibraryModel::setReference(const std::optional<LibraryThumbnail>& thumbnail) {
   m_reference.reset();
-  if (look) m_reference = Reference{meanLab(look->thumbnail), look->roughness};
+  if (thumbnail) m_reference = Reference{meanLab(thumbnail->image), thumbnail->roughness};
   if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {DissimilarityRole});
 }
 
-const LibraryThumbnail* LibraryModel::look(const QString& id) const {
+const LibraryThumbnail* LibraryModel::thumbnail(const QString& id) const {
   const int row = find(id);
-  return row < 0 || !m_entries[std::size_t(row)].look ? nullptr : &*m_entries[std::size_t(row)].look;
+  return row < 0 || !m_entries[std::size_t(row)].thumbnail ? nullptr : &*m_entries[std::size_t(row)].thumbnail;
 }
 
 void LibraryModel::setNotes(LibraryNotes notes) {
@@ -158,7 +158,7 @@ QString LibraryModel::toolTip(const Entry& entry) const {
 QStringList LibraryModel::pending() const {
   QStringList ids;
   for (const Entry& entry : m_entries)
-    if (!entry.look && entry.failure.isEmpty()) ids << entry.item.id;
+    if (!entry.thumbnail && entry.failure.isEmpty()) ids << entry.item.id;
   return ids;
 }
 
@@ -194,15 +194,15 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     case IdRole:
       return entry.item.id;
     case HueRole:
-      return entry.look ? entry.look->hue : 1e9;
+      return entry.thumbnail ? entry.thumbnail->hue : 1e9;
     case LightnessRole:
-      return entry.look ? -entry.lab.x : 1e9;
+      return entry.thumbnail ? -entry.lab.x : 1e9;
     case DissimilarityRole:
-      return entry.look && m_reference
-                 ? dissimilarity(entry.lab, entry.look->roughness, m_reference->lab, m_reference->roughness)
+      return entry.thumbnail && m_reference
+                 ? dissimilarity(entry.lab, entry.thumbnail->roughness, m_reference->lab, m_reference->roughness)
                  : 1e9;
     case RoughnessRole:
-      return entry.look ? entry.look->roughness : 1e9;
+      return entry.thumbnail ? entry.thumbnail->roughness : 1e9;
     case FailureRole:
       return entry.failure;
     case FavouriteRole:

@@ -30,8 +30,8 @@ enum class LibraryGrouping { none, source, kind };
 
 /// Properties of a material from its rendered thumbnail.
 struct LibraryThumbnail {
-  QImage thumbnail;
-  double hue = 0;        ///< of the thumbnail, degrees; -1 for greys
+  QImage image;
+  double hue = 0;        ///< of the image, degrees; -1 for greys
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
@@ -61,18 +61,18 @@ class LibraryModel : public QAbstractListModel {
 
   using QAbstractListModel::QAbstractListModel;
 
-  /// Looks of existing materials with the same version are kept.
+  /// Thumbnails of existing materials with the same version are not removed.
   void setItems(std::vector<LibraryItem> items);
   /// Removes all materials until setItems() is called.
   void beginListing();
   bool isListing() const { return m_listing; }
-  void setThumbnail(const QString& id, const LibraryThumbnail& look);
+  void setThumbnail(const QString& id, const LibraryThumbnail& thumbnail);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
-  /// The look with which DissimilarityRole compares; empty: no order.
-  void setReference(const std::optional<LibraryThumbnail>& look);
-  /// Null if it is not known yet.
-  const LibraryThumbnail* look(const QString& id) const;
+  /// Sets the thumbnail with which DissimilarityRole compares; empty: no order.
+  void setReference(const std::optional<LibraryThumbnail>& thumbnail);
+  /// Null if there is none yet.
+  const LibraryThumbnail* thumbnail(const QString& id) const;
   void setNotes(LibraryNotes notes);
   LibraryNote note(const QString& id) const { return m_notes.value(id); }
   void setNote(const QString& id, const LibraryNote& note);
@@ -80,7 +80,7 @@ class LibraryModel : public QAbstractListModel {
   void changeNotes(const QStringList& ids, const std::function<void(LibraryNote&)>& change);
   /// The tags of all materials, each once, in alphabetical order.
   QStringList tags() const;
-  /// Ids without a look and without a failure, in order.
+  /// Ids without a thumbnail and without a failure, in order.
   QStringList pending() const;
 
   /// The grouping of a heading row; `none` for a material.
@@ -102,8 +102,8 @@ class LibraryModel : public QAbstractListModel {
  private:
   struct Entry {
     LibraryItem item;
-    std::optional<LibraryThumbnail> look;
-    Rgb lab{0};  ///< of the look
+    std::optional<LibraryThumbnail> thumbnail;
+    Rgb lab{0};  ///< of the thumbnail
     QPixmap pixmap;
     QString failure;
   };

@@ -59,7 +59,7 @@ bool LibraryOrder::matches(int row) const {
   if (m_filter.recent && (opened.isNull() || opened.daysTo(QDateTime::currentDateTime()) > recentDays)) return false;
   if (m_words.isEmpty()) return true;
   const QStringList own = wordsOf(QStringList{index.data().toString(), kind, tags.join(' ')}.join(' '));
-  // A badge is one term: "measured" is no beginning of "near-measured copy".
+  // A badge is one term: "measured" does not match "near-measured copy".
   const QStringList origin = termsOf(badge + ' ' + m_model->group(row, LibraryGrouping::source));
   const auto begins = [](const QStringList& all, const QString& word) {
     return std::ranges::any_of(all, [&](const QString& one) { return one.startsWith(word); });

@@ -130,8 +130,8 @@ void LibrarySelection::showLook() {
   const QModelIndex index = m_list.currentIndex();
   if (!index.isValid()) return m_look->hide();
   const QString id = index.data(LibraryModel::IdRole).toString();
-  const LibraryThumbnail* look = m_model.look(id);
-  m_look->showMaterial(id, index.data(Qt::ToolTipRole).toString(), look ? look->thumbnail : QImage());
+  const LibraryThumbnail* thumbnail = m_model.thumbnail(id);
+  m_look->showMaterial(id, index.data(Qt::ToolTipRole).toString(), thumbnail ? thumbnail->image : QImage());
   Q_EMIT largePictureRequested(id);
 }
 

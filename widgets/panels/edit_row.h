@@ -14,7 +14,8 @@ struct EditEntry;
 class NumberField;
 class ParameterSlider;
 
-/// One edit of an EditStack: eye, name and the button that deletes above, the strength below, then its measured effect.
+/// One edit of an EditStack: at the top the eye, the name and the Delete button; below them the strength, then the
+/// measured effect.
 class EditRow : public QWidget {
   Q_OBJECT
 

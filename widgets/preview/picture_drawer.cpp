@@ -54,7 +54,7 @@ void PictureDrawer::take(const PictureRequest& request) {
       side.picture.setSubject(wanted.subject);
       side.subjectNumber = wanted.subjectNumber;
     }
-    if (request.isDrawn) side.picture.setScene(request.scene, wanted.plan, request.others);
+    if (request.isDrawn) side.picture.setScene(request.scene, wanted.plan, request.otherSlotSubjects);
   }
   if (request.comparison.difference != comparison_.difference || request.comparison.range != comparison_.range)
     range_ = 0;

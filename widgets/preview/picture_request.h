@@ -30,9 +30,9 @@ struct PictureRequest {
   int number = 0;  ///< number of the request, increasing
   std::array<Side, 2> sides;
   Scene scene;
-  std::vector<PreviewSubject> others = {};  ///< subjects of the other slots, see PreviewRenderer::setScene()
-  bool isDrawn = true;                      ///< whether the shader renders; else only films are shown
-  bool filtersNoise = false;                ///< for display, as long as there are fewer samples than wanted
+  std::vector<PreviewSubject> otherSlotSubjects = {};  ///< see PreviewRenderer::setScene()
+  bool isDrawn = true;                                 ///< whether the shader renders; else only films are shown
+  bool filtersNoise = false;                           ///< for display, as long as there are fewer samples than wanted
   bool drawsAtRest = true;  ///< whether the shader also renders at rest; if not, a film replaces its picture
   bool comparing = false;   ///< whether the second side is shown
   bool flickering = false;

@@ -46,7 +46,7 @@ void PreviewContent::connectSide(PreviewSide& side) {
 
 void PreviewContent::setSubject(const PreviewSubject& subject, const QString& name) { show(m_first, subject, name); }
 
-void PreviewContent::setOther(const PreviewSubject& subject, const QString& name) { show(m_second, subject, name); }
+void PreviewContent::setSecond(const PreviewSubject& subject, const QString& name) { show(m_second, subject, name); }
 
 void PreviewContent::show(PreviewSide& side, const PreviewSubject& subject, const QString& name) {
   const bool renamed = name != side.name();
@@ -71,7 +71,7 @@ bool PreviewContent::isComparing() const {
 /// What the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
   static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
-  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, others()));
+  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials()));
 }
 
 void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
@@ -89,8 +89,8 @@ void PreviewContent::trace(PreviewSide& side) {
 void PreviewContent::startTracing(PreviewSide& side) {
   if (tracing() == Tracing::never || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
   if (&side == &m_second && !isComparing()) return;
-  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), others()), side.plan(), pictureSize(),
-                      wantedSamples());
+  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), otherSlotMaterials()), side.plan(),
+                      pictureSize(), wantedSamples());
 }
 
 void PreviewContent::traceBoth() {
@@ -167,16 +167,16 @@ void PreviewContent::setBackground(bool shown, bool blurred) {
   setScene(scene);
 }
 
-bool PreviewContent::showsOthers() const {
-  const auto shown = std::min(m_others.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
-  return std::any_of(m_others.begin(), m_others.begin() + std::ptrdiff_t(shown),
+bool PreviewContent::showsOtherSlotMaterials() const {
+  const auto shown = std::min(m_otherSlotMaterials.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
+  return std::any_of(m_otherSlotMaterials.begin(), m_otherSlotMaterials.begin() + std::ptrdiff_t(shown),
                      [](const SceneMaterial& other) { return other.material != nullptr; });
 }
 
 Tracing PreviewContent::tracing() const {
   if (!SceneUniforms::canDraw(m_scene)) return Tracing::always;
   // The shader leaves out what one material reflects of another.
-  const bool leavesOut = showsOthers() && m_first.plan().reflections > 1;
+  const bool leavesOut = showsOtherSlotMaterials() && m_first.plan().reflections > 1;
   return leavesOut || (m_software && hasMeshes(m_scene)) ? Tracing::atRest : Tracing::never;
 }
 
@@ -186,14 +186,14 @@ void PreviewContent::setSoftware(bool software) {
   traceBoth();
 }
 
-void PreviewContent::setOthers(const std::vector<SceneMaterial>& others) {
-  m_others = others;
+void PreviewContent::setOtherSlotMaterials(const std::vector<SceneMaterial>& materials) {
+  m_otherSlotMaterials = materials;
   setScene(m_scene);
 }
 
-RenderMaterials PreviewContent::others() const {
+RenderMaterials PreviewContent::otherSlotMaterials() const {
   RenderMaterials materials;
-  for (const SceneMaterial& other : m_others) materials.push_back(other.material);
+  for (const SceneMaterial& other : m_otherSlotMaterials) materials.push_back(other.material);
   return materials;
 }
 
@@ -246,11 +246,11 @@ PictureRequest PreviewContent::request() const {
     first.film = m_first.tracer().film();
     if (isComparing()) second.film = m_second.tracer().film();
   }
-  std::vector<PreviewSubject> others;
-  for (const SceneMaterial& other : m_others) others.push_back(other.subject);
+  std::vector<PreviewSubject> otherSlotSubjects;
+  for (const SceneMaterial& other : m_otherSlotMaterials) otherSlotSubjects.push_back(other.subject);
   return {.sides = {first, second},
           .scene = m_scene,
-          .others = others,
+          .otherSlotSubjects = otherSlotSubjects,
           .isDrawn = tracing() != Tracing::always,
           .drawsAtRest = !m_software || tracing() == Tracing::never,
           .comparing = isComparing(),

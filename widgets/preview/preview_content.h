@@ -34,7 +34,7 @@ class PreviewContent : public QObject {
   /// background. An unchanged subject does not restart the picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});
   /// Sets the second subject of comparisons. It costs nothing if it is empty or the mode is off.
-  void setOther(const PreviewSubject& subject, const QString& name);
+  void setSecond(const PreviewSubject& subject, const QString& name);
   void setComparison(const PreviewComparison& comparison);
   const PreviewComparison& comparison() const { return m_comparison; }
   /// Whether two subjects are shown.
@@ -61,10 +61,10 @@ class PreviewContent : public QObject {
   bool isEnvironmentChosen() const { return m_environment.has_value(); }
   /// Sets whether the environment is visible behind the objects, and blurred, in this and all later scenes.
   void setBackground(bool shown, bool blurred);
-  /// Sets the materials of the scene's other slots: slot i shows others[i - 1], or the subject if that is empty or
+  /// Sets the materials of the scene's other slots: slot i shows materials[i - 1], or the subject if that is empty or
   /// missing.
-  void setOthers(const std::vector<SceneMaterial>& others);
-  RenderMaterials others() const;
+  void setOtherSlotMaterials(const std::vector<SceneMaterial>& materials);
+  RenderMaterials otherSlotMaterials() const;
   /// Sets effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return m_overrides; }
@@ -104,7 +104,7 @@ class PreviewContent : public QObject {
   void connectSide(PreviewSide& side);
   void plan(PreviewSide& side);
   void adoptPlan(PreviewSide& side, const EffectPlan& plan);
-  bool showsOthers() const;
+  bool showsOtherSlotMaterials() const;
   void trace(PreviewSide& side);
   void traceBoth();
   void startTracing(PreviewSide& side);
@@ -122,7 +122,7 @@ class PreviewContent : public QObject {
   };
   std::optional<Background> m_background;  ///< set by the user
   EffectOverrides m_overrides;
-  std::vector<SceneMaterial> m_others;
+  std::vector<SceneMaterial> m_otherSlotMaterials;  ///< from slot 1 on
   QSize m_viewport{1, 1};
   QTimer m_rest;  ///< starts path tracing once the picture is at rest
   bool m_software = false;

@@ -170,7 +170,7 @@ void StudyScatter::addSeries(const PlotStyle& style) {
       const QColor colour = colourOn(style, look, representation.family);
       curve->setName(QString::fromStdString(look.name));
       curve->setPen(QPen(colour, 1));
-      // Models are no budgets of one another.
+      // Models are not budgets of one representation, so no line connects them.
       if (representation.family == study::RepresentationFamily::fit) curve->setLineStyle(QCPCurve::lsNone);
       curve->setScatterStyle(scatterStyle(look.marker, colour, look.hollow ? style.background : colour));
     }

@@ -100,7 +100,7 @@ std::function<void()> AcquisitionSession::stopped() {
 
 void AcquisitionSession::cancel() {
   m_tasks.drop(stepKey);
-  // What was chosen before the stop is no plan.
+  // A stopped search leaves an incomplete plan, which is discarded.
   const bool unfinished = m_step == Step::learning || m_step == Step::choosing;
   setStep(Step::idle);
   if (unfinished) forgetPlan();

@@ -221,7 +221,7 @@ void ComparisonController::refresh() {
   const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
   const bool asMeasured = !comparing && !wavelength() && m_document.material() && !isEdited() && !standIn() && !code();
   m_preview.content().setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
-  m_preview.content().setOther(subject(m_sides[1]), name(m_sides[1]));
+  m_preview.content().setSecond(subject(m_sides[1]), name(m_sides[1]));
   std::array<QString, 4> names;
   for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);
   m_bar.setSubjects(names);

@@ -25,7 +25,8 @@ Scene PictureExport::shownScene() const {
 PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited) {
   PicturePlan planned{.scene = request.shownScene()};
   const auto material = std::make_shared<const RenderMaterial>(edited);
-  planned.materials = bindMaterials(planned.scene, materialsInSlots(planned.scene, material, request.others));
+  planned.materials =
+      bindMaterials(planned.scene, materialsInSlots(planned.scene, material, request.otherSlotMaterials));
   planned.plan = planEffects(planned.scene, planned.materials, request.overrides);
   return planned;
 }

@@ -18,7 +18,7 @@ struct PictureExport {
   QString path;  ///< its suffix decides: `.exr` 32-bit linear radiance, else 8-bit sRGB PNG
   Scene scene;
   EffectOverrides overrides;
-  RenderMaterials others;  ///< further materials, see materialsInSlots()
+  RenderMaterials otherSlotMaterials;  ///< from slot 1 on, see materialsInSlots()
   int width = 1024, height = 1024;
   RefinementLimits limits;
   PictureBackground background = PictureBackground::transparent;

@@ -185,8 +185,10 @@ bool ImageDialog::rendersPicture() const { return m_source->checkedId() == rende
 
 PictureExport ImageDialog::request() const {
   const widgets::PreviewContent& content = m_parts.preview.content();
-  PictureExport picture{
-      .path = m_path->text(), .scene = content.scene(), .overrides = content.overrides(), .others = content.others()};
+  PictureExport picture{.path = m_path->text(),
+                        .scene = content.scene(),
+                        .overrides = content.overrides(),
+                        .otherSlotMaterials = content.otherSlotMaterials()};
   m_settings->apply(picture);
   picture.exposure = m_parts.preview.display().exposure;
   picture.toneMap = m_parts.preview.display().toneMap;

@@ -171,7 +171,7 @@ void RepresentationPanel::refresh() {
                    : !current             ? tr("Not encoded yet.")
                                           : QString());
   m_state->setVisible(!m_state->text().isEmpty());
-  // Numbers of another count are no measurement of this one.
+  // Facts about a code with another number of coefficients are greyed out.
   m_facts->setEnabled(current);
   m_facts->setFacts(m_code ? codeFacts(*m_code) : std::vector<widgets::Fact>());
   m_facts->setVisible(m_code != nullptr);

@@ -23,7 +23,7 @@ const QString thumbnailKey = QStringLiteral("thumbnail"), similarityKey = QStrin
 /// A picture, or why there is none.
 struct Made {
   QString id;
-  widgets::LibraryThumbnail look;
+  widgets::LibraryThumbnail thumbnail;
   QString failure;
 };
 
@@ -37,7 +37,7 @@ std::vector<Made> madeInABatch(const LibraryController::ThumbnailFactory& make, 
   for (const QString& id : ids) {
     Made& made = batch.emplace_back(Made{id, {}, {}});
     try {
-      made.look = make(id, control);
+      made.thumbnail = make(id, control);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& error) {
@@ -130,9 +130,9 @@ std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const QStri
 
 }  // namespace
 
-LibraryController::LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder,
+LibraryController::LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeThumbnail, QString ownFolder,
                                      QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)), m_ownFolder(std::move(ownFolder)) {
+    : QObject(parent), m_tasks(tasks), m_makeThumbnail(std::move(makeThumbnail)), m_ownFolder(std::move(ownFolder)) {
   // While a file is written its folder changes many times.
   constexpr int quietMilliseconds = 500;
   m_change.setSingleShot(true);
@@ -204,8 +204,8 @@ void LibraryController::setReference(const QString& id) {
   }
   m_tasks.run<widgets::LibraryThumbnail>(
       {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = similarityKey, .quiet = true},
-      [make = m_makeLook, id](const TaskControl& control) { return make(id, control); },
-      [this](const widgets::LibraryThumbnail& look) { m_model.setReference(look); },
+      [make = m_makeThumbnail, id](const TaskControl& control) { return make(id, control); },
+      [this](const widgets::LibraryThumbnail& thumbnail) { m_model.setReference(thumbnail); },
       [this](const QString&) { m_model.setReference({}); });
 }
 
@@ -240,14 +240,14 @@ void LibraryController::makeNext() {
   const QString title = tr("Rendering thumbnails: %n left", nullptr, int(ids.size()));
   m_tasks.run<std::vector<Made>>(
       {title, thumbnailKey, true},
-      [make = m_makeLook, ids, done](const TaskControl& control) {
+      [make = m_makeThumbnail, ids, done](const TaskControl& control) {
         control.report(done);
         return madeInABatch(make, ids, {control.stop, {}});
       },
       [this](const std::vector<Made>& batch) {
         for (const Made& made : batch) {
           if (made.failure.isEmpty())
-            m_model.setThumbnail(made.id, made.look);
+            m_model.setThumbnail(made.id, made.thumbnail);
           else
             m_model.setFailure(made.id, made.failure);
         }

@@ -22,7 +22,7 @@ class LibraryController : public QObject {
   using ThumbnailFactory = std::function<widgets::LibraryThumbnail(const QString& id, const TaskControl&)>;
 
   /// @param ownFolder folder of the user's own materials, shown with the bundled ones; need not exist. Empty: none.
-  LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder = {},
+  LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeThumbnail, QString ownFolder = {},
                     QObject* parent = nullptr);
 
   widgets::LibraryModel& model() { return m_model; }
@@ -63,7 +63,7 @@ class LibraryController : public QObject {
   QStringList nextOnes() const;
 
   BackgroundTasks& m_tasks;
-  ThumbnailFactory m_makeLook;
+  ThumbnailFactory m_makeThumbnail;
   widgets::LibraryModel m_model;
   QStringList m_visible;
   QString m_title, m_folder;

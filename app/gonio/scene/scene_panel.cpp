@@ -27,7 +27,7 @@ const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLite
 /// What the objects of the preview's scene are made of.
 RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
   return bindMaterials(preview.scene(),
-                       materialsInSlots(preview.scene(), preview.first().material(), preview.others()));
+                       materialsInSlots(preview.scene(), preview.first().material(), preview.otherSlotMaterials()));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
   layout->addStretch(1);
   connect(m_neighbours, &SceneMaterialSlots::changed, this, [this] {
     m_costs.reset();
-    m_preview.content().setOthers(m_neighbours->materials());
+    m_preview.content().setOtherSlotMaterials(m_neighbours->materials());
     refresh();
   });
   connect(m_neighbours, &SceneMaterialSlots::failed, this, &ScenePanel::failed);

@@ -182,7 +182,7 @@ void DocumentFiles::exportBrdf() {
   QString chosen = filters.front();
   const QString suggested =
       QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(forms.front()));
-  // Whether the file may be replaced is asked below: not before it is known that it is no source.
+  // The question whether to replace an existing file follows below, once it is known not to be a source file.
   const QString path =
       QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen,
                                    QFileDialog::DontConfirmOverwrite);

@@ -23,7 +23,7 @@ using namespace gonio::app;
 class LibraryControllerTest : public QObject {
   Q_OBJECT
  private:
-  static widgets::LibraryThumbnail anyLook() {
+  static widgets::LibraryThumbnail anyThumbnail() {
     QImage image(4, 4, QImage::Format_RGBA8888);
     image.fill(Qt::red);
     return {image, 0, 0.5};
@@ -46,7 +46,7 @@ class LibraryControllerTest : public QObject {
     std::atomic<int> made = 0;
     LibraryController library(tasks, [&](const QString&, const TaskControl&) {
       ++made;
-      return anyLook();
+      return anyThumbnail();
     });
     library.showFolder(folder.path());
     QVERIFY(library.model().isListing());
@@ -67,7 +67,7 @@ class LibraryControllerTest : public QObject {
   /// The window may take half a second a frame: the pictures must not wait for one each.
   void quickPicturesComeTogether() {
     BackgroundTasks tasks;
-    LibraryController library(tasks, [](const QString&, const TaskControl&) { return anyLook(); });
+    LibraryController library(tasks, [](const QString&, const TaskControl&) { return anyThumbnail(); });
     int turns = 0;
     connect(&tasks, &BackgroundTasks::changed, this, [&] { ++turns; });
     library.showBundled();
@@ -84,7 +84,7 @@ class LibraryControllerTest : public QObject {
     LibraryController library(
         tasks,
         [&](const QString& id, const TaskControl& control) {
-          return id == document ? materialThumbnail(id, root.filePath("cache"), control) : anyLook();
+          return id == document ? materialThumbnail(id, root.filePath("cache"), control) : anyThumbnail();
         },
         own);
     library.showBundled();
@@ -110,17 +110,17 @@ class LibraryControllerTest : public QObject {
     QTRY_COMPARE(materials(), QStringList{document} + bundled);
     const QModelIndex first = library.model().index(0, 0);
     QCOMPARE(first.data(widgets::LibraryModel::BadgeRole).toString(), QStringLiteral("edited"));
-    QTRY_VERIFY(library.model().look(document));
+    QTRY_VERIFY(library.model().thumbnail(document));
     const widgets::LibraryThumbnail plain = materialThumbnail("library:sgd/brass", root.filePath("cache"), {});
-    const QColor edited = library.model().look(document)->thumbnail.pixelColor(96, 96);
-    QVERIFY(edited.red() > plain.thumbnail.pixelColor(plain.thumbnail.rect().center()).red() + 20);
+    const QColor edited = library.model().thumbnail(document)->image.pixelColor(96, 96);
+    QVERIFY(edited.red() > plain.image.pixelColor(plain.image.rect().center()).red() + 20);
   }
 
   void oneThatFailsHoldsNoOtherUp() {
     BackgroundTasks tasks;
     LibraryController library(tasks, [](const QString& id, const TaskControl&) -> widgets::LibraryThumbnail {
       if (id.endsWith("chrome")) throw Error("chrome is broken");
-      return anyLook();
+      return anyThumbnail();
     });
     library.showBundled();
     QTRY_VERIFY(library.model().pending().isEmpty());
@@ -142,7 +142,7 @@ class LibraryControllerTest : public QObject {
       const std::lock_guard lock(mutex);
       asked.push_back(id);
       QThread::msleep(id == asked.front() ? 150 : 0);  // the first is a batch of its own
-      return anyLook();
+      return anyThumbnail();
     });
     library.showBundled();
     const QStringList ids = idsOf(library.model());

@@ -125,7 +125,7 @@ class ScenePanelTest : public QObject {
     QTRY_VERIFY(content().first().material() && content().tracing() == widgets::Tracing::never);
     panel_->neighbours().well(0).currentButton()->click();
     QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
-    QVERIFY(content().others()[0] && content().others()[0] != content().first().material());
+    QVERIFY(content().otherSlotMaterials()[0] && content().otherSlotMaterials()[0] != content().first().material());
     QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
     choose("sphere");
     QTRY_VERIFY(content().tracing() == widgets::Tracing::never);  // it has no second place

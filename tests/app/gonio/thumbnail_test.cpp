@@ -21,10 +21,10 @@ class ThumbnailTest : public QObject {
     for (const materials::LibraryEntry& entry : materials::bundledLibrary()) {
       const auto shipped = bundledThumbnail(materials::librarySha256("library:" + entry.id));
       QVERIFY2(shipped, entry.id.c_str());
-      QCOMPARE(shipped->thumbnail.size(), QSize(128, 128));
+      QCOMPARE(shipped->image.size(), QSize(128, 128));
       QVERIFY(shipped->roughness > 0 && shipped->hue >= -1 && shipped->hue <= 360);
-      const widgets::LibraryThumbnail look = materialThumbnail(QString::fromStdString("library:" + entry.id), {}, {});
-      QCOMPARE(look.thumbnail, shipped->thumbnail);
+      const widgets::LibraryThumbnail made = materialThumbnail(QString::fromStdString("library:" + entry.id), {}, {});
+      QCOMPARE(made.image, shipped->image);
     }
     QVERIFY(!bundledThumbnail("0000"));
   }
@@ -38,7 +38,7 @@ class ThumbnailTest : public QObject {
     QFETCH(QString, id);
     const materials::Material material = materials::readMaterial("library:" + id.toStdString());
     const QImage now = spherePicture(*material.brdf, 128, 64);
-    const QImage shipped = bundledThumbnail(material.source.sha256)->thumbnail;
+    const QImage shipped = bundledThumbnail(material.source.sha256)->image;
     double sum = 0;
     int covered = 0;
     for (int y = 0; y < 128; ++y)

@@ -89,7 +89,7 @@ class BilgiliTest : public QObject {
       for (int k = 0; k < 24; ++k) {
         const Rgb value =
             brdf->evaluate(fromSpherical(radians(88 + 0.03 * i), pi * k / 24), fromSpherical(radians(1.4 * i), 0));
-        // Off the highlight: theta_h > 20 degrees, where the data are at most some 10 / sr.
+        // Off the highlight: theta_h > 20 degrees, where the data are at most about 10 / sr.
         if (toHalfOut(fromSpherical(radians(88 + 0.03 * i), pi * k / 24), fromSpherical(radians(1.4 * i), 0)).thetaH >
             radians(25))
           QVERIFY2(value.x < 40, qPrintable(QString("%1 %2: %3").arg(i).arg(k).arg(value.x)));

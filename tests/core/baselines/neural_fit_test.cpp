@@ -85,7 +85,7 @@ class NeuralFitTest : public QObject {
       for (int c = 0; c < 3; ++c) {
         QVERIFY(value[c] > 0);
         const double error = std::log(1 + value[c] * wi.z) - std::log(1 + data.values[i][c] * wi.z);
-        sum += std::sqrt(error * error + Loss::rounding * Loss::rounding) - Loss::rounding;
+        sum += std::sqrt(error * error + Loss::smoothing * Loss::smoothing) - Loss::smoothing;
       }
     }
     Weights gradient;

@@ -31,7 +31,7 @@ class HalfDifferenceGridTest : public QObject {
           for (int k = 0; k < grid.phiDCount; k += 7) {
             const double h = (i + 0.5) / 90;
             const HalfDifference at{h * h * halfPi, radians(j + 0.5), radians(k + 0.5), true};
-            QCOMPARE(grid.nearestIndex(at), grid.index(i, j, k));
+            QCOMPARE(grid.cellIndex(at), grid.index(i, j, k));
           }
     }
   }

@@ -91,9 +91,9 @@ class OwnFormBlendTest : public QObject {
     const auto wide = bundled("acrylic_felt_green"), narrow = bundled("satin_purple");
     const std::vector<double> weights{0.5, 0.5};
     const auto first = blendOf(ownForms({wide, narrow}), weights), second = blendOf(ownForms({narrow, wide}), weights);
-    QCOMPARE(first->nodes, 1 - second->nodes);
+    QCOMPARE(first->nodesOf, 1 - second->nodesOf);
     QCOMPARE(first->accuracy, second->accuracy);
-    const auto nodes = first->nodes == 0 ? wide : narrow;
+    const auto nodes = first->nodesOf == 0 ? wide : narrow;
     QCOMPARE(first->brdf->asRgl()->tables()->data.rgb.width, nodes->asRgl()->tables()->data.rgb.width);
     QVERIFY2(first->accuracy > 35, qPrintable(QString::number(first->accuracy)));
     QVERIFY(maxDifference(*first->brdf, *second->brdf, radians(85)) < 1e-6);

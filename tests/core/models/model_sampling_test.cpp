@@ -48,7 +48,7 @@ class ModelSamplingTest : public QObject {
                                QByteArray::number(checks[i].pValue);
       QVERIFY2(checks[i].valid, where);
       QVERIFY2(std::abs(checks[i].integral - 1) < 1e-4, where);
-      // Some 300 tests of right samplers: one in ten thousand runs would fall below by chance; the seeds are fixed.
+      // About 300 tests of right samplers: one in ten thousand runs would fall below by chance; the seeds are fixed.
       QVERIFY2(checks[i].pValue > 3e-7, where);
     }
   }

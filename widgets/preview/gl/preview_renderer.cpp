@@ -59,16 +59,17 @@ void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedLobe> lobe) {
   restart();
 }
 
-void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& others) {
+void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan,
+                               const std::vector<PreviewSubject>& otherSlotSubjects) {
   SceneUniforms uniforms(scene, plan);
   const auto sameMaterial = [](const PreviewSubject& a, const PreviewSubject& b) {
     return a.lobe == b.lobe && sameSubject(a, b);
   };
   const bool same = scene.camera == scene_.camera && scene.environment == scene_.environment &&
                     scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_ &&
-                    std::ranges::equal(others, others_, sameMaterial);
+                    std::ranges::equal(otherSlotSubjects, otherSlotSubjects_, sameMaterial);
   scene_ = scene;
-  others_ = others;
+  otherSlotSubjects_ = otherSlotSubjects;
   sceneUniforms_ = std::move(uniforms);
   if (!same) restart();
 }
@@ -81,12 +82,12 @@ void PreviewRenderer::setSize(const QSize& size) {
 }
 
 std::vector<PreviewRenderer::Pass> PreviewRenderer::passes() {
-  while (otherTextures_.size() < others_.size()) otherTextures_.emplace_back();
+  while (otherTextures_.size() < otherSlotSubjects_.size()) otherTextures_.emplace_back();
   std::vector<Pass> all{{subject_, textures_, 1}};
   for (int slot = 1; slot < materialSlotCount(scene_); ++slot) {
     const auto other = std::size_t(slot - 1);
-    if (other < others_.size() && !others_[other].isEmpty())
-      all.push_back({others_[other], otherTextures_[other], 1 << slot});
+    if (other < otherSlotSubjects_.size() && !otherSlotSubjects_[other].isEmpty())
+      all.push_back({otherSlotSubjects_[other], otherTextures_[other], 1 << slot});
     else
       all.front().slots |= 1 << slot;
   }

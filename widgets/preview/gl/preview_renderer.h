@@ -39,8 +39,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// the old density the reflection would be dark with bright outliers.
   void setLobe(std::shared_ptr<const TabulatedLobe> lobe);
   /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
-  /// @param others subjects of the slots after the first; empty or missing ones show the first subject.
-  void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& others = {});
+  /// @param otherSlotSubjects subjects of the slots after the first; empty or missing ones show the first subject.
+  void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& otherSlotSubjects = {});
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
 
@@ -87,7 +87,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   std::deque<SubjectTextures> otherTextures_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
-  std::vector<PreviewSubject> others_;
+  std::vector<PreviewSubject> otherSlotSubjects_;
   Scene scene_;
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};

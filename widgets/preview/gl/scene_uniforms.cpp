@@ -149,8 +149,8 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
 }
 
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
-                       const EffectOverrides& overrides, const RenderMaterials& others) {
-  return planEffects(scene, bindMaterials(scene, materialsInSlots(scene, material, others)), overrides);
+                       const EffectOverrides& overrides, const RenderMaterials& otherSlotMaterials) {
+  return planEffects(scene, bindMaterials(scene, materialsInSlots(scene, material, otherSlotMaterials)), overrides);
 }
 
 }  // namespace gonio::widgets

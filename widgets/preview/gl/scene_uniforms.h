@@ -49,6 +49,6 @@ class SceneUniforms {
 
 /// The plan of the effects for a scene with materialsInSlots().
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
-                       const EffectOverrides& overrides = {}, const RenderMaterials& others = {});
+                       const EffectOverrides& overrides = {}, const RenderMaterials& otherSlotMaterials = {});
 
 }  // namespace gonio::widgets

@@ -74,9 +74,9 @@ void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgr
   program.setUniformValue("lobeRows", lobeRowUnit);
   double cosineFraction = lobe ? TabulatedLobe::cosineFraction : 1;
   GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
-  if (lobe && lobe->round()) {
-    cosineFraction = 1 - lobe->round()->specularFraction;
-    grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .fraction = 1};
+  if (lobe && lobe->symmetricLobe()) {
+    cosineFraction = 1 - lobe->symmetricLobe()->specularFraction;
+    grain = {.alphaX = lobe->symmetricLobe()->roughness, .alphaY = lobe->symmetricLobe()->roughness, .fraction = 1};
   }
   program.setUniformValue("lobeCosineShare", float(cosineFraction));
   program.setUniformValue("lobeGrainShare", float((1 - cosineFraction) * grain.fraction));

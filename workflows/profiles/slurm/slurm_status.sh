@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 # slurm_status.sh JOB: the state of a Slurm job as Snakemake expects it: running, success or failed. The controller
-# forgets a job some minutes after its end; the accounting database, where there is one, does not.
+# forgets a job a few minutes after its end; the accounting database, where there is one, does not.
 state() {
   scontrol --oneliner show job "$1" 2>/dev/null | sed -n 's/.* JobState=\([A-Z_]*\).*/\1/p'
 }
