@@ -35,6 +35,30 @@ picture factors-widened.png dark library:sgd/gold-metallic-paint --factors --wid
 picture factors-swapped.png dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
 picture interpolation.png light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
-picture editor-study.png light library:sgd/gold-metallic-paint --study "PDV factors, two curves, 1 term"
+picture editor-study.png light library:merl-copy/gold-metallic-paint --study "PDV factors, two curves, 1 term"
 picture editor-acquisition.png dark library:rgl/vch_golden_yellow --acquire 40 --acquisition-page 1
 picture editor-representation.png dark library:sgd/brass --encoded 64 --compare split
+picture editor-row.png light library:merl-copy/gold-metallic-paint --scene row \
+  --slots library:merl-copy/aluminium,library:rgl/acrylic_felt_purple,library:merl-copy/alum-bronze
+# The figure of docs/tutorial-figure.md.
+cat >"$settings/figure.json" <<'END'
+{
+  "format": "gonio figure", "version": 1, "columns": "one",
+  "materials": [
+    {"path": "library:rgl/vch_golden_yellow", "label": "yellow film"},
+    {"path": "library:rgl/satin_purple", "label": "satin purple"},
+    {"path": "library:merl-copy/chrome", "label": "chrome"}
+  ],
+  "representations": [
+    {"id": "ggx", "label": "GGX"},
+    {"id": "factors-3d", "budget": 10, "label": "PDV, 10 terms"},
+    {"id": "code", "budget": 256, "label": "Dictionary code"},
+    {"id": "nonparametric", "label": "Non-param. factors"}
+  ],
+  "pictures": {"samples": 32},
+  "numbers": ["rendered-snr", "flip", "bytes"],
+  "inset": {"x": 0.2, "y": 0.2, "size": 0.25},
+  "errorMaximum": 0.1
+}
+END
+picture editor-figure.jpg dark library:rgl/vch_golden_yellow --figure "$settings/figure.json"

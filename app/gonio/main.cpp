@@ -6,10 +6,13 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/figures/figure_file_buttons.h"
+#include "app/gonio/figures/figure_view.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
@@ -46,6 +49,8 @@ struct Options {
   std::size_t encoded;
   QString thumbnails;
   QString scene;
+  QStringList otherSlots;
+  QString figure;
   int acquired;
   int acquisitionPage;
   bool openingTimes, eventTimes;
@@ -87,6 +92,8 @@ Options readOptions(const QApplication& application) {
   hidden("acquire", "COUNT");                        // acquires the material from so many samples
   hidden("acquisition-page", "0-3");                 // of the Acquisition dock
   hidden("scene", "NAME");                           // shows the Scene dock with this scene
+  hidden("slots", "B,C,...");                        // fills the material slots of the scene after the first
+  hidden("figure", "DESCRIPTION.json");              // measures this figure; its dialog is the picture
   QCommandLineOption openingTimes("opening-times");  // prints how long the files take to open, and exits
   openingTimes.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(openingTimes);
@@ -111,6 +118,8 @@ Options readOptions(const QApplication& application) {
           parser.value("encoded").toULongLong(),
           parser.value("thumbnails"),
           parser.value("scene"),
+          parser.value("slots").split(',', Qt::SkipEmptyParts),
+          parser.value("figure"),
           parser.value("acquire").toInt(),
           parser.value("acquisition-page").toInt(),
           parser.isSet(openingTimes),
@@ -190,6 +199,8 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
   if (!options.scene.isEmpty()) {
     docks.show(QStringLiteral("scene"));
     parts.scene.open(options.scene);
+    for (int slot = 0; slot < std::min(int(options.otherSlots.size()), SceneMaterialSlots::count); ++slot)
+      parts.scene.neighbours().read(slot, options.otherSlots[slot]);
   }
   if (options.encoded > 0) {
     parts.inspector.unfoldRepresentation();
@@ -213,6 +224,31 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
     docks.show(QStringLiteral("models"));
     rankFits(parts);
   }
+}
+
+/// Opens the dialog of a figure with a description, and measures the figure.
+FigureDialog& measureFigure(MainWindow& window, const QString& description) {
+  auto* dialog = new FigureDialog(window.parts().figureParts(), &window);
+  QObject::connect(&dialog->files(), &FigureFileButtons::opened, dialog,
+                   [dialog] { dialog->view().maker().measure(); });
+  dialog->show();
+  dialog->files().open(description);
+  return *dialog;
+}
+
+/// Saves a picture of the window, or of the dialog of the figure, and ends the program.
+void takeScreenshot(MainWindow& window, const Options& options) {
+  if (options.figure.isEmpty()) {
+    new Screenshot(
+        window, [&window] { return window.parts().isSettled(); }, options.screenshot, options.waitSeconds);
+    return;
+  }
+  FigureDialog& dialog = measureFigure(window, options.figure);
+  const auto isMeasured = [&view = dialog.view()] {
+    const gonio::figures::FigureMeasurement& known = view.maker().known();
+    return view.isSettled() && !known.rows.empty() && known.missingCells() == 0;
+  };
+  new Screenshot(dialog, isMeasured, options.screenshot, options.waitSeconds);
 }
 
 /// Renders the pictures of the library into a folder. @return the program's exit code.
@@ -259,8 +295,7 @@ int main(int argc, char** argv) {
     return QApplication::exec();
   }
   if (!options.screenshot.isEmpty())
-    new Screenshot(
-        *window, [window] { return window->parts().isSettled(); }, options.screenshot, options.waitSeconds);
+    takeScreenshot(*window, options);
   else
     window->files().offerRecovery();
   for (qsizetype i = 0; i < options.files.size(); ++i) {

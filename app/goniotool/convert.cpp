@@ -26,6 +26,7 @@ void writeTable(const ConvertArguments& options, const Tool& tool, const materia
 }
 
 int convert(const ConvertArguments& options, const Tool& tool) {
+  checkFormSuffix(options.out);
   std::string from, format;
   std::vector<std::string> losses;
   if (isNativeForm(options.out)) {

@@ -193,8 +193,11 @@ void probeControl(const std::string& assignment, const models::Model& model) {
 
 int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
-  if (!isNativeForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
-  if (fromDocument) return replayDocument(options, tool);
+  if (fromDocument) {
+    checkFormSuffix(options.out);
+    return replayDocument(options, tool);
+  }
+  if (!writesDocument(options)) checkFormSuffix(options.out, editing::documentSuffix);
   if (options.model.empty()) throw UsageError("edit: --model is missing; it names the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
   // Wrong assignments are reported before the work starts.

@@ -22,6 +22,7 @@ struct OpenedSource {
 /// @throws Error that names the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
+using exports::checkFormSuffix;
 using exports::isNativeForm;
 using exports::writeNativeForm;
 

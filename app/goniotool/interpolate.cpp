@@ -73,8 +73,12 @@ void checkOptions(const InterpolateArguments& options) {
   } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
-  } else if (!isNativeForm(options.out)) {
-    materials::writableFormat(options.out);
+  } else if (options.spaceChosen() == InterpolationSpace::factors) {
+    checkFormSuffix(options.out, materials::formatOf(FormatId::pdv).suffix());
+  } else if (options.spaceChosen() == InterpolationSpace::dictionary) {
+    checkFormSuffix(options.out, materials::formatOf(FormatId::code).suffix());
+  } else {
+    checkFormSuffix(options.out);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/reconstruction.h"
+#include "core/brdf/log_relative.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
 
@@ -84,12 +85,6 @@ std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCell
   return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(values), std::move(valid));
 }
 
-float medianOf(std::vector<float> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
             double seconds, double trainingSeconds, const Tool& tool) {
   Json json{{"method", options.method},
@@ -107,7 +102,8 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
   if (std::isfinite(found.leaveOneOutError))
     text += "leave-one-out error of a mapped value: " + number(found.leaveOneOutError) + " (root mean square)\n";
   if (!found.deviation.empty()) {
-    const double median = medianOf(found.deviation);
+    std::vector<float> deviations = found.deviation;  // which medianOf() reorders
+    const double median = medianOf(deviations);
     json["medianDeviation"] = median;
     text += "median uncertainty of a mapped value " + number(median) + "\n";
   }

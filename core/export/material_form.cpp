@@ -126,6 +126,13 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
   return encodeTableForm(source, gridOf(form), control);
 }
 
+void checkFormSuffix(const std::filesystem::path& path, std::string_view other) {
+  if (isNativeForm(path) || materials::hasSuffixOf(materials::FormatId::merl, path)) return;
+  const std::string suffixes = other.empty() ? ".binary or .bsdf" : ".binary, .bsdf or " + std::string(other);
+  throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " + suffixes +
+              " (for UTIA files also .bin)");
+}
+
 bool isNativeForm(const std::filesystem::path& path) {
   return path.extension() == materials::formatOf(materials::FormatId::rgl).suffix() ||
          path.extension() == materials::formatOf(materials::FormatId::utia).suffix();

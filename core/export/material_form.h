@@ -41,6 +41,10 @@ std::string azimuthLoss();
 FormFile encodeMaterial(const ExportSource& source, const materials::Material& base, MaterialForm form,
                         const TaskControl& control = {});
 
+/// Checks that the suffix of a name is that of a form: `.binary`, `.bsdf` or `.bin`. @param other another suffix that
+/// the caller writes, for the message; empty if there is none. @throws Error that names the file and lists the
+/// suffixes.
+void checkFormSuffix(const std::filesystem::path& path, std::string_view other = {});
 /// Whether the suffix of a name is that of a form other than a table (`.bsdf`, `.bin`).
 bool isNativeForm(const std::filesystem::path& path);
 /// Writes a material in such a form, atomically. @return FormFile::losses. @throws Error that names the file; as

@@ -265,7 +265,7 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
 const MaterialFormat& writableFormat(const std::filesystem::path& path) {
   if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
   throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
-              suffixText(isWritable, "or") + ", the suffixes of the formats that Gonio writes");
+              suffixText(isWritable, "or"));
 }
 
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {

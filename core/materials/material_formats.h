@@ -60,7 +60,7 @@ bool isMaterialFile(const std::filesystem::path& path);
 /// The format by content. @throws Error that lists what each format found, if none accepts the bytes.
 const MaterialFormat& sniffFormat(const io::ByteSource& source);
 
-/// The format for writing a file of this name. @throws Error if the suffix is not that of a writable format.
+/// The format for writing a table to a file of this name. @throws Error if the suffix is not that of a writable format.
 const MaterialFormat& writableFormat(const std::filesystem::path& path);
 
 /// The suffixes of formats as text, each once: ".binary, .bsdf, .pdv or .code". @param conjunction "or" or "and".

@@ -207,6 +207,7 @@ std::vector<std::string> save(const PyMaterial& material, const std::string& pat
     editing::writeDocument(document, path);
     return {};
   }
+  exports::checkFormSuffix(path, editing::documentSuffix);
   return resultOf(progress, [&](const TaskControl& control) -> std::vector<std::string> {
     if (exports::isNativeForm(path))
       return exports::writeNativeForm(material.exported(), material.base(), path, control);

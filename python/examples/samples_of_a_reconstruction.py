@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 """Draws how a material outside the training set is reconstructed from more and more measured directions: its images,
-and the SNR by three methods that choose the directions. The training set is copies of MERL materials: about two minutes."""
+and the SNR by three methods that choose the directions. The training set consists of near-measured copies of MERL
+materials. Takes about two minutes."""
 import argparse
 
 import matplotlib
@@ -18,7 +19,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("material", nargs="?", default="library:rgl/satin_purple", help="a file or library:SOURCE/NAME")
     parser.add_argument("--samples", nargs="+", type=int, default=[2, 5, 10, 20, 40])
-    parser.add_argument("--materials", type=int, default=40, help="number of materials in the training set")
+    parser.add_argument("--materials", type=int, default=40,
+                        help="approximate number of materials in the training set")
     parser.add_argument("--out", default="samples_of_a_reconstruction.png", help="PNG, PDF or SVG to write")
     options = parser.parse_args()
 

@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 // gonio_studies export_targets MATERIAL ...: the rendered SNR that each target reaches which approximates a material,
 // its median over the materials, and the seconds of an export.
-#include <algorithm>
 #include <chrono>
 #include <string>
 
 #include "core/export/export_target.h"
 #include "core/materials/material_file.h"
+#include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::export_targets_study {
@@ -33,12 +33,8 @@ int study(int argumentCount, char** arguments) {
     }
     std::printf("| %s\n", source.name.c_str());
   }
-  const auto median = [](std::vector<double>& values) {
-    std::ranges::sort(values);
-    return values.empty() ? 0.0 : values[values.size() / 2];
-  };
   for (std::size_t k = 0; k < std::size(targets); ++k)
-    std::printf("%-17s median %.1f dB, %.1f s\n", targets[k], median(ratios[k]), median(seconds[k]));
+    std::printf("%-17s median %.1f dB, %.1f s\n", targets[k], quantile(ratios[k], 0.5), quantile(seconds[k], 0.5));
   return 0;
 }
 

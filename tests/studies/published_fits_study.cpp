@@ -17,6 +17,7 @@
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
+#include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 #include "tests/support/published_fits.h"
 
@@ -37,13 +38,6 @@ struct Summary {
   std::vector<Worse> worse;
   std::map<std::pair<std::string, int>, std::vector<double>> factors;  ///< by linear parameter and channel
 };
-
-double quantile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
-  std::ranges::nth_element(values, at);
-  return *at;
-}
 
 /// Best linear parameters at the published non-linear ones, over the published.
 void addFactors(const fitting::FitData& data, const models::Model& model, const models::ParameterValues& published,

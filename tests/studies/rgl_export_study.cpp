@@ -3,13 +3,13 @@
 // gonio_studies rgl_export [THETA_COUNT SIZE] [MATERIAL ...]: the rendered SNR of RGL files that are made of the
 // library's near-measured copies, and the size that reaches 40 dB; where none does, the same of files that keep both
 // sides of the plane of incidence.
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <string>
 
 #include "core/export/rgl_parameterisation.h"
 #include "core/materials/material.h"
+#include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::rgl_export_study {
@@ -44,8 +44,7 @@ int study(int argumentCount, char** arguments) {
     std::fflush(stdout);
     ratios.push_back(file.snr);
   }
-  std::ranges::sort(ratios);
-  std::printf("%zu materials: least %.1f, median %.1f dB\n", ratios.size(), ratios.front(), ratios[ratios.size() / 2]);
+  std::printf("%zu materials: least %.1f, median %.1f dB\n", ratios.size(), quantile(ratios, 0), quantile(ratios, 0.5));
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "core/brdf/incident_direction.h"
 #include "core/materials/measured_library.h"
 #include "core/rendering/rendered_comparison.h"
+#include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::table_form_study {
@@ -111,10 +112,7 @@ int run(const std::vector<std::string>& names) {
     }
     std::printf("\n");
   }
-  const auto median = [](std::vector<double>& column) {
-    std::ranges::nth_element(column, column.begin() + std::ptrdiff_t(column.size() / 2));
-    return column[column.size() / 2];
-  };
+  const auto median = [](const std::vector<double>& column) { return quantile(column, 0.5); };
   std::printf("median, %.1f", median(means));
   for (std::size_t form = 0; form < std::size(forms); ++form)
     std::printf(", %.1f (%.1f)", median(columns[form]), median(grazing[form]));

@@ -98,7 +98,8 @@ class GoniotoolErrorsTest : public QObject {
     QTest::newRow("garbage") << QStringList{"fit", garbage, "--model", "ggx"} << "garbage.binary";
     QTest::newRow("short") << QStringList{"check", shortened} << "short.binary";
     QTest::newRow("document") << QStringList{"info", document} << "garbage.gonio";
-    QTest::newRow("suffix") << QStringList{"convert", plastic_, folder_.path("out.xyz")} << "out.xyz";
+    QTest::newRow("suffix") << QStringList{"convert", plastic_, folder_.path("out.xyz")}
+                            << "out.xyz: found the suffix '.xyz', expected .binary or .bsdf (for UTIA files also .bin)";
     QTest::newRow("no folder") << QStringList{"convert", plastic_, folder_.path("no/out.binary")} << "out.binary";
     QTest::newRow("environment") << QStringList{"render", plastic_, "--environment",
                                                 garbage,  "--out",  folder_.path("x.png")}

@@ -53,6 +53,14 @@ class MaterialFormTest : public QObject {
     QVERIFY2(refused.find("a.bin") == 0 && refused.find("'.bsdf'") != std::string::npos, refused.c_str());
   }
 
+  void otherSuffixesAreRefused() {
+    for (const char* name : {"a.binary", "a.bsdf", "a.bin", "a.Binary"}) exports::checkFormSuffix(name);
+    QCOMPARE(test::errorOf([] { exports::checkFormSuffix("a.txt"); }),
+             std::string("a.txt: found the suffix '.txt', expected .binary or .bsdf (for UTIA files also .bin)"));
+    QCOMPARE(test::errorOf([] { exports::checkFormSuffix("a", ".gonio"); }),
+             std::string("a: found the suffix '', expected .binary, .bsdf or .gonio (for UTIA files also .bin)"));
+  }
+
   /// Each node has its own value or the edited one, exactly: the file's values are not interpolated.
   void utiaNodesStay() {
     const materials::Material base = utia();

@@ -112,7 +112,7 @@ class MaterialFormatsTest : public QObject {
     }
     for (const char* name : {"x.bsdf", "x.pdv", "x.png", "x"}) {
       const std::string error = errorOf([&] { materials::writeMaterial(*greyTable({2, 3, 4, true}), name); });
-      QVERIFY2(contains(error, std::string(name) + ": found the suffix '") && contains(error, "expected .binary"),
+      QVERIFY2(error.starts_with(std::string(name) + ": found the suffix '") && error.ends_with("', expected .binary"),
                error.c_str());
     }
   }
