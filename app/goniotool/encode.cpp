@@ -3,6 +3,7 @@
 #include "core/dictionary/encode.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/goniotool/encode_components.h"
 #include "app/goniotool/materials.h"
@@ -25,6 +26,7 @@ constexpr const char* componentsMethod = "components";
 struct EncodeArguments {
   std::string material, dictionary, basis, out, transform, method{codingMethodNames[0]};
   EncodeOptions encoding;
+  std::optional<std::size_t> coefficients;
   double relativeError = 0, renderedSnr = 0;
   std::size_t bytes = 0;
   bool single = false, asPublished = false;
@@ -33,13 +35,17 @@ struct EncodeArguments {
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 EncodeOptions encodeOptions(const EncodeArguments& options) {
+  constexpr std::size_t mostWithinBytes = 4096;
   EncodeOptions encoding = options.encoding;
   if (options.asPublished) {
-    encoding = publishedEncodeOptions(options.encoding.coefficients);
+    encoding = publishedEncodeOptions();
     encoding.gamma = options.encoding.gamma;
   }
+  if (options.bytes > 0) encoding.coefficients = mostWithinBytes;
+  if (options.coefficients) encoding.coefficients = *options.coefficients;
   encoding.method = CodingMethod(std::ranges::find(codingMethodNames, options.method) - codingMethodNames.begin());
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
+  encoding.quantised = !options.single;
   if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, materials::codeHeaderBytes);
   std::erase_if(encoding.transforms,
                 [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
@@ -54,7 +60,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.asPublished && options.method != codingMethodNames[0])
     throw UsageError("encode: --as-published cannot be used with --method");
   if (options.bytes > 0 && options.single)
-    throw UsageError("encode: --bytes counts values in half precision; leave out --single");
+    throw UsageError("encode: --bytes counts quantised values; leave out --single");
   const auto dictionary = dictionaryOf(options);
   const auto material = openMaterial(options.material, tool.control("reading"));
   const auto table =
@@ -70,7 +76,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   } else {
     encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
   }
-  const auto precision = options.single ? CodePrecision::single : CodePrecision::half;
+  const auto precision = options.single ? CodePrecision::single : CodePrecision::quantised;
   const std::vector<std::byte> bytes = materials::encodeCode(encoded.code, dictionary->id, precision);
   if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
   // Of what the file holds: with the values as they are rounded.
@@ -109,7 +115,9 @@ int encodeByMethod(const EncodeArguments& options, const CLI::App& command, cons
   for (const char* of :
        {"--dictionary", "--error", "--bytes", "--rendered-snr", "--transform", "--gamma", "--single", "--as-published"})
     if (command.count(of) > 0) throw UsageError(std::string("encode: ") + of + " is not for --method components");
-  return encodeComponents({options.material, options.basis, options.out, int(options.encoding.coefficients)}, tool);
+  return encodeComponents(
+      {options.material, options.basis, options.out, int(options.coefficients.value_or(EncodeOptions().coefficients))},
+      tool);
 }
 
 int decode(const EncodeArguments& options, const Tool& tool) {
@@ -132,7 +140,9 @@ void addEncode(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("encode", "Encodes a material as a sparse code over a dictionary");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--dictionary", options->dictionary, "Dictionary file (bundled dictionary)");
-  command->add_option("--coefficients", options->encoding.coefficients, "Max. coefficients per channel (262)")
+  command
+      ->add_option("--coefficients", options->coefficients,
+                   "Max. coefficients per channel (1024; with --bytes 4096, with --as-published 262)")
       ->check(CLI::Range(0, 65535));
   command
       ->add_option(
@@ -151,7 +161,8 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
   command->add_option("--gamma", options->encoding.gamma, "Gamma of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
-  command->add_flag("--single", options->single, "Store values in single instead of half precision");
+  command->add_flag("--single", options->single,
+                    "Store values in single precision instead of quantised; five times the bytes");
   std::vector<std::string> methods(codingMethodNames.begin(), codingMethodNames.end());
   methods.emplace_back(componentsMethod);
   command

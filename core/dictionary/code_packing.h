@@ -9,26 +9,28 @@
 
 #include "core/dictionary/sparse_code.h"
 
-/// Serialisation of a code. Coefficients are sorted by index; each index is stored as the difference from the previous
-/// one, in a variable number of bytes: seven bits per byte, lowest first, with the eighth bit set if more bytes follow.
+/// Serialisation of a code. With full precision of the values, coefficients are sorted by index; each index is stored
+/// as the difference from the previous one, in a variable number of bytes: seven bits per byte, lowest first, with the
+/// eighth bit set if more bytes follow. Quantised codes are compressed (quantised_code.h).
 namespace gonio::dictionary {
 
 /// Number format of the coefficients.
 enum class CodePrecision : std::uint8_t {
-  single,  ///< float32
-  half     ///< float16 of the value divided by the largest absolute value of its channel: relative error 2^-11
+  single,    ///< float32
+  half,      ///< float16 of the value divided by the largest absolute value of its channel: relative error 2^-11
+  quantised  ///< multiples of ChannelCode::step, compressed: a fifth of the bytes
 };
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32
-/// ChannelCode::highest, the indices, the values. Little-endian. @throws Error for more than 65535 coefficients or 256
-/// dictionaries.
+/// ChannelCode::highest, the indices, the values. Little-endian. Quantised: compressChannels(). @throws Error for more
+/// than 65535 coefficients or 256 dictionaries.
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision);
 /// Inverse of packChannels(): sets the channels of `code`; set its grid before the call. @throws Error if there are too
 /// few or too many bytes, an index is repeated or outside the grid, or a value is not finite.
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code);
 
-/// The code truncated to as many coefficients per channel as fit in `bytes` in half precision; without coefficients if
-/// none fits.
+/// The code truncated to as many coefficients per channel as fit in `bytes` quantised; without coefficients if none
+/// fits. Precondition: it has no step.
 SparseCode truncatedToBytes(const SparseCode& code, std::size_t bytes);
 
 }  // namespace gonio::dictionary

@@ -13,6 +13,7 @@
 #include "core/dictionary/invalid_cells.h"
 #include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
+#include "core/dictionary/quantised_code.h"
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
@@ -22,6 +23,9 @@ namespace {
 
 /// Fraction of a signal's energy that its own subspace may leave out while dictionaries are compared.
 constexpr double choiceLoss = 1e-7;
+/// Error of one dictionary for all channels, in errors of a separate one for each, up to which it is used: its files
+/// are about a fourth smaller, and as many more coefficients lower the error by such a factor.
+constexpr double acceptedLoss = 1.35;
 constexpr double grazing = radians(85);
 
 /// A signal as a small block: its own truncated higher-order SVD.
@@ -122,18 +126,39 @@ Encoder::Encoder(const Ensemble& ensemble) : ensemble_(ensemble) {
     matrices_.push_back({d.modes[0].cast<float>(), d.modes[1].cast<float>(), d.modes[2].cast<float>()});
 }
 
-int Encoder::chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coefficients) const {
+std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const {
   const CompactSignal small = compact(signal, modeSizes(ensemble_.grid));
-  std::vector<double> captured(matrices_.size());
+  const double total = signal.cast<double>().square().sum();
+  std::vector<double> errors(matrices_.size());
   parallelForBlocks(matrices_.size(), 1, [&](std::size_t d, std::size_t) {
     thread_local Workspace<float> workspace;
     thread_local std::vector<Coefficient<float>> kept;
     ModeMatrices<float> rotations;  // of the signal's bases into the dictionary's
     for (std::size_t mode = 0; mode < 3; ++mode) rotations[mode] = small.bases[mode].transpose() * matrices_[d][mode];
     keepLargestProjections(small.block.data(), small.ranks, rotations, coefficients, workspace, kept);
-    captured[d] = energy<float>(kept);
+    errors[d] = std::max(0.0, total - energy<float>(kept));
   });
-  return int(std::max_element(captured.begin(), captured.end()) - captured.begin());
+  return errors;
+}
+
+std::array<int, 3> Encoder::chooseDictionaries(const std::array<Eigen::ArrayXf, 3>& signals, std::size_t coefficients,
+                                               const TaskControl& control) const {
+  std::array<std::vector<double>, 3> errors;
+  parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) { errors[c] = dictionaryErrors(signals[c], coefficients); },
+                    {.stop = control.stop, .progress = {}});
+  const auto smallest = [](const std::vector<double>& values) {
+    return int(std::min_element(values.begin(), values.end()) - values.begin());
+  };
+  std::array<int, 3> separate{};
+  double separateError = 0;
+  std::vector<double> common(errors[0].size());
+  for (std::size_t c = 0; c < 3; ++c) {
+    separate[c] = smallest(errors[c]);
+    separateError += errors[c][std::size_t(separate[c])];
+    for (std::size_t d = 0; d < common.size(); ++d) common[d] += errors[c][d];
+  }
+  const int shared = smallest(common);
+  return common[std::size_t(shared)] <= acceptedLoss * separateError ? std::array{shared, shared, shared} : separate;
 }
 
 /// One transform of a material while it is encoded.
@@ -155,10 +180,10 @@ void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
                       attempt.channels[c].highest = highestOf(attempt.signals[c], attempt.table, *geometry, scaled);
-                      attempt.channels[c].dictionary =
-                          chooseDictionary(attempt.signals[c], attempt.options.coefficients);
                     },
                     {.stop = control.stop, .progress = {}});
+  const std::array<int, 3> chosen = chooseDictionaries(attempt.signals, attempt.options.coefficients, control);
+  for (std::size_t c = 0; c < 3; ++c) attempt.channels[c].dictionary = chosen[c];
   refine(attempt, 0, control);
 }
 
@@ -204,6 +229,7 @@ EncodedCandidate Encoder::finished(const Attempt& attempt) const {
     if (options.relativeError) coefficients.resize(countForError(coefficients, energy, *options.relativeError));
   }
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
+  if (options.quantised) candidate.code = quantised(std::move(candidate.code));
   measure(candidate, attempt.table, *decode(ensemble_, candidate.code), options);
   return candidate;
 }

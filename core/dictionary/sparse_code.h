@@ -20,6 +20,7 @@ struct ChannelCode {
   /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells of
   /// low importance, and the inverse of the logarithm would amplify that.
   float highest = std::numeric_limits<float>::max();
+  float step = 0;  ///< of which all values are multiples (quantised()); 0: not quantised
 };
 
 /// A material as a sparse code over an ensemble: red, green, blue.

@@ -69,7 +69,7 @@ CodeFile readCode(const io::ByteSource& source) {
     file.fail("the transform is " + std::to_string(transform) + ", expected 0, 1, 128 or 129");
   result.code.transform = DataTransform(transform & ~withoutScale);
   result.code.scaled = (transform & withoutScale) == 0;
-  result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 1));
+  result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 2));
   result.code.grid = takeGrid(file);
   result.dictionaryId = file.number<std::uint64_t>();
   unpackChannels(file.rest(), result.precision, result.code);

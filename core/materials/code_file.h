@@ -10,9 +10,9 @@
 
 /// A file of a sparse code, `.code`: a container (core/io/container.h) "GONIOCOD", uint16 version 1; uint8 transform
 /// (in the order of dataTransformNames; plus 128 for a code that is not SparseCode::scaled), uint8 precision (0 single,
-/// 1 half), uint16 numbers of nodes of theta_h, theta_d, phi_d, uint16 whether phi_d is folded, uint64 id of the
-/// ensemble (NamedEnsemble); then dictionary::packChannels(). About 3 kB for 262 coefficients per channel in half
-/// precision.
+/// 1 half, 2 quantised), uint16 numbers of nodes of theta_h, theta_d, phi_d, uint16 whether phi_d is folded, uint64 id
+/// of the ensemble (NamedEnsemble); then dictionary::packChannels(). About 0.6 kB for 262 coefficients per channel, 2.6
+/// kB for 1,024.
 namespace gonio::materials {
 
 /// Size of the file before the packed channels.
@@ -20,10 +20,10 @@ inline constexpr std::size_t codeHeaderBytes = 8 + 2 + 1 + 1 + 4 * 2 + 8;
 
 /// The bytes of the file.
 std::vector<std::byte> encodeCode(const dictionary::SparseCode& code, std::uint64_t dictionaryId,
-                                  dictionary::CodePrecision precision = dictionary::CodePrecision::half);
+                                  dictionary::CodePrecision precision = dictionary::CodePrecision::quantised);
 /// Writes a file, atomically. @throws Error that names the file.
 void writeCode(const dictionary::SparseCode& code, std::uint64_t dictionaryId, const std::filesystem::path& path,
-               dictionary::CodePrecision precision = dictionary::CodePrecision::half);
+               dictionary::CodePrecision precision = dictionary::CodePrecision::quantised);
 
 /// A code and the id of its ensemble.
 struct CodeFile {

@@ -48,8 +48,10 @@ factorization::PdvOptions pdvOptionsOf(const Representation& representation, int
 
 dictionary::EncodeOptions encodeOptionsOf(const Representation& representation) {
   const auto coefficients = std::size_t(representation.budget);
-  if (representation.family == RepresentationFamily::published) return dictionary::publishedEncodeOptions(coefficients);
-  dictionary::EncodeOptions options{.coefficients = coefficients};
+  const bool isPublished = representation.family == RepresentationFamily::published;
+  dictionary::EncodeOptions options = isPublished ? dictionary::publishedEncodeOptions(coefficients)
+                                                  : dictionary::EncodeOptions{.coefficients = coefficients};
+  options.quantised = true;
   if (representation.family == RepresentationFamily::alternatives)
     options.method = dictionary::CodingMethod::basisPursuit;
   return options;

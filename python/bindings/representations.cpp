@@ -159,6 +159,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
   options.relativeError = relativeError;
   options.gamma = gamma;
   options.method = codingMethodOf(method);
+  options.quantised = true;
   if (asPublished && options.method != dictionary::CodingMethod::orthogonalMatchingPursuit)
     throw Error("method: found '" + method + "', expected omp because as_published projects once");
   if (bytes) options.bytes = *bytes - std::min(*bytes, materials::codeHeaderBytes);
@@ -178,7 +179,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     } else {
       encoded = encoder.encode(*sampled, options, control.between(0.1, 1));
     }
-    // The coefficients in half precision, as in the file.
+    // The coefficients as in the file.
     const auto file = materials::encodeCode(encoded.code, result.dictionary->id);
     result.code = materials::readCode(io::MemorySource(file)).code;
     result.bytes = file.size();

@@ -278,7 +278,7 @@ class ChannelCode:
 
 
 class Code:
-    """A material as a sparse code over a dictionary, in half precision, see gonio.encode(). A code does not change after it is
+    """A material as a sparse code over a dictionary, see gonio.encode(). The values are quantised as in its file. A code does not change after it is
     made."""
 
     __slots__ = ("_handle",)
@@ -342,7 +342,7 @@ class Code:
         self._handle.save(os.fspath(path))
 
 
-def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dictionary] = None,
+def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Dictionary] = None,
            transforms: Sequence[str] = ("log-plus", "cosine-log"), gamma: float = 2.0,
            relative_error: Optional[float] = None, max_bytes: Optional[int] = None,
            rendered_snr: Optional[float] = None, method: str = "omp", as_published: bool = False,

@@ -15,9 +15,9 @@ using namespace dictionary;
 namespace {
 
 ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
-  const std::vector<std::byte> packed = packChannels(code, CodePrecision::half);
+  const std::vector<std::byte> packed = packChannels(code, CodePrecision::quantised);
   SparseCode read{.grid = code.grid, .transform = code.transform, .channels = {}};
-  unpackChannels(packed, CodePrecision::half, read);
+  unpackChannels(packed, CodePrecision::quantised, read);
   return {decode(ensemble, read), packed.size()};
 }
 

@@ -92,11 +92,11 @@ std::vector<ComparedModel> PatchModels::models(const TabulatedBrdf& table, Budge
     std::vector<std::byte> packed;
     for (int step = 0; step <= corrections; ++step) {
       code = encoded(patches, table, std::size_t(coefficients));
-      packed = packChannels(code, CodePrecision::half);
+      packed = packChannels(code, CodePrecision::quantised);
       coefficients *= double(budget) / double(packed.size());
     }
-    if (packed.size() > budget) packed = packChannels(code = truncatedToBytes(code, budget), CodePrecision::half);
-    unpackChannels(packed, CodePrecision::half, code);
+    if (packed.size() > budget) packed = packChannels(code = truncatedToBytes(code, budget), CodePrecision::quantised);
+    unpackChannels(packed, CodePrecision::quantised, code);
     models.push_back({decoded(code), packed.size()});
   }
   return models;

@@ -75,6 +75,7 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.coefficients = coefficients;
   dictionary::EncodeOptions options;
   options.coefficients = coefficients;
+  options.quantised = true;
   code.encoded = coder().encoder.encode(*material->table(control), options, control);
   control.throwIfStopped();
   const std::vector<std::byte> file = materials::encodeCode(code.encoded.code, code.dictionary->id);

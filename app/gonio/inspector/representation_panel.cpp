@@ -20,7 +20,7 @@ namespace {
 
 const QString encodeKey = QStringLiteral("encode");
 constexpr std::array<std::size_t, 14> counts{16, 32, 48, 64, 96, 128, 192, 256, 262, 384, 512, 768, 1024, 2048};
-constexpr std::size_t usualCount = 262;
+constexpr std::size_t usualCount = 1024;
 constexpr int encodeDelayMilliseconds = 300;
 
 int stepOf(std::size_t count) {
@@ -51,7 +51,7 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
   m_slider->setToolTip(
       tr("Number of dictionary atoms that represent each colour channel; more atoms lower the error but need more "
          "bytes and time.\n"
-         "262 coefficients need as many bytes as the factors of Bagher et al. 2016."));
+         "262 is the number of Tongbuasirilai 2023."));
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000")));
   m_count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_show->setToolTip(

@@ -177,10 +177,11 @@ class EncodeTest : public QObject {
       limited = all;
       limited.bytes = bytes;
       const SparseCode code = encoder.encode(*table, limited).code;
-      QVERIFY(packChannels(code, CodePrecision::half).size() <= bytes);
-      QVERIFY(code.coefficients() == 2000 ||
-              packChannels(encoder.encode(*table, all).code.truncated(code.coefficients() + 1), CodePrecision::half)
-                      .size() > bytes);
+      QVERIFY(packChannels(code, CodePrecision::quantised).size() <= bytes);
+      QVERIFY(
+          code.coefficients() == 2000 ||
+          packChannels(encoder.encode(*table, all).code.truncated(code.coefficients() + 1), CodePrecision::quantised)
+                  .size() > bytes);
     }
     QCOMPARE(encoder.encode(*table, {.coefficients = 50, .bytes = 3}).code.coefficients(), std::size_t(0));
   }
