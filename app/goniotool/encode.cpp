@@ -162,7 +162,7 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--gamma", options->encoding.gamma, "Gamma of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
   command->add_flag("--single", options->single,
-                    "Store values in single precision instead of quantised; five times the bytes");
+                    "Store values in single precision instead of quantised; seven times the bytes");
   std::vector<std::string> methods(codingMethodNames.begin(), codingMethodNames.end());
   methods.emplace_back(componentsMethod);
   command
