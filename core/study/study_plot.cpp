@@ -3,6 +3,7 @@
 #include "core/study/study_plot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace gonio::study {
@@ -25,10 +26,10 @@ struct FamilyLook {
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyLook looks[representationFamilyCount] = {
-    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},   {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"},
-    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"},
-    {Marker::fourStar, "#332288"}};
+    {Marker::square, "#000000"},        {Marker::circle, "#0072b2"},       {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},       {Marker::cross, "#cc79a7"},        {Marker::star, "#e69f00"},
+    {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"},
+    {Marker::triangleRight, "#117733"}, {Marker::fourStar, "#332288"}};
 
 struct Shape {
   Marker marker;
@@ -57,7 +58,8 @@ struct Box {
 std::string numbersText(const StudyRecord& record) {
   return record.representation.fullLabel() + ": " + shortNumber(record.renderedSnr) + " dB, " +
          shortNumber(record.evaluation.median) + " ns, " + shortNumber(record.frameMilliseconds) + " ms per frame, " +
-         shortNumber(double(record.bytes)) + "B, encoded in " + shortNumber(record.encodeSeconds) + " s";
+         shortNumber(double(record.bytes)) + "B" +
+         (std::isnan(record.encodeSeconds) ? "" : ", encoded in " + shortNumber(record.encodeSeconds) + " s");
 }
 
 /// Short, beside a point: the budget where its shape shows the rest.
