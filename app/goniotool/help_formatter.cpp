@@ -24,25 +24,26 @@ struct ValueWord {
 };
 
 /// Words for texts and for lists of fixed length, by the names of their options in all commands.
-constexpr ValueWord valueWords[] = {{"baselines", "ID"},       {"basis", "FILE"},
-                                    {"checkpoint", "FILE"},    {"components-from", "FILE|FOLDER"},
-                                    {"control", "NAME=VALUE"}, {"csv", "FILE"},
-                                    {"decode", "FILE"},        {"dictionary", "FILE"},
-                                    {"directions", "FILE"},    {"environment", "NAME|FILE"},
-                                    {"exclude", "NAME"},       {"font", "NAME"},
-                                    {"forbid", "RANGES"},      {"gamma", "NUMBER|auto"},
-                                    {"image", "FILE"},         {"inset", "X Y SIZE"},
-                                    {"latex", "FILE"},         {"light", "X Y Z"},
-                                    {"material", "MATERIAL"},  {"materials", "MATERIAL"},
-                                    {"models", "ID"},          {"numbers", "ID"},
-                                    {"out", "FILE"},           {"plan", "FILE"},
-                                    {"predict", "FILE"},       {"representations", "ID"},
-                                    {"ridge", "NUMBER|auto"},  {"save", "FILE"},
-                                    {"scene", "NAME|FILE"},    {"set", "NAME=VALUE"},
-                                    {"shard", "I/N"},          {"size", "N|WIDTHxHEIGHT"},
-                                    {"swap-f1", "MATERIAL"},   {"swap-f2", "MATERIAL"},
-                                    {"train", "FILE|FOLDER"},  {"uncertainty", "FILE"},
-                                    {"values", "FILE"},        {"weights", "FILE"}};
+constexpr ValueWord valueWords[] = {{"baselines", "ID"},        {"basis", "FILE"},
+                                    {"checkpoint", "FILE"},     {"components-from", "FILE|FOLDER"},
+                                    {"control", "NAME=VALUE"},  {"csv", "FILE"},
+                                    {"decode", "FILE"},         {"dictionary", "FILE"},
+                                    {"directions", "FILE"},     {"environment", "NAME|FILE"},
+                                    {"exclude", "NAME"},        {"font", "NAME"},
+                                    {"forbid", "RANGES"},       {"gamma", "NUMBER|auto"},
+                                    {"image", "FILE"},          {"inset", "X Y SIZE"},
+                                    {"latex", "FILE"},          {"light", "X Y Z"},
+                                    {"material", "MATERIAL"},   {"materials", "MATERIAL"},
+                                    {"models", "ID"},           {"npf", "FILE"},
+                                    {"numbers", "ID"},          {"out", "FILE"},
+                                    {"plan", "FILE"},           {"predict", "FILE"},
+                                    {"representations", "ID"},  {"ridge", "NUMBER|auto"},
+                                    {"save", "FILE"},           {"scene", "NAME|FILE"},
+                                    {"set", "NAME=VALUE"},      {"shard", "I/N"},
+                                    {"size", "N|WIDTHxHEIGHT"}, {"swap-f1", "MATERIAL"},
+                                    {"swap-f2", "MATERIAL"},    {"train", "FILE|FOLDER"},
+                                    {"uncertainty", "FILE"},    {"values", "FILE"},
+                                    {"weights", "FILE"}};
 
 /// Breaks lines at spaces; only a longer word exceeds `columns`.
 std::string filledLines(const std::string& text, std::size_t columns, const std::string& indent = {}) {

@@ -12,6 +12,7 @@
 #include "app/goniotool/study_output.h"
 #include "app/goniotool/study_shards.h"
 #include "core/documents/training_files.h"
+#include "core/materials/npf_file.h"
 #include "core/models/registry.h"
 #include "core/study/accuracy_study.h"
 #include "core/study/study_csv.h"
@@ -25,7 +26,7 @@ using namespace study;
 
 struct StudyArguments {
   std::vector<std::string> materials, representations, models, baselines, componentsFrom, dictionaries;
-  std::string out, shard;
+  std::string out, shard, npf;
   RepresentationChoice choice;
   Budget budget;
   int size = 128, samples = 32;
@@ -40,6 +41,8 @@ RepresentationChoice choiceOf(const StudyArguments& options) {
   }
   if (!options.componentsFrom.empty() && !std::ranges::count(choice.families, RepresentationFamily::components))
     choice.families.push_back(RepresentationFamily::components);
+  if (!options.npf.empty() && !std::ranges::count(choice.families, RepresentationFamily::publishedNonparametric))
+    choice.families.push_back(RepresentationFamily::publishedNonparametric);
   for (const std::string& id : options.models) choice.models.push_back(&models::findModel(id));
   for (const std::string& id : options.baselines) choice.baselines.push_back(&findStudiedBaseline(id));
   return choice;
@@ -54,6 +57,8 @@ void checkArguments(const StudyArguments& options) {
     throw UsageError("study: --baselines needs --representations with baselines");
   if (options.choice.separatedComponents && options.componentsFrom.empty())
     throw UsageError("study: --separate needs a training set; give it with --components-from FOLDER");
+  if (options.npf.empty() && std::ranges::count(options.representations, "published-nonparametric"))
+    throw UsageError("study: published-nonparametric needs the published table; give it with --npf FILE");
   if (options.withoutTimes && options.budget.frameMilliseconds)
     throw UsageError("study: --max-frame-ms needs times; leave out --no-times");
 }
@@ -72,19 +77,21 @@ std::vector<std::string> materialsOf(const StudyArguments& options) {
 /// One study: what all its materials share.
 class MaterialStudy {
  public:
-  MaterialStudy(const StudyArguments& options, const Tool& tool) : options_(options), tool_(tool) {
+  MaterialStudy(const StudyArguments& options, std::span<const std::string> paths, const Tool& tool)
+      : options_(options), tool_(tool) {
     RepresentationChoice choice = choiceOf(options);
     study_.picture.width = study_.picture.height = options.size;
     study_.picture.samples = options.samples;
     study_.timed = !options.withoutTimes;
+    if (!options.npf.empty()) readNpfTable(paths);
     if (std::ranges::count(choice.families, RepresentationFamily::components)) learnComponents(choice);
     for (const std::string& path : options.dictionaries) {
       dictionaries_.push_back(materials::readDictionary(path));
-      training_.dictionaries.push_back(hexText(dictionaries_.back()->id));
+      inputs_.dictionaries.push_back(hexText(dictionaries_.back()->id));
     }
     representations_ = representationsOf(choice);
     facts_ = studyFacts(picturesText(options.size, options.size, options.samples),
-                        options.withoutTimes ? buildFacts() : machineFacts(), representations_, training_);
+                        options.withoutTimes ? buildFacts() : machineFacts(), representations_, inputs_);
   }
 
   const StudyFacts& facts() const { return facts_; }
@@ -93,20 +100,46 @@ class MaterialStudy {
   StudiedMaterial result(const std::string& path, const std::stop_token& stop) {
     const materials::Material material = openMaterial(path, tool_.control("reading " + path));
     const std::string stem = stemOf(path), source = material.source.sha256;
+    const std::vector<Representation> representations = representationsFor(stem);
     if (options_.resume)
-      if (auto done = finishedStudy(options_.out, stem, source, facts_)) return *std::move(done);
+      if (auto done = finishedStudy(options_.out, stem, source, facts_, representations.size()))
+        return *std::move(done);
     study_.build.dictionary = dictionaryFor(stem);
     const auto table = material.tabulated(tool_.control("tabulating"));
     TaskControl control = tool_.control("studying " + material.name);
     control.stop = stop;
     StudiedMaterial studied{stem, material.name, source,
-                            runStudy({table, material.brdf}, representations_, study_, control)};
+                            runStudy({table, material.brdf}, representations, study_, control)};
     if (options_.withoutTimes) eraseTimes(studied.records);
     writeMaterialStudy(options_.out, studied, facts_);
     return studied;
   }
 
  private:
+  /// Before the work, so that a table of other materials does not cost any.
+  void readNpfTable(std::span<const std::string> paths) {
+    npf_ = materials::readNpf(options_.npf);
+    inputs_.npf = npf_->sha256;
+    if (std::ranges::any_of(paths, [&](const std::string& path) { return npf_->find(stemOf(path)) != nullptr; }))
+      return;
+    throw Error(options_.npf + ": found rows of " + std::to_string(npf_->materials.size()) +
+                " materials, expected one with the name of a material of the study, such as " + stemOf(paths.front()));
+  }
+
+  /// All, or without the published factors if the table has no row of this name.
+  std::vector<Representation> representationsFor(const std::string& name) {
+    study_.build.publishedNonparametric.reset();
+    if (!npf_) return representations_;
+    if (const auto* factors = npf_->find(name)) {
+      study_.build.publishedNonparametric = std::make_shared<const factorization::NonparametricFactors>(*factors);
+      return representations_;
+    }
+    std::vector<Representation> others = representations_;
+    std::erase_if(others,
+                  [](const Representation& one) { return one.family == RepresentationFamily::publishedNonparametric; });
+    return others;
+  }
+
   void learnComponents(RepresentationChoice& choice) {
     if (options_.componentsFrom.empty())
       throw UsageError("study: no principal components are bundled; give a training set with --components-from FOLDER");
@@ -120,7 +153,7 @@ class MaterialStudy {
       study_.build.separated =
           std::make_shared<const dictionary::SeparatedComponents>(dictionary::learnSeparatedComponents(
               materials.names.size(), materials.load, pca, tool_.control("learning diffuse and specular components")));
-    training_.components = materials.names;
+    inputs_.components = materials.names;
   }
 
   /// Of several the first that has not learned from the material.
@@ -148,7 +181,8 @@ class MaterialStudy {
   const Tool& tool_;
   StudyOptions study_;
   std::vector<std::shared_ptr<const materials::NamedEnsemble>> dictionaries_;
-  StudyTraining training_;
+  std::optional<materials::NpfTable> npf_;
+  StudyInputs inputs_;
   std::vector<Representation> representations_;
   StudyFacts facts_;
 };
@@ -160,7 +194,7 @@ int study(const StudyArguments& options, const Tool& tool) {
   const Shard shard = options.shard.empty() ? Shard{} : parseShard(options.shard);
   makeFolder(options.out);
   const auto start = Clock::now();
-  MaterialStudy studying(options, tool);
+  MaterialStudy studying(options, materials, tool);
   StudyOutput output(options.out, studying.facts(), options.budget);
   const StopOnInterrupt interrupt;
   const auto stopped = [&] { return interrupt.token().stop_requested(); };
@@ -189,10 +223,10 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->required();
   command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")->required();
   command
-      ->add_option(
-          "--representations", options->representations,
-          "Kinds of representations: table, fits, factors, codes, components, nonparametric, baselines, published, "
-          "alternatives, neural (all except components, baselines, published, alternatives and neural)")
+      ->add_option("--representations", options->representations,
+                   "Kinds of representations: table, fits, factors, codes, components, nonparametric, "
+                   "published-nonparametric, baselines, published, alternatives, neural (table, fits, factors, "
+                   "codes and nonparametric)")
       ->delimiter(',');
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
@@ -225,6 +259,9 @@ void addStudy(CLI::App& app, Tool& tool) {
                    "Numbers of principal components (powers of two from 4 to 128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
+  command->add_option("--npf", options->npf,
+                      "Table of published non-parametric factors (npf.bin of Bagher et al. 2016); also measure its row "
+                      "for each material whose name it contains (none)");
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");

@@ -65,15 +65,16 @@ MachineFacts machineOf(const Json& json) {
 }  // namespace
 
 StudyFacts studyFacts(const std::string& pictures, const MachineFacts& machine,
-                      std::span<const Representation> representations, const StudyTraining& training) {
+                      std::span<const Representation> representations, const StudyInputs& inputs) {
   StudyFacts facts{pictures, machine, {}};
   Json names = Json::array();
   for (const Representation& r : representations) names.push_back(r.id + " " + io::decimalText(r.budget, 0));
   const Json settings{{"pictures", pictures},
                       {"times", facts.timed()},
                       {"machine", machineWithoutDate(machine)},
-                      {"dictionaries", training.dictionaries},
-                      {"components", training.components},
+                      {"dictionaries", inputs.dictionaries},
+                      {"components", inputs.components},
+                      {"npf", inputs.npf},
                       {"representations", names}};
   facts.settings = settings.dump(-1, ' ', false, Json::error_handler_t::replace);
   return facts;
@@ -109,13 +110,12 @@ StoredStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
 }
 
 std::optional<StudiedMaterial> finishedStudy(const fs::path& folder, const std::string& stem, const std::string& source,
-                                             const StudyFacts& facts) {
+                                             const StudyFacts& facts, std::size_t records) {
   if (!fs::exists(fileOf(folder, stem, ".json"))) return std::nullopt;
   try {
     StoredStudy found = readMaterialStudy(folder, stem);
     const bool same = found.facts.settings == facts.settings && found.material.source == source;
-    if (same && found.material.records.size() == Json::parse(facts.settings)["representations"].size())
-      return std::move(found.material);
+    if (same && found.material.records.size() == records) return std::move(found.material);
   } catch (const Error&) {  // measured again
   }
   return std::nullopt;

@@ -26,13 +26,15 @@ struct StudyFacts {
   bool timed() const { return !machine.processor.empty(); }
 };
 
-/// Training data, as part of the settings: ids of dictionaries, names of the training materials.
-struct StudyTraining {
-  std::vector<std::string> dictionaries, components;
+/// What a study uses besides its materials, as part of the settings.
+struct StudyInputs {
+  std::vector<std::string> dictionaries;  ///< ids
+  std::vector<std::string> components;    ///< names of the training materials
+  std::string npf;                        ///< materials::NpfTable::sha256; "" without a table
 };
 /// Facts with settings made from the arguments.
 StudyFacts studyFacts(const std::string& pictures, const study::MachineFacts& machine,
-                      std::span<const study::Representation> representations, const StudyTraining& training);
+                      std::span<const study::Representation> representations, const StudyInputs& inputs);
 
 /// The records of one material.
 struct StudiedMaterial {
@@ -58,8 +60,9 @@ struct StoredStudy {
   StudyFacts facts;
 };
 StoredStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
-/// The same if the settings and the material are equal and all records exist; else nullopt.
+/// The same if the settings and the material are equal and all records exist; else nullopt. @param records the number
+/// of records of the material.
 std::optional<StudiedMaterial> finishedStudy(const std::filesystem::path& folder, const std::string& stem,
-                                             const std::string& source, const StudyFacts& facts);
+                                             const std::string& source, const StudyFacts& facts, std::size_t records);
 
 }  // namespace gonio::tool

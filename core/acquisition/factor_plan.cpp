@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/factor_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace gonio::acquisition {
 namespace {
 
 constexpr int maxReadings = 2'000;
+constexpr std::string_view methodPrefix = "factors, ";
 
 void checkOptions(const FactorPlanOptions& o) {
   if (!(o.maxPolarAngle > 0 && o.maxPolarAngle < halfPi))
@@ -49,7 +51,7 @@ void plan(FactorCurve curve, const FactorCoordinates& place, const FactorPlanOpt
 FactorPlan planFactors(const FactorPlanOptions& options) {
   checkOptions(options);
   FactorPlan result{.axes = options.axes, .plan = {}, .curves = {}};
-  result.plan.method = "factors, " + std::string(factorAxesNames[std::size_t(options.axes)]);
+  result.plan.method = factorMethod(options.axes);
   for (int i = 0; i < options.angles; ++i)
     plan(FactorCurve::along, {options.maxPolarAngle * i / (options.angles - 1), 0}, options, result);
   const std::size_t along = result.curves.size();
@@ -62,6 +64,28 @@ FactorPlan planFactors(const FactorPlanOptions& options) {
     throw Error("factor measurement: the arms or the horizon obstruct all readings of the curve " +
                 std::string(along == 0 ? "along" : "across") + " the mirror direction");
   return result;
+}
+
+std::string factorMethod(FactorAxes axes) {
+  return std::string(methodPrefix) + std::string(factorAxesNames[std::size_t(axes)]);
+}
+
+std::optional<FactorAxes> axesOfFactorMethod(std::string_view method) {
+  if (!method.starts_with(methodPrefix)) return std::nullopt;
+  const auto found = std::ranges::find(factorAxesNames, method.substr(methodPrefix.size()));
+  if (found == factorAxesNames.end()) return std::nullopt;
+  return FactorAxes(found - factorAxesNames.begin());
+}
+
+int plannedReadings(std::span<const double> angles) {
+  constexpr double tolerance = 0.01;  // of the spacing
+  const int count = int(angles.size());
+  if (count < 2) return count;
+  const double spacing = (angles.back() - angles.front()) / (count - 1);
+  for (int i = 0; i < count; ++i)
+    if (std::abs(angles[std::size_t(i)] - angles.front() - i * spacing) > tolerance * spacing) return count;
+  const double before = angles.front() / spacing;
+  return std::abs(before - std::round(before)) > tolerance ? count : count + int(std::lround(before));
 }
 
 }  // namespace gonio::acquisition

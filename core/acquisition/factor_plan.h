@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/acquisition/factor_axes.h"
@@ -43,5 +47,13 @@ struct FactorPlan {
 /// O(angles + distances).
 /// @throws Error if an option is out of range, or a curve has no reading that the arms do not obstruct.
 FactorPlan planFactors(const FactorPlanOptions& options = {});
+
+/// SamplingPlan::method of a factor measurement, "factors, half-out", and its inverse: none for other texts.
+std::string factorMethod(FactorAxes axes);
+std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
+
+/// The number of `along` readings that planFactors() needs for these angles: if they are evenly spaced, also those that
+/// it left out between 0 and the first angle. @param angles increasing, rad.
+int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

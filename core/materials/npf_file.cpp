@@ -40,6 +40,7 @@ class NpfRow {
     for (std::size_t i = 0; i < factorNodes; ++i) result[i] = number(first + i, channel);
     return result;
   }
+  std::size_t row() const { return row_; }
   std::string sha256() const { return io::sha256Hex(io::MemorySource(std::as_bytes(std::span(values_)))); }
 
  private:
@@ -59,6 +60,8 @@ NonparametricFactors factorsOf(const NpfRow& row) {
     c.d.back() = c.d[factorNodes - 2];
     c.f.back() = c.f[factorNodes - 2];
   }
+  if (factors == NonparametricFactors())
+    throw Error("row " + std::to_string(row.row()) + " is empty, expected the factors of a material");
   return factors;
 }
 
@@ -129,15 +132,17 @@ const NonparametricFactors* NpfTable::find(std::string_view material) const {
 }
 
 NpfTable readNpf(const io::ByteSource& source, std::string_view rowNames) {
-  NpfTable table;
+  NpfTable table{.sha256 = io::sha256Hex(io::sha256Hex(source) + std::string(rowNames)), .materials = {}};
   for (const auto& [name, row] : namedRows(rowNames, rowCount(source)))
     table.materials.emplace(name, factorsOf(NpfRow(source, row)));
   return table;
 }
 
 NpfTable readNpf(const std::filesystem::path& path) {
-  const std::string names = namesBeside(path);
-  return withFileInErrors(path, [&] { return readNpf(io::FileSource(path), names); });
+  return withFileInErrors(path, [&] {
+    const io::FileSource source(path);
+    return readNpf(source, namesBeside(path));
+  });
 }
 
 bool isNpfRow(const std::filesystem::path& path) {
@@ -154,8 +159,6 @@ Material readNpfRow(const std::filesystem::path& path) {
     const std::size_t number = rowOf(parts.row, parts.table, rowCount(source));
     const NpfRow row(source, number);
     const NonparametricFactors factors = factorsOf(row);
-    if (factors == NonparametricFactors())
-      throw Error("row " + std::to_string(number) + " is empty, expected the factors of a material");
     Material material;
     material.name = numberOf(parts.row) ? parts.table.stem().string() + "-" + parts.row : parts.row;
     material.source = {.path = std::filesystem::absolute(path).lexically_normal(),

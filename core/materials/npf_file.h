@@ -23,6 +23,7 @@ namespace gonio::materials {
 
 /// The materials of a table by name.
 struct NpfTable {
+  std::string sha256;  ///< of the table and of the names of its rows
   std::map<std::string, factorization::NonparametricFactors, std::less<>> materials;
 
   /// Null if there is no material of this name.

@@ -103,6 +103,10 @@ std::vector<glm::dvec2> markerOutline(Marker marker, double size) {
       return corners(6, 1.5 * size, 0.5 * size);
     case Marker::fourStar:
       return corners(8, 1.5 * size, 0.55 * size);
+    case Marker::hourglass: {
+      const double x = 0.9 * size, y = 1.1 * size, waist = 0.2 * size;
+      return {{-x, -y}, {x, -y}, {waist, 0}, {x, y}, {-x, y}, {-waist, 0}};
+    }
     case Marker::circle:
       break;
   }

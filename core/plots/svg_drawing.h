@@ -25,7 +25,8 @@ enum class Marker {
   triangleLeft,
   triangleRight,
   threeStar,
-  fourStar
+  fourStar,
+  hourglass
 };
 
 /// The corners of a marker around the origin, y down; empty for a circle, which has the radius `size`.

@@ -27,6 +27,7 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{
      {"codes", "dictionary code"},
      {"components", "principal components"},
      {"nonparametric", "non-parametric factors"},
+     {"published-nonparametric", "published non-parametric factors"},
      {"baselines", "baselines"},
      {"published", "as published"},
      {"alternatives", "alternative fits of factors and codes"},
@@ -99,6 +100,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       return;
     case RepresentationFamily::nonparametric:
       return list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
+    case RepresentationFamily::publishedNonparametric:
+      return list.push_back({family, "published-nonparametric", "Non-parametric factors, published", 0, ""});
     case RepresentationFamily::baselines:
       return addBaselines(list, choice);
     case RepresentationFamily::published:
@@ -149,10 +152,11 @@ RepresentationFamily familyById(std::string_view id) {
   throw Error("found the kind of representation '" + std::string(id) + "', expected one of " + known);
 }
 
-std::vector<RepresentationFamily> familiesWithoutTraining() {
+std::vector<RepresentationFamily> familiesWithoutFurtherData() {
   std::vector<RepresentationFamily> result;
   for (int i = 0; i < representationFamilyCount; ++i)
-    if (const auto family = RepresentationFamily(i); family != RepresentationFamily::components)
+    if (const auto family = RepresentationFamily(i);
+        family != RepresentationFamily::components && family != RepresentationFamily::publishedNonparametric)
       result.push_back(family);
   return result;
 }

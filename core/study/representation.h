@@ -20,31 +20,33 @@ enum class RepresentationFamily {
   code,
   components,
   nonparametric,
+  publishedNonparametric,  ///< non-parametric factors of the published table (materials/npf_file.h)
   baselines,
   published,     ///< PDV factors and codes as the papers describe them
   alternatives,  ///< codes by basis pursuit, PDV factors whose terms are fitted together
   neural
 };
-inline constexpr int representationFamilyCount = 10;
+inline constexpr int representationFamilyCount = 11;
 
 /// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "nonparametric",
-/// "baselines", "published", "alternatives" or "neural".
+/// "published-nonparametric", "baselines", "published", "alternatives" or "neural".
 std::string_view familyId(RepresentationFamily family);
 /// The name for display in legends.
 std::string_view familyName(RepresentationFamily family);
 /// @throws Error that lists the ids.
 RepresentationFamily familyById(std::string_view id);
 
-/// All families except components, which need a training set.
-std::vector<RepresentationFamily> familiesWithoutTraining();
+/// All families that need only the material: all except components, which need a training set, and the published
+/// non-parametric factors, which need their table.
+std::vector<RepresentationFamily> familiesWithoutFurtherData();
 
 /// A representation of a material at one budget.
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                   ///< "components", "components-separated", "nonparametric", a baseline's id, "factors-2d-published",
-                   ///< "factors-3d-published", "code-published", "factors-2d-joint", "factors-3d-joint",
-                   ///< "code-basis-pursuit", "neural"
+                   ///< "components", "components-separated", "nonparametric", "published-nonparametric", a baseline's
+                   ///< id, "factors-2d-published", "factors-3d-published", "code-published", "factors-2d-joint",
+                   ///< "factors-3d-joint", "code-basis-pursuit", "neural"
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget
@@ -65,7 +67,7 @@ inline constexpr int maxBaselineBytes = 100'000'000;
 
 /// A selection of representations to measure.
 struct RepresentationChoice {
-  /// Default: all except baselines, published, alternatives and neural, and components, which require a trained basis.
+  /// Default: all of familiesWithoutFurtherData() except baselines, published, alternatives and neural.
   std::vector<RepresentationFamily> families{RepresentationFamily::table, RepresentationFamily::fit,
                                              RepresentationFamily::factors, RepresentationFamily::code,
                                              RepresentationFamily::nonparametric};

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
 
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/code_file.h"
 #include "core/materials/neural_file.h"
@@ -121,6 +121,8 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
                                                         : components(representation, control);
     case RepresentationFamily::nonparametric:
       return nonparametric(control);
+    case RepresentationFamily::publishedNonparametric:
+      return publishedNonparametric();
     case RepresentationFamily::neural:
       return neuralBrdf(control);
     case RepresentationFamily::baselines:
@@ -220,6 +222,17 @@ BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& cont
           .nodes = nullptr,
           .bytes = NonparametricFactors::bytes(),
           .encodeSeconds = secondsSince(start)};
+}
+
+/// Its fit was not measured here: the time is unknown.
+BuiltRepresentation RepresentationBuilder::publishedNonparametric() const {
+  using namespace factorization;
+  if (!options_.publishedNonparametric)
+    throw Error("published non-parametric factors: there are none of this material, expected a row of the table");
+  return {.brdf = makeNonparametricBrdf(*options_.publishedNonparametric),
+          .nodes = nullptr,
+          .bytes = NonparametricFactors::bytes(),
+          .encodeSeconds = std::numeric_limits<double>::quiet_NaN()};
 }
 
 BuiltRepresentation RepresentationBuilder::neuralBrdf(const TaskControl& control) const {

@@ -11,6 +11,7 @@
 #include "core/baselines/neural_fit.h"
 #include "core/dictionary/encode.h"
 #include "core/dictionary/separated_components.h"
+#include "core/factorization/nonparametric.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"
 #include "core/materials/dictionary_file.h"
@@ -31,6 +32,8 @@ struct BuildOptions {
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
   std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of separatedComponentsId; null: none
+  /// Of the material in the published table (materials/npf_file.h); null: none.
+  std::shared_ptr<const factorization::NonparametricFactors> publishedNonparametric = {};
   neural::NeuralFitOptions neural = {};
 };
 
@@ -56,8 +59,8 @@ class RepresentationBuilder {
 
   /// Deterministic except for times. Fits, factors and most baselines take about a second, codes two, joint factors,
   /// the Gaussian process and non-parametric factors a few seconds, neural BRDFs 12 s. @throws Error for a
-  /// representation that was not planned, more components than the basis has, or a table with another grid than the
-  /// basis; Cancelled.
+  /// representation that was not planned, more components than the basis has, a table with another grid than the
+  /// basis, or published factors without BuildOptions::publishedNonparametric; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
@@ -69,6 +72,7 @@ class RepresentationBuilder {
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation separated(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
+  BuiltRepresentation publishedNonparametric() const;
   BuiltRepresentation neuralBrdf(const TaskControl& control) const;
   BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;
 

@@ -3,6 +3,7 @@
 #include "core/study/study_plot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace gonio::study {
@@ -25,10 +26,10 @@ struct FamilyLook {
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyLook looks[representationFamilyCount] = {
-    {Marker::square, "#000000"},       {Marker::circle, "#0072b2"},   {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},      {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"},
-    {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"},
-    {Marker::fourStar, "#332288"}};
+    {Marker::square, "#000000"},        {Marker::circle, "#0072b2"},       {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},       {Marker::cross, "#cc79a7"},        {Marker::star, "#e69f00"},
+    {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"},
+    {Marker::triangleRight, "#117733"}, {Marker::fourStar, "#332288"}};
 
 struct Shape {
   Marker marker;
@@ -58,7 +59,8 @@ std::string numbersText(const StudyRecord& record) {
   return record.representation.fullLabel() + ": " + shortNumber(record.renderedSnr) + " dB, " +
          shortQuantity(1e-9 * record.evaluation.median, "s") + ", " +
          shortQuantity(1e-3 * record.frameMilliseconds, "s") + " per frame, " +
-         shortQuantity(double(record.bytes), "B") + ", encoded in " + shortQuantity(record.encodeSeconds, "s");
+         shortQuantity(double(record.bytes), "B") +
+         (std::isnan(record.encodeSeconds) ? "" : ", encoded in " + shortQuantity(record.encodeSeconds, "s"));
 }
 
 /// Short, beside a point: the budget where its shape shows the rest.

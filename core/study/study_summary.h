@@ -16,8 +16,8 @@ struct StudySummary {
   std::size_t worst = 0;            ///< the first material with the minimum SNR
 };
 
-/// Summarises records of several materials, in the order in which representations first appear. `worst` is an index
-/// into `materials`.
+/// Summarises records of several materials, ordered by family and, within a family, as they first appear. `worst` is an
+/// index into `materials`.
 std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> materials);
 
 }  // namespace gonio::study

@@ -4,6 +4,7 @@
 
 #include "core/export/export_target.h"
 #include "core/materials/dictionary_file.h"
+#include "core/materials/npf_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/registry.h"
@@ -105,6 +106,7 @@ struct StudyRequest {
   std::vector<int> terms;
   std::vector<std::size_t> coefficients;
   std::vector<int> components;
+  std::string npf;  ///< table of published non-parametric factors; "": none
 };
 
 std::vector<study::Representation> representations(const StudyRequest& request) {
@@ -115,6 +117,17 @@ std::vector<study::Representation> representations(const StudyRequest& request) 
   for (const std::string& id : request.models) choice.models.push_back(&models::findModel(id));
   for (const std::string& id : request.baselines) choice.baselines.push_back(&study::findStudiedBaseline(id));
   return study::representationsOf(choice);
+}
+
+/// Adds the published factors of the material, or removes them if the table has no row of its name.
+void addPublished(StudyRequest& request, study::BuildOptions& build, const std::string& name) {
+  const std::string family(study::familyId(study::RepresentationFamily::publishedNonparametric));
+  std::erase(request.families, family);
+  const materials::NpfTable table = materials::readNpf(request.npf);
+  const auto* factors = table.find(name);
+  if (!factors) return;
+  build.publishedNonparametric = std::make_shared<const factorization::NonparametricFactors>(*factors);
+  request.families.push_back(family);
 }
 
 py::dict describe(const study::StudyRecord& record) {
@@ -132,11 +145,12 @@ py::dict describe(const study::StudyRecord& record) {
   return row;
 }
 
-py::list runStudy(const PyMaterial& material, const StudyRequest& request,
+py::list runStudy(const PyMaterial& material, StudyRequest request,
                   const std::shared_ptr<materials::NamedEnsemble>& dictionary, const PyBasis* basis, int size,
                   int samples, bool timed, const py::object& progress) {
-  const auto planned = representations(request);
   study::StudyOptions options;
+  if (!request.npf.empty()) addPublished(request, options.build, material.shown().name);
+  const auto planned = representations(request);
   options.build.dictionary = dictionary;
   if (basis) options.build.components = basis->components;
   options.picture.width = options.picture.height = size;
@@ -217,7 +231,8 @@ void bindPictures(py::module_& module) {
       .def_readwrite("baselines", &StudyRequest::baselines)
       .def_readwrite("terms", &StudyRequest::terms)
       .def_readwrite("coefficients", &StudyRequest::coefficients)
-      .def_readwrite("components", &StudyRequest::components);
+      .def_readwrite("components", &StudyRequest::components)
+      .def_readwrite("npf", &StudyRequest::npf);
   module.def("study", runStudy);
   module.def("export", exportMaterial);
   module.def("targets", targets);

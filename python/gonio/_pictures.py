@@ -121,7 +121,8 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes", "components", "nonparametric", "baselines", "published", "alternatives" or "neural"."""
+    """"table", "fits", "factors", "codes", "components", "nonparametric", "published-nonparametric", "baselines",
+    "published", "alternatives" or "neural"."""
     representation: str
     """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
@@ -132,7 +133,7 @@ class Record:
     bytes: int
     """Size in bytes of its file; for a table, of its memory; for a fit, of its numbers in single precision."""
     encode_seconds: float
-    """Time from the table to the representation, s."""
+    """Time from the table to the representation, s; NaN for "published-nonparametric", which was fitted elsewhere."""
     evaluation_ns: float
     """Time of one evaluation on one thread, in batches, ns; 0 if the study was not timed."""
     frame_ms: float
@@ -147,7 +148,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
           models: Iterable[str] = (), baselines: Iterable[str] = (), terms: Sequence[int] = (1, 2, 3, 5, 8, 10, 14, 20),
           coefficients: Sequence[int] = (32, 64, 128, 256, 512, 1024, 2048), dictionary: Optional[Dictionary] = None,
           components: Sequence[int] = (4, 8, 16, 32, 64, 128), basis: Optional[Basis] = None, size: int = 128, samples: int = 32,
-          timed: bool = True, progress: Progress = None) -> list[Record]:
+          timed: bool = True, npf: PathLike = "", progress: Progress = None) -> list[Record]:
     """Measures accuracy against cost for several representations of a material, each at several budgets (docs/study.md). About
     2 s per record.
 
@@ -169,14 +170,18 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         size: Width and height of the images in pixels.
         samples: Samples per pixel of the images.
         timed: Whether to measure the times of evaluations and frames.
+        npf: Table of published non-parametric factors, the npf.bin of Bagher et al. 2016 (docs/formats.md); "": none. If one
+            of its rows has the name of the material, that row is measured too, as "published-nonparametric".
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A kind, a model or a baseline is unknown, or the basis for "components" is missing or on another grid.
+        Error: A kind, a model or a baseline is unknown, the basis for "components" is missing or on another grid, or the
+            table `npf` cannot be read.
     """
     request = _core.StudyRequest()
     request.families, request.models, request.baselines = list(representations), list(models), list(baselines)
     request.terms, request.coefficients = list(terms), list(coefficients)
+    request.npf = os.fspath(npf)
     request.components = [count for count in components if basis is None or count <= len(basis)]
     rows = _core.study(material._handle, request, dictionary._handle if dictionary else None, basis._handle if basis else None,
                        size, samples, timed, progress)

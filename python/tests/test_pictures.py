@@ -80,6 +80,25 @@ def test_study_of_baselines_and_components(paint):
         gonio.study(paint, ["components"], components=[1])
 
 
+def test_study_of_published_factors(paint, chrome, tmp_path):
+    row = np.zeros((512, 3), np.float32)
+    row[0], row[1], row[2:92], row[93:183], row[183:273] = 0.2, 3, np.exp(-0.1 * np.arange(90))[:, None], 1, 1
+    row.tofile(tmp_path / "npf.bin")
+    (tmp_path / "npf_row_order.csv").write_text("row,material\n0,chrome\n")
+    options = dict(representations=["table"], npf=tmp_path / "npf.bin", size=16, samples=4, timed=False)
+    record = gonio.study(chrome, **options)[-1]
+    assert (record.family, record.representation, record.bytes) == ("published-nonparametric", "published-nonparametric", 3264)
+    assert np.isnan(record.encode_seconds)
+    expected = gonio.compare(chrome, gonio.open(f"{tmp_path}/npf.bin#chrome"), size=16, samples=4)
+    assert record.errors == expected.errors and record.rendered_snr == expected.rendered_snr
+    # A material without a row has no such record.
+    assert {record.family for record in gonio.study(paint, **options)} == {"table"}
+    with pytest.raises(gonio.Error, match="published non-parametric factors"):
+        gonio.study(chrome, ["published-nonparametric"])
+    with pytest.raises(gonio.Error, match="absent.bin"):
+        gonio.study(chrome, npf=tmp_path / "absent.bin")
+
+
 def test_export_writes_what_it_says(paint, tmp_path):
     assert {"mitsuba", "blender"} <= set(gonio.targets())
     made = gonio.export(paint, tmp_path / "paint", "csv")

@@ -82,6 +82,18 @@ QFileDialog* AcquisitionFiles::openDialog(const QString& title, const QString& f
   return dialog;
 }
 
+QFileDialog* AcquisitionFiles::saveDialog(const QString& title, const QString& filter, const QString& name) {
+  const QString suffix = QStringLiteral("csv");
+  auto* dialog = new QFileDialog(m_panel, title, widgets::dialogFolder(planFolder), filter);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(suffix);
+  if (!name.isEmpty()) dialog->selectFile(name + '.' + suffix);
+  connect(dialog, &QFileDialog::fileSelected, this, remember);
+  dialog->open();
+  return dialog;
+}
+
 void AcquisitionFiles::askForPlan() {
   connect(openDialog(tr("Open Plan"), tr("Plans (*.csv);;All files (*)")), &QFileDialog::fileSelected, this,
           &AcquisitionFiles::readPlan);
@@ -93,13 +105,8 @@ void AcquisitionFiles::askForValues() {
 }
 
 void AcquisitionFiles::askForPlanFile() {
-  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), widgets::dialogFolder(planFolder), tr("Plan (*.csv)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  connect(dialog, &QFileDialog::fileSelected, this, remember);
-  dialog->setDefaultSuffix(QStringLiteral("csv"));
-  connect(dialog, &QFileDialog::fileSelected, this, &AcquisitionFiles::savePlan);
-  dialog->open();
+  connect(saveDialog(tr("Save Plan"), tr("Plan (*.csv)")), &QFileDialog::fileSelected, this,
+          &AcquisitionFiles::savePlan);
 }
 
 }  // namespace gonio::app

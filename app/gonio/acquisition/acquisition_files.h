@@ -30,13 +30,17 @@ class AcquisitionFiles : public QObject {
   void askForPlanFile();
   void askForValues();
 
+  /// Shows a dialog for an existing file, or for a new CSV file, in the folder of acquisitions, which it remembers. The
+  /// caller connects QFileDialog::fileSelected(). @param name proposed for the file, without suffix; empty: none.
+  QFileDialog* openDialog(const QString& title, const QString& filter);
+  QFileDialog* saveDialog(const QString& title, const QString& filter, const QString& name = {});
+
  Q_SIGNALS:
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 
  private:
   std::vector<std::string> planComments() const;
-  QFileDialog* openDialog(const QString& title, const QString& filter);
 
   AcquisitionSession& m_session;
   AcquisitionControls& m_controls;

@@ -37,7 +37,7 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_samples(new SamplesPage(m_session, *m_controls, *m_files)),
       m_reconstruction(new ReconstructionPage(m_session, *m_controls)),
       m_curve(new ErrorCurvePage(m_session)),
-      m_factors(new FactorPage(m_session, *m_controls, tasks)),
+      m_factors(new FactorPage(m_session, *m_controls, *m_files, tasks)),
       m_pages(new QTabWidget),
       m_start(new QPushButton),
       m_progress(new QProgressBar),
@@ -118,6 +118,7 @@ void AcquisitionPanel::connectParts() {
   connect(m_samples, &SamplesPage::currentChanged, this, &AcquisitionPanel::mark);
   connect(m_reconstruction, &ReconstructionPage::openRequested, this, &AcquisitionPanel::openResult);
   connect(m_factors, &FactorPage::openRequested, this, &AcquisitionPanel::openPrediction);
+  connect(m_factors, &FactorPage::exported, this, &AcquisitionPanel::exported);
   connect(m_factors, &FactorPage::failed, this, &AcquisitionPanel::failed);
   // The charts show the directions of the other pages.
   connect(m_pages, &QTabWidget::currentChanged, this, [this](int page) { m_charts->setVisible(page != factorPage); });

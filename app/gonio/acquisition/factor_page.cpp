@@ -4,14 +4,17 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
+#include "app/gonio/acquisition/acquisition_files.h"
 #include "app/gonio/acquisition/control_rows.h"
-#include "widgets/acquisition/factor_curves.h"
 #include "widgets/acquisition/reconstruction_view.h"
 #include "widgets/inputs/flow_layout.h"
 #include "widgets/inputs/number_field.h"
@@ -22,6 +25,7 @@ namespace {
 
 const QString factorKey = QStringLiteral("factor measurement");
 constexpr int leastReadings = 5, mostReadings = 500;
+constexpr double maxFixedAngle = radians(89);
 
 struct AxesText {
   QString name, explanation, angle, distance;
@@ -59,9 +63,11 @@ QWidget* labelled(const QString& text, QWidget* field) {
 
 }  // namespace
 
-FactorPage::FactorPage(const AcquisitionSession& session, const AcquisitionControls& controls, BackgroundTasks& tasks)
+FactorPage::FactorPage(const AcquisitionSession& session, const AcquisitionControls& controls, AcquisitionFiles& files,
+                       BackgroundTasks& tasks)
     : m_session(session),
       m_controls(controls),
+      m_files(files),
       m_tasks(tasks),
       m_axes(new QComboBox),
       m_bound(new QCheckBox(tr("&Limit prediction"))),
@@ -69,7 +75,10 @@ FactorPage::FactorPage(const AcquisitionSession& session, const AcquisitionContr
       m_view(new widgets::ReconstructionView),
       m_numbers(new QLabel),
       m_warnings(new QLabel),
-      m_open(new QPushButton(tr("Open as Mater&ial"))) {
+      m_open(new QPushButton(tr("Open as Mater&ial"))),
+      m_openReadings(new QPushButton(tr("Open Readings..."))),
+      m_saveReadings(new QPushButton(tr("Save Readings..."))),
+      m_simulate(new QPushButton(tr("Simulate Readings"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 0);
   layout->addLayout(buildSettings());
@@ -87,26 +96,26 @@ QLayout* FactorPage::buildSettings() {
       tr("Angle and distance from the mirror direction over which the two curves run.\n"
          "The material is predicted as a product of the curves: ln(1 + ρ) = F1(angle) F2(distance)."));
   m_axes->setCurrentIndex(int(acquisition::FactorAxes::symmetricDeviation));
-  m_fixedAngle =
-      rowField(tr("Fixed angle"),
-               tr("Value of the first axis (θR, θd or θo) at which the second curve, over the distance from the mirror "
-                  "direction, is measured"),
-               0, radians(89), radians(1), QStringLiteral("°"), degrees(1));
+  m_fixedAngle = rowField(tr("Fixed angle"), {}, 0, maxFixedAngle, radians(1), QStringLiteral("°"), degrees(1));
   m_fixedAngle->setValue(acquisition::FactorPlanOptions().fixedAngle);
-  m_readings = rowField(tr("Readings per curve"), tr("Number of readings of each of the two curves"), leastReadings,
-                        mostReadings, 1, {});
+  m_readings = rowField(tr("Readings per curve"), {}, leastReadings, mostReadings, 1, {});
   m_readings->setValue(acquisition::FactorPlanOptions().angles);
   m_bound->setChecked(true);
   m_bound->setToolTip(tr(
       "Limits the prediction to the larger of the two nearest readings (at the same angle and at the same distance),\n"
       "and to the prediction with light and viewer exchanged. If off, the published equation is used unchanged."));
+  m_openReadings->setToolTip(tr(
+      "Opens measured or saved readings of both curves and predicts the material from them.\n"
+      "CSV with the columns index, curve (along or across), theta_i, phi_i, theta_o, phi_o in degrees, and r, g, b in "
+      "1/sr"));
   m_open->setToolTip(
       tr("Opens the predicted material as a material that can be edited, saved and exported.\n"
          "Undo restores the previous material."));
   auto* row = new widgets::FlowLayout;
-  for (QWidget* part :
-       {labelled(tr("A&xes"), m_axes), labelled(tr("Fixed an&gle"), m_fixedAngle),
-        labelled(tr("Readin&gs per curve"), m_readings), static_cast<QWidget*>(m_bound), static_cast<QWidget*>(m_open)})
+  for (QWidget* part : {labelled(tr("A&xes"), m_axes), labelled(tr("Fixed an&gle"), m_fixedAngle),
+                        labelled(tr("Readin&gs per curve"), m_readings), static_cast<QWidget*>(m_bound),
+                        static_cast<QWidget*>(m_openReadings), static_cast<QWidget*>(m_saveReadings),
+                        static_cast<QWidget*>(m_simulate), static_cast<QWidget*>(m_open)})
     row->addWidget(part);
   return row;
 }
@@ -128,12 +137,24 @@ QLayout* FactorPage::buildResult() {
 }
 
 void FactorPage::connectParts() {
-  connect(m_axes, &QComboBox::activated, this, &FactorPage::measure);
+  connect(m_axes, &QComboBox::activated, this, &FactorPage::changeAxes);
   connect(m_bound, &QCheckBox::clicked, this, &FactorPage::measure);
   for (widgets::NumberField* field : {m_fixedAngle, m_readings})
     connect(field, &widgets::NumberField::valueEdited, this, &FactorPage::measure);
   connect(m_open, &QPushButton::clicked, this, &FactorPage::openRequested);
-  connect(&m_controls, &AcquisitionControls::noiseEdited, this, &FactorPage::measure);
+  connect(m_openReadings, &QPushButton::clicked, this, [this] {
+    connect(m_files.openDialog(tr("Open Readings"), tr("Readings (*.csv *.txt);;All files (*)")),
+            &QFileDialog::fileSelected, this, &FactorPage::openReadings);
+  });
+  connect(m_saveReadings, &QPushButton::clicked, this, [this] {
+    connect(m_files.saveDialog(tr("Save Readings"), tr("Readings (*.csv)"),
+                               tr("%1 readings").arg(QString(m_resultOf).replace('/', '-'))),
+            &QFileDialog::fileSelected, this, &FactorPage::saveReadings);
+  });
+  connect(m_simulate, &QPushButton::clicked, this, &FactorPage::simulate);
+  connect(&m_controls, &AcquisitionControls::noiseEdited, this, [this] {
+    if (!m_opened) measure();
+  });
   connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &FactorPage::measure);
 }
 
@@ -156,17 +177,60 @@ void FactorPage::showEvent(QShowEvent* event) {
   if (!m_result && !isBusy()) measure();
 }
 
+void FactorPage::openReadings(const QString& path) {
+  try {
+    m_opened = readFactorReadings(path, settings().plan.axes);
+  } catch (const Error& error) {
+    return Q_EMIT failed(tr("Cannot open the readings"), QString::fromUtf8(error.what()));
+  }
+  m_axes->setCurrentIndex(int(m_opened->curves.axes));
+  m_fixedAngle->setValue(m_opened->curves.fixedAngle);
+  m_readings->setValue(acquisition::plannedReadings(m_opened->curves.angles));
+  measure();
+}
+
+void FactorPage::saveReadings(const QString& path) {
+  if (!m_result) return;
+  try {
+    materials::writeFactorReadings(m_result->readings.plan, m_result->readings.values, path.toStdString());
+    Q_EMIT exported(path);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot save the readings"), QString::fromUtf8(error.what()));
+  }
+}
+
+void FactorPage::simulate() {
+  m_opened.reset();
+  // A file may have other numbers than a simulation.
+  m_fixedAngle->setValue(std::min(m_fixedAngle->value(), maxFixedAngle));
+  m_readings->setValue(std::clamp(m_readings->value(), double(leastReadings), double(mostReadings)));
+  measure();
+}
+
+void FactorPage::changeAxes() {
+  try {
+    if (m_opened) m_opened = withAxes(*m_opened, settings().plan.axes);
+  } catch (const Error& error) {
+    m_axes->setCurrentIndex(int(m_opened->curves.axes));
+    return Q_EMIT failed(tr("Cannot use these axes"), QString::fromUtf8(error.what()));
+  }
+  measure();
+}
+
 void FactorPage::measure() {
   m_tasks.drop(factorKey);
   m_result.reset();
-  const AcquisitionReferencePtr reference = m_session.referenceReader().reference();
-  if (isVisible() && reference) {
+  const ReferenceReader& reader = m_session.referenceReader();
+  const AcquisitionReferencePtr reference = reader.reference();
+  if (isVisible() && (reference || (m_opened && !reader.isReading()))) {
+    const QString name = m_opened ? QFileInfo(m_opened->path).completeBaseName() : reference->name;
     m_tasks.run<FactorResultPtr>(
-        {tr("Measuring two curves"), factorKey},
-        [settings = settings(), reference](const TaskControl& control) {
-          return measureFactors(settings, reference, control);
+        {m_opened ? tr("Predicting from two curves") : tr("Measuring two curves"), factorKey},
+        [settings = settings(), opened = m_opened, reference](const TaskControl& control) {
+          return opened ? predictFromReadings(opened->readings, settings.bound, reference, control)
+                        : measureFactors(settings, reference, control);
         },
-        [this, name = reference->name](const FactorResultPtr& result) {
+        [this, name](const FactorResultPtr& result) {
           m_result = result;
           m_resultOf = name;
           showResult();
@@ -176,44 +240,80 @@ void FactorPage::measure() {
   showResult();
 }
 
+widgets::FactorCurves::Content FactorPage::shownCurves() const {
+  if (!m_result) return {};
+  const acquisition::FactorMeasurement& read = m_result->curves;
+  const AxesText texts = axesTexts()[std::size_t(read.axes)];
+  widgets::FactorCurves::Content curves{{}, {}, read.along, read.across, texts.angle, texts.distance};
+  for (const double angle : read.angles) curves.angles.push_back(degrees(angle));
+  for (const double distance : read.distances)
+    curves.distances.push_back(acquisition::isDeviation(read.axes) ? distance : degrees(distance));
+  // The curve along of such a channel is 1, which is no reading.
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    if (read.unscaled[channel]) curves.along[channel].clear();
+  return curves;
+}
+
+QStringList FactorPage::facts() const {
+  if (!m_result) return {};
+  QStringList texts;
+  if (m_result->error)
+    texts << tr("rendered SNR %1 dB").arg(m_result->error->renderedSnr, 0, 'f', 1)
+          << tr("log error %1").arg(widgets::formatNumber(m_result->error->logError));
+  texts << (m_opened ? tr("%1 + %2 readings from %3") : tr("%1 + %2 readings"))
+               .arg(m_result->curves.angles.size())
+               .arg(m_result->curves.distances.size());
+  if (m_opened) texts.back() = texts.back().arg(m_opened->name());
+  if (const int blocked = m_result->readings.plan.blocked; blocked > 0) texts << tr("%1 obstructed").arg(blocked);
+  return texts;
+}
+
 void FactorPage::showResult() {
-  widgets::FactorCurves::Content curves;
   widgets::ReconstructionView::Content pictures;
-  QStringList facts, warnings;
+  QStringList warnings;
   if (const AcquisitionReferencePtr& reference = m_session.referenceReader().reference()) {
     pictures.reference = reference->picture;
     pictures.referenceName = reference->name;
   }
   if (m_result) {
-    const acquisition::FactorMeasurement& read = m_result->curves;
-    const AxesText texts = axesTexts()[std::size_t(read.axes)];
-    curves = {{}, {}, read.along, read.across, texts.angle, texts.distance};
-    for (const double angle : read.angles) curves.angles.push_back(degrees(angle));
-    for (const double distance : read.distances)
-      curves.distances.push_back(acquisition::isDeviation(read.axes) ? distance : degrees(distance));
-    // The curve "along" of an unscaled channel is 1, not its readings.
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      if (read.unscaled[channel]) curves.along[channel].clear();
     pictures.reconstruction = m_result->picture;
     pictures.errorMap = m_result->errorMap;
     pictures.errorRange = m_result->errorRange;
-    if (m_result->error)
-      facts << tr("rendered SNR %1 dB").arg(m_result->error->renderedSnr, 0, 'f', 1)
-            << tr("log error %1").arg(widgets::formatNumber(m_result->error->logError));
-    facts << tr("%1 + %2 readings").arg(read.angles.size()).arg(read.distances.size());
-    if (m_result->blocked > 0) facts << tr("%1 obstructed").arg(m_result->blocked);
     for (const std::string& warning : m_result->support.warnings)
       warnings << QStringLiteral("⚠ ") + QString::fromStdString(warning);
   }
-  m_curves->setContent(std::move(curves));
+  m_curves->setContent(shownCurves());
   m_view->setContent(pictures);
-  m_numbers->setText(facts.join(QStringLiteral(" · ")));
+  m_numbers->setText(facts().join(QStringLiteral(" · ")));
   m_warnings->setText(warnings.join('\n'));
   m_warnings->setVisible(!warnings.isEmpty());
-  m_open->setEnabled(m_result && !m_session.isOpening());
-  const QString hint = isBusy() ? tr("Working...") : tr("Choose a material to measure.");
+  const bool isWorking = isBusy() || m_session.referenceReader().isReading();
+  const QString hint = isWorking ? tr("Working...") : tr("Choose a material to measure, or open readings.");
   m_curves->setHint(hint);
   m_view->setHint(hint);
+  refreshControls();
+}
+
+void FactorPage::refreshControls() {
+  m_open->setEnabled(m_result && !m_session.isOpening());
+  m_saveReadings->setEnabled(m_result != nullptr);
+  m_saveReadings->setToolTip(m_result ? tr("Saves the directions and the readings of both curves as CSV, which "
+                                           "goniotool measure --factors --values reads")
+                                      : tr("Available when there are readings of both curves"));
+  m_simulate->setEnabled(m_opened.has_value());
+  m_simulate->setToolTip(
+      m_opened
+          ? tr("Simulates the readings of the measured material again, instead of those of %1").arg(m_opened->name())
+          : tr("Available when the readings are from a file"));
+  const QString ofFile =
+      m_opened ? tr("\nDetermined by the readings of %1; press Simulate Readings to change it").arg(m_opened->name())
+               : QString();
+  m_fixedAngle->setToolTip(
+      tr("Value of the first axis (θR, θd or θo) at which the second curve, over the distance from "
+         "the mirror direction, is measured") +
+      ofFile);
+  m_readings->setToolTip(tr("Number of readings of each of the two curves") + ofFile);
+  for (widgets::NumberField* field : {m_fixedAngle, m_readings}) field->setEnabled(!m_opened);
 }
 
 }  // namespace gonio::app

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "app/gonio/acquisition/acquisition_controls.h"
 #include "app/gonio/acquisition/factor_result.h"
+#include "widgets/acquisition/factor_curves.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,25 +15,35 @@ class QLabel;
 class QPushButton;
 
 namespace gonio::widgets {
-class FactorCurves;
 class NumberField;
 class ReconstructionView;
 }  // namespace gonio::widgets
 
 namespace gonio::app {
 
-/// A factor measurement of the measured material: its settings, the readings of both curves, and the predicted material
-/// with its error and the reasons why it may be unreliable. Measures again after each change while it is visible.
+class AcquisitionFiles;
+
+/// A factor measurement: its settings, the readings of both curves, and the predicted material with its error and the
+/// reasons why it may be unreliable. The readings are simulated from the measured material, again after each change
+/// while the page is visible, or taken from a file.
 class FactorPage : public QWidget {
   Q_OBJECT
 
  public:
   /// @param tasks may be destroyed before the page; its tasks end with the page.
-  FactorPage(const AcquisitionSession& session, const AcquisitionControls& controls, BackgroundTasks& tasks);
+  FactorPage(const AcquisitionSession& session, const AcquisitionControls& controls, AcquisitionFiles& files,
+             BackgroundTasks& tasks);
 
   FactorSettings settings() const;
   /// Null until there is a result.
   const FactorResultPtr& result() const { return m_result; }
+  /// Takes the readings, and the settings that belong to them, from a file. Reports errors; then nothing changes.
+  void openReadings(const QString& path);
+  void saveReadings(const QString& path);
+  /// Simulates the readings again instead of those of the file.
+  void simulate();
+  /// The file of the readings, without its folder; empty: they are simulated.
+  QString readingsName() const { return m_opened ? m_opened->name() : QString(); }
   /// "chrome from two curves"
   QString resultName() const;
   bool isBusy() const;
@@ -42,6 +54,10 @@ class FactorPage : public QWidget {
   widgets::FactorCurves& curves() const { return *m_curves; }
   widgets::ReconstructionView& view() const { return *m_view; }
   QPushButton& openButton() const { return *m_open; }
+  widgets::NumberField& readingCount() const { return *m_readings; }
+  QPushButton& openReadingsButton() const { return *m_openReadings; }
+  QPushButton& saveReadingsButton() const { return *m_saveReadings; }
+  QPushButton& simulateButton() const { return *m_simulate; }
   /// The numbers of the result, and the warnings, as text.
   QString numbers() const;
   QString warnings() const;
@@ -49,6 +65,7 @@ class FactorPage : public QWidget {
  Q_SIGNALS:
   /// The user wants the predicted material to become the document's material.
   void openRequested();
+  void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 
  protected:
@@ -59,20 +76,26 @@ class FactorPage : public QWidget {
   QLayout* buildResult();
   void connectParts();
   void measure();
+  void changeAxes();
   void showResult();
+  widgets::FactorCurves::Content shownCurves() const;
+  QStringList facts() const;
+  void refreshControls();
 
   const AcquisitionSession& m_session;
   const AcquisitionControls& m_controls;
+  AcquisitionFiles& m_files;
   BackgroundTasks& m_tasks;
   FactorResultPtr m_result;
   QString m_resultOf;
+  std::optional<FactorReadingsFile> m_opened;  ///< empty: the readings are simulated
   QComboBox* m_axes;
   widgets::NumberField *m_fixedAngle, *m_readings;
   QCheckBox* m_bound;
   widgets::FactorCurves* m_curves;
   widgets::ReconstructionView* m_view;
   QLabel *m_numbers, *m_warnings;
-  QPushButton* m_open;
+  QPushButton *m_open, *m_openReadings, *m_saveReadings, *m_simulate;
 };
 
 }  // namespace gonio::app

@@ -4,6 +4,7 @@
 
 #include "app/gonio/acquisition/acquisition_result.h"
 #include "core/acquisition/factor_prediction.h"
+#include "core/materials/factor_readings_file.h"
 
 namespace gonio::app {
 
@@ -13,18 +14,37 @@ struct FactorSettings {
   acquisition::MeasurementNoise noise;
 };
 
-/// A simulated factor measurement: the curves that were read, and the predicted material with its picture and error.
+/// A factor measurement: the readings, their curves, and the predicted material with its picture and error.
 struct FactorResult : ComparedPicture {
+  materials::FactorReadings readings;
   acquisition::FactorMeasurement curves;
   acquisition::FactorSupport support;
-  int blocked = 0;  ///< readings that were left out
   std::shared_ptr<const TabulatedBrdf> table;
 };
 using FactorResultPtr = std::shared_ptr<const FactorResult>;
 
-/// Measures two curves of a reference and predicts the material, in about a second. @param reference not null.
-/// @throws Error, Cancelled.
+/// Simulates the readings of both curves of a reference and predicts the material, in about a second. @param reference
+/// not null. @throws Error, Cancelled.
 FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
                                const TaskControl& control = {});
+/// The same for given readings. @param reference may be null. @throws Error, Cancelled.
+FactorResultPtr predictFromReadings(const materials::FactorReadings& readings, acquisition::FactorBound bound,
+                                    const AcquisitionReferencePtr& reference, const TaskControl& control = {});
+
+/// Readings from a file (core/materials/factor_readings_file.h). They lie on the curves of their axes.
+struct FactorReadingsFile {
+  QString path;
+  materials::FactorReadings readings;
+  acquisition::FactorMeasurement curves;
+
+  /// "READINGS.csv"
+  QString name() const { return path.section('/', -1); }
+};
+
+/// Reads a file. @param axes used if the file names none.
+/// @throws Error that names the file: it cannot be read, or the readings do not lie on the curves of the axes.
+FactorReadingsFile readFactorReadings(const QString& path, acquisition::FactorAxes axes);
+/// The same readings over other axes. @throws Error that names the file if they do not lie on the curves of these axes.
+FactorReadingsFile withAxes(FactorReadingsFile file, acquisition::FactorAxes axes);
 
 }  // namespace gonio::app

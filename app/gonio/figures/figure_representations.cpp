@@ -87,7 +87,7 @@ void FigureRepresentations::fillMenu() {
   // One submenu per family; representations with a budget have one per id, with the budgets.
   QMenu* part = nullptr;
   QString title;
-  for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutTraining()})) {
+  for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutFurtherData()})) {
     const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
                                                       : widgets::toQString(study::familyName(one.family));
     if (one.family == study::RepresentationFamily::nonparametric ||

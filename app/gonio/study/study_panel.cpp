@@ -94,7 +94,7 @@ QWidget* StudyPanel::buildChoice() {
 void StudyPanel::buildKinds() {
   auto* menu = new QMenu(m_kinds);
   menu->setToolTipsVisible(true);
-  for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
+  for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
     QAction* action = menu->addAction(widgets::toQString(familyName(family)));
     action->setCheckable(true);
     action->setChecked(std::ranges::count(m_run->families(), family) > 0);

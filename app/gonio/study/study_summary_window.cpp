@@ -96,7 +96,7 @@ QWidget* StudySummaryWindow::buildFamilies() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   const auto chosen = study::RepresentationChoice().families;
-  for (const study::RepresentationFamily family : study::familiesWithoutTraining()) {
+  for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
     auto* box = new QCheckBox(widgets::toQString(familyName(family)));
     box->setChecked(std::ranges::count(chosen, family) > 0);
     box->setToolTip(kindToolTip(family));
@@ -110,7 +110,7 @@ QWidget* StudySummaryWindow::buildFamilies() {
 void StudySummaryWindow::planFamilies() {
   study::RepresentationChoice choice;
   choice.families.clear();
-  const auto offered = study::familiesWithoutTraining();
+  const auto offered = study::familiesWithoutFurtherData();
   for (std::size_t i = 0; i < m_families.size(); ++i)
     if (m_families[i]->isChecked()) choice.families.push_back(offered[i]);
   setChoice(choice, m_options);

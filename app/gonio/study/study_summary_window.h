@@ -62,7 +62,7 @@ class StudySummaryWindow : public QDialog {
   study::MachineFacts m_machine;
   std::vector<QString> m_failures;     ///< error per material; empty: none
   QString m_key;                       ///< key of its tasks
-  std::vector<QCheckBox*> m_families;  ///< of study::familiesWithoutTraining()
+  std::vector<QCheckBox*> m_families;  ///< of study::familiesWithoutFurtherData()
   QSortFilterProxyModel* m_sorted;
   QTreeView* m_table;
   QPushButton *m_measure, *m_copy;

@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTest>
+#include <algorithm>
 
 #include "app/gonio/acquisition/acquisition_charts.h"
 #include "app/gonio/acquisition/acquisition_panel.h"
@@ -45,7 +48,46 @@ struct Editor {
     return settle() && page.result();
   }
   double snr() const { return page.result()->error->renderedSnr; }
+  QString path(const QString& name) const { return library.folder.filePath(name); }
+  void chooseAxes(acquisition::FactorAxes axes) {
+    page.axesBox().setCurrentIndex(int(axes));
+    Q_EMIT page.axesBox().activated(int(axes));
+  }
+  /// Opens a file that cannot be used; returns the error.
+  QString errorOf(const QString& readings) {
+    failed.clear();
+    page.openReadings(path(readings));
+    return failed.isEmpty() ? QString() : failed.takeFirst().at(1).toString();
+  }
+  /// Writes readings of the subject with the functions of core, as goniotool does.
+  materials::FactorReadings write(const QString& name, const acquisition::FactorPlanOptions& options) {
+    const auto table = materials::readMaterial(library.subject.toStdString()).tabulated();
+    materials::FactorReadings readings{acquisition::planFactors(options), {}};
+    readings.values = acquisition::measure(*table, readings.plan.plan);
+    materials::writeFactorReadings(readings.plan, readings.values, path(name).toStdString());
+    return readings;
+  }
+  void writeText(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+  }
 };
+
+QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Equal up to the six decimals of degrees in files.
+bool areClose(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) < 1e-6; });
+}
+bool areClose(const acquisition::FactorMeasurement& a, const acquisition::FactorMeasurement& b) {
+  bool close = a.axes == b.axes && areClose(a.angles, b.angles) && areClose(a.distances, b.distances);
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    close = close && areClose(a.along[channel], b.along[channel]) && areClose(a.across[channel], b.across[channel]);
+  return close;
+}
 
 class AcquisitionFactorsTest : public QObject {
   Q_OBJECT
@@ -114,6 +156,166 @@ class AcquisitionFactorsTest : public QObject {
     QVERIFY2(editor.snr() < bounded, qPrintable(QString("%1 %2").arg(editor.snr()).arg(bounded)));
     QVERIFY(editor.page.warnings().contains("Unreliable for"));
     QVERIFY(change([&] { Q_EMIT editor.panel.controls().noiseEdited(); }));
+  }
+
+  /// The file is that of goniotool; opening it restores settings, curves and prediction.
+  void savesAndOpensReadings() {
+    Editor editor;
+    QVERIFY(editor.open());
+    editor.page.fixedAngle().setValue(radians(40));
+    editor.page.readingCount().setValue(30);
+    editor.chooseAxes(acquisition::FactorAxes::halfDifference);
+    QVERIFY(editor.settle() && editor.page.result());
+    const FactorResultPtr saved = editor.page.result();
+    const int undoSteps = editor.document.history().index();
+    QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
+    editor.page.saveReadings(editor.path("saved.csv"));
+    QCOMPARE(exported.size(), 1);
+    acquisition::FactorPlanOptions options{
+        .axes = acquisition::FactorAxes::halfDifference, .fixedAngle = radians(40), .angles = 30, .distances = 30};
+    editor.write("expected.csv", options);
+    QCOMPARE(bytesOf(editor.path("saved.csv")), bytesOf(editor.path("expected.csv")));
+
+    editor.page.fixedAngle().setValue(radians(60));
+    editor.page.readingCount().setValue(90);
+    editor.chooseAxes(acquisition::FactorAxes::symmetricDeviation);
+    QVERIFY(editor.settle() && !areClose(editor.page.result()->curves, saved->curves));
+    editor.page.openReadings(editor.path("saved.csv"));
+    QVERIFY(editor.settle() && editor.failed.isEmpty() && editor.page.result());
+    QCOMPARE(editor.page.readingsName(), QString("saved.csv"));
+    QVERIFY(editor.page.settings().plan.axes == options.axes);
+    QVERIFY(std::abs(editor.page.fixedAngle().value() - options.fixedAngle) < 1e-7);
+    QCOMPARE(editor.page.readingCount().value(), 30.0);
+    QVERIFY(areClose(editor.page.result()->curves, saved->curves));
+    QVERIFY(editor.page.curves().content().along == editor.page.result()->curves.along);
+    QVERIFY(std::abs(editor.snr() - saved->error->renderedSnr) < 0.01);
+    QVERIFY(editor.page.numbers().contains("readings from saved.csv"));
+    QCOMPARE(editor.page.resultName(), QString("saved from two curves"));
+    QCOMPARE(editor.document.history().index(), undoSteps);
+
+    // Settings of the file are fixed, and noise has no effect, until the readings are simulated again.
+    QVERIFY(!editor.page.fixedAngle().isEnabled() && !editor.page.readingCount().isEnabled());
+    QVERIFY(editor.page.fixedAngle().toolTip().contains("saved.csv"));
+    const FactorResultPtr opened = editor.page.result();
+    Q_EMIT editor.panel.controls().noiseEdited();
+    QVERIFY(editor.settle() && editor.page.result() == opened);
+    editor.page.boundBox().click();
+    QVERIFY(editor.settle() && editor.page.result() != opened);
+    QVERIFY(areClose(editor.page.result()->curves, saved->curves));
+    editor.page.simulateButton().click();
+    QVERIFY(editor.settle() && editor.page.readingsName().isEmpty());
+    QVERIFY(editor.page.fixedAngle().isEnabled() && editor.page.readingCount().isEnabled());
+    QVERIFY(areClose(editor.page.result()->curves, saved->curves));
+    QVERIFY(!editor.page.numbers().contains("saved.csv"));
+  }
+
+  /// Readings of a rig need no material; with a material, the prediction is compared with it.
+  void opensReadingsWithoutMaterial() {
+    Editor editor;
+    const auto written = editor.write("rig.csv", {});
+    editor.page.openReadings(editor.path("rig.csv"));
+    QVERIFY(editor.settle() && editor.failed.isEmpty());
+    const FactorResultPtr alone = editor.page.result();
+    QVERIFY(alone && !alone->error && editor.page.openButton().isEnabled());
+    QVERIFY(areClose(alone->curves, acquisition::factorMeasurement(written.plan, written.values)));
+    QCOMPARE(editor.page.view().squares().size(), 1);
+    QVERIFY(editor.open());
+    QVERIFY(editor.page.result()->error && editor.page.readingsName() == "rig.csv");
+    QCOMPARE(editor.page.view().squares().size(), 3);
+    QVERIFY(areClose(editor.page.result()->curves, alone->curves));
+  }
+
+  /// Readings with a fixed viewer serve all axes but one, which is refused: the previous axes stay.
+  void openedReadingsOverOtherAxes() {
+    using acquisition::FactorAxes;
+    Editor editor;
+    editor.write("rig.csv", {.axes = FactorAxes::projectedDeviation});
+    QVERIFY(editor.open());
+    editor.page.openReadings(editor.path("rig.csv"));
+    QVERIFY(editor.settle());
+    editor.chooseAxes(FactorAxes::symmetricDeviation);
+    QVERIFY(editor.settle() && editor.failed.isEmpty());
+    QVERIFY(editor.page.result()->curves.axes == FactorAxes::symmetricDeviation);
+    editor.page.saveReadings(editor.path("symmetric.csv"));
+    QVERIFY(bytesOf(editor.path("symmetric.csv")).startsWith("# method: factors, symmetric-deviation\n"));
+    editor.chooseAxes(FactorAxes::halfOut);
+    QVERIFY(editor.settle() && editor.failed.isEmpty());
+    editor.chooseAxes(FactorAxes::symmetricDeviation);
+    QVERIFY(editor.settle());
+    const FactorResultPtr before = editor.page.result();
+    editor.chooseAxes(FactorAxes::halfDifference);
+    QVERIFY(editor.settle());
+    QCOMPARE(editor.failed.size(), 1);
+    QVERIFY(editor.failed[0][1].toString().contains("rig.csv: sample"));
+    QVERIFY(editor.page.settings().plan.axes == FactorAxes::symmetricDeviation);
+    QVERIFY(editor.page.result() == before);
+  }
+
+  /// An error names the file, what was found and what was expected; the previous readings stay.
+  void unusableReadingsAreReported() {
+    using acquisition::FactorAxes;
+    Editor editor;
+    QVERIFY(editor.open());
+    const FactorResultPtr before = editor.page.result();
+    const auto readings = editor.write("rig.csv", {.axes = FactorAxes::halfDifference});
+    const QByteArray text = bytesOf(editor.path("rig.csv"));
+    QVERIFY(editor.errorOf("absent.csv").contains("absent.csv: cannot be opened"));
+    materials::writeFactorReadings(readings.plan, {}, editor.path("directions.csv").toStdString());
+    QVERIFY(editor.errorOf("directions.csv").contains("directions.csv: line 2: found the columns index, curve"));
+    editor.writeText("curve.csv", QByteArray(text).replace("across", "beside"));
+    QVERIFY(editor.errorOf("curve.csv").contains("found 'beside' in the column curve, expected along or across"));
+    editor.writeText("axes.csv", QByteArray(text).replace("half-difference", "half-out"));
+    QString error = editor.errorOf("axes.csv");
+    QVERIFY2(error.contains("axes.csv: sample") && !error.contains("Select the axes"), qPrintable(error));
+    // Without the comment the selected axes are used.
+    editor.writeText("unnamed.csv", QByteArray(text).remove(0, text.indexOf('\n') + 1));
+    error = editor.errorOf("unnamed.csv");
+    QVERIFY2(error.contains("unnamed.csv: sample") && error.contains("Select the axes"), qPrintable(error));
+    QVERIFY(editor.settle() && editor.page.result() == before && editor.page.readingsName().isEmpty());
+    editor.chooseAxes(FactorAxes::halfDifference);
+    QVERIFY(editor.errorOf("unnamed.csv").isEmpty());
+    QVERIFY(editor.settle() && editor.page.readingsName() == "unnamed.csv");
+    editor.page.saveReadings(editor.path("no-folder/saved.csv"));
+    QCOMPARE(editor.failed.size(), 1);
+    QVERIFY(editor.failed[0][1].toString().contains("no-folder/saved.csv"));
+  }
+
+  /// Buttons without effect are disabled, and state why.
+  void buttonsAreEnabledWhereTheyHaveAnEffect() {
+    Editor editor;
+    QVERIFY(editor.settle());
+    QVERIFY(editor.page.openReadingsButton().isEnabled());
+    QVERIFY(!editor.page.saveReadingsButton().isEnabled() && !editor.page.simulateButton().isEnabled());
+    QVERIFY(editor.page.saveReadingsButton().toolTip().startsWith("Available when"));
+    QVERIFY(editor.page.simulateButton().toolTip().startsWith("Available when"));
+    QVERIFY(editor.open());
+    QVERIFY(editor.page.saveReadingsButton().isEnabled() && !editor.page.simulateButton().isEnabled());
+    QVERIFY(editor.page.saveReadingsButton().toolTip().startsWith("Saves"));
+    editor.page.saveReadings(editor.path("saved.csv"));
+    editor.page.openReadings(editor.path("saved.csv"));
+    QVERIFY(editor.settle() && editor.page.simulateButton().isEnabled());
+  }
+
+  /// The dialogs start in the folder of the last file of an acquisition.
+  void dialogsRememberTheFolder() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    Editor editor;
+    QVERIFY(editor.open());
+    const auto choose = [&](QPushButton& button, const QString& name) {
+      button.click();
+      auto* dialog = editor.panel.findChild<QFileDialog*>();
+      QVERIFY(dialog);
+      if (dialog->acceptMode() == QFileDialog::AcceptSave)
+        QCOMPARE(QFileInfo(dialog->selectedFiles().value(0)).fileName(), QString("subject readings.csv"));
+      else
+        QCOMPARE(dialog->directory().path(), QDir(editor.library.folder.path()).path());
+      Q_EMIT dialog->fileSelected(editor.path(name));
+      delete dialog;
+    };
+    choose(editor.page.saveReadingsButton(), "chosen.csv");
+    QVERIFY(QFile::exists(editor.path("chosen.csv")));
+    choose(editor.page.openReadingsButton(), "chosen.csv");
+    QVERIFY(editor.settle() && editor.page.readingsName() == "chosen.csv");
   }
 
   /// The prediction becomes the material of the document: one undo step.

@@ -118,7 +118,7 @@ class StudySummaryTest : public QObject {
   void kindsAreChosen() {
     Editor editor;
     const auto boxes = editor.window->findChildren<QCheckBox*>();
-    const auto offered = study::familiesWithoutTraining(), chosen = study::RepresentationChoice().families;
+    const auto offered = study::familiesWithoutFurtherData(), chosen = study::RepresentationChoice().families;
     QCOMPARE(boxes.size(), qsizetype(offered.size()));
     for (std::size_t i = 0; i < offered.size(); ++i)
       QCOMPARE(boxes[qsizetype(i)]->isChecked(), std::ranges::count(chosen, offered[i]) > 0);

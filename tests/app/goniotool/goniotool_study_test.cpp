@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
+#include <cmath>
 #include <set>
 
 #include "core/metrics/brdf_metric.h"
@@ -79,6 +80,60 @@ class GoniotoolStudyTest : public QObject {
     QVERIFY(result.json["records"][1]["errors"]["log"] < result.json["records"][0]["errors"]["log"]);
   }
 
+  /// A material with a row has the record of this row, as `compare` measures it; another material has none.
+  void publishedNonparametricFactors() {
+    const QString table = writeNpf("npf/table.bin", 3);
+    const auto study = [&](const QString& npf, const QStringList& further) {
+      return runJson(QStringList{"study", rough_, plastic_, "--npf", npf, "--out", folder_.path("npf-study"),
+                                 "--representations", "table,baselines", "--baselines", "mccool", "--size", "16",
+                                 "--samples", "4"} +
+                     further);
+    };
+    const ToolResult result = study(table, {});
+    VERIFY_SUCCESS(result);
+    const auto& records = result.json["records"];
+    QCOMPARE(records.size(), std::size_t(3 + 4));
+    const auto& row = records[5];
+    QCOMPARE(row["material"].get<std::string>(), "plastic");
+    QCOMPARE(row["representation"].get<std::string>(), "published-nonparametric");
+    QCOMPARE(row["family"].get<std::string>(), "published-nonparametric");
+    QCOMPARE(row["bytes"].get<int>(), 3264);
+    QVERIFY(row["encodeSeconds"].is_null() && row["frameMs"].get<double>() > 0);
+    const ToolResult compared = runJson({"compare", plastic_, table + "#plastic", "--size", "16", "--samples", "4"});
+    VERIFY_SUCCESS(compared);
+    QVERIFY(row["errors"] == compared.json["errors"]);
+    QVERIFY(row["renderedSnr"] == compared.json["renderedSnr"]);
+    // Beside the other factors, also in the summary, whose first material lacks it.
+    QCOMPARE(result.json["summary"][2]["representation"].get<std::string>(), "published-nonparametric");
+    QCOMPARE(result.json["summary"][2]["materials"].get<int>(), 1);
+    collectKeys(nlohmann::json::parse(bytesOf(folder_.path("npf-study/plastic.json")).toStdString()));
+  }
+
+  /// A study that was resumed uses its results, also for a material without a row, but not with another table.
+  void publishedFactorsAreResumed() {
+    const QString table = writeNpf("npf/table.bin", 3);
+    const auto study = [&](const QString& npf, const QStringList& further) {
+      return runJson(QStringList{"study", rough_, plastic_, "--npf", npf, "--out", folder_.path("npf-resumed"),
+                                 "--no-times", "--representations", "published-nonparametric,fits", "--models",
+                                 "lambert", "--size", "16", "--samples", "4"} +
+                     further);
+    };
+    VERIFY_SUCCESS(study(table, {}));
+    for (const char* name : {"npf-resumed/rough.json", "npf-resumed/plastic.json"}) {
+      QByteArray text = bytesOf(folder_.path(name));
+      QVERIFY(text.contains("\"budget\": 3.0"));
+      folder_.writeText(name, text.replace("\"budget\": 3.0", "\"budget\": 99.0"));
+    }
+    const auto budgets = [](const ToolResult& result) {
+      std::vector<double> found;
+      for (const auto& record : result.json["records"])
+        if (record["family"] == "fits") found.push_back(record["budget"]);
+      return found;
+    };
+    QVERIFY(budgets(study(table, {"--resume"})) == (std::vector<double>{99, 99}));
+    QVERIFY(budgets(study(writeNpf("npf/other/table.bin", 4), {"--resume"})) == (std::vector<double>{3, 3}));
+  }
+
   /// Baselines have the bytes and errors that the command `factor` reports for the same budget.
   void baselinesOfTheLiterature() {
     const ToolResult result =
@@ -109,6 +164,11 @@ class GoniotoolStudyTest : public QObject {
     fails({plastic_, "--models", "gxx"}, 1, "gxx");
     fails({plastic_, plastic_}, 2, "plastic");
     fails({plastic_, "--representations", "components"}, 2, "--components-from");
+    fails({plastic_, "--representations", "published-nonparametric"}, 2, "--npf FILE");
+    fails({plastic_, "--npf", folder_.path("absent.bin")}, 1, "absent.bin: cannot be opened");
+    fails({rough_, "--npf", writeNpf("npf/table.bin", 3)}, 1,
+          "npf/table.bin: found rows of 1 materials, expected one with the name of a material of the study, such as "
+          "rough");
     fails({plastic_, "--baselines", "cp"}, 2, "--baselines needs --representations with baselines");
     fails({plastic_, "--representations", "baselines", "--baselines", "nonparametric"}, 1,
           "'nonparametric', expected one of kautz-mccool");
@@ -123,6 +183,20 @@ class GoniotoolStudyTest : public QObject {
   void zEveryKeyIsDocumented() { QCOMPARE(undocumentedKeys(), QString()); }
 
  private:
+  /// A table of non-parametric factors with one row, plastic, and the names beside it; returns its path.
+  QString writeNpf(const QString& name, float specular) const {
+    std::vector<float> columns(512, 0.0f);
+    columns[0] = 0.2f, columns[1] = specular;
+    for (int i = 0; i < 90; ++i) columns[2 + i] = std::exp(-0.1f * float(i)), columns[93 + i] = 1, columns[183 + i] = 1;
+    QByteArray bytes;
+    for (const float value : columns)
+      for (int channel = 0; channel < 3; ++channel) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    QDir().mkpath(QFileInfo(folder_.path(name)).path());
+    folder_.writeText(name, bytes);
+    folder_.writeText(QFileInfo(name).path() + "/npf_row_order.csv", "row,material\n0,plastic\n");
+    return folder_.path(name);
+  }
+
   TestFolder folder_{"goniotool-study"};
   QString plastic_, rough_;
 };

@@ -52,6 +52,34 @@ class FactorPlanTest : public QObject {
     QVERIFY(test::contains(test::errorOf([] { planFactors({.minSeparation = pi}); }), "obstruct all readings"));
   }
 
+  void methodsStateTheirAxes() {
+    QCOMPARE(factorMethod(FactorAxes::halfOut), std::string("factors, half-out"));
+    for (std::size_t axes = 0; axes < factorAxesNames.size(); ++axes) {
+      const FactorPlan plan = planFactors({.axes = FactorAxes(axes)});
+      QVERIFY(axesOfFactorMethod(plan.plan.method) == FactorAxes(axes));
+    }
+    for (const char* other : {"", "somp", "factors, ", "factors, half-outer", "half-out"})
+      QVERIFY(!axesOfFactorMethod(other));
+  }
+
+  /// Also those that the arms obstruct near the normal.
+  void plannedReadingsOfTheirAngles() {
+    for (const int count : {5, 40, 90, 500})
+      for (const double separation : {0.0, 2.0, 20.0}) {
+        const FactorPlan plan = planFactors({.angles = count, .minSeparation = radians(separation)});
+        std::vector<double> angles;
+        for (std::size_t i = 0; i < plan.curves.size(); ++i)
+          if (plan.curves[i] == FactorCurve::along) angles.push_back(polarAngle(plan.plan.samples[i].directions.wo));
+        QVERIFY(separation == 0 || angles.front() > 0);
+        QCOMPARE(plannedReadings(angles), count);
+      }
+    // Not evenly spaced, or not from 0: as many as there are.
+    QCOMPARE(plannedReadings(std::vector{0.2, 0.3, 0.5}), 3);
+    QCOMPARE(plannedReadings(std::vector{0.25, 0.35, 0.45}), 3);
+    QCOMPARE(plannedReadings(std::vector{0.25}), 1);
+    QCOMPARE(plannedReadings({}), 0);
+  }
+
   void wrongOptionsAreErrors() {
     for (const FactorPlanOptions& wrong :
          {FactorPlanOptions{.fixedAngle = 1.6}, FactorPlanOptions{.fixedAngle = -0.1}, FactorPlanOptions{.angles = 1},

@@ -50,6 +50,9 @@ class NpfFileTest : public QObject {
     QCOMPARE(blue.f[0], 1183.5);
     QCOMPARE(blue.f[89], 1271.5);
     QCOMPARE(found.find("first")->channels[0].diffuse, 0.0);
+    // The names decide which row belongs to a material.
+    QVERIFY(found.sha256 != read(table(2), "row,material\n0,second\n1,first\n").sha256);
+    QVERIFY(found.sha256 != read(table(3), "row,material\r\n1,second\r\n0,first\n\n").sha256);
   }
 
   void errorsTellWhere() {
@@ -64,6 +67,7 @@ class NpfFileTest : public QObject {
     QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n0,a\nb\n"); }),
                            "line 3: found 1 columns, expected 2: row, material"));
     QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n-1,a\n"); }), "found row -1"));
+    QVERIFY(test::contains(test::errorOf([&] { read(test::Bytes(6144), "row,material\n0,a\n"); }), "row 0 is empty"));
     for (const float bad : {-1.0f, std::nanf(""), INFINITY}) {
       test::Bytes bytes = good;
       std::memcpy(bytes.data() + 4 * (3 * (columns + 93) + 1), &bad, 4);
@@ -76,6 +80,8 @@ class NpfFileTest : public QObject {
     const auto path = test::writeFile("npf/npf.bin", table(1));
     std::filesystem::remove(path.parent_path() / "npf_row_order.csv");
     QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), "npf_row_order.csv"));
+    const auto absent = path.parent_path() / "absent.bin";
+    QVERIFY(test::contains(test::errorOf([&] { readNpf(absent); }), absent.string()));
     const std::string names = "row,material\n7,a\n";
     test::writeFile("npf/npf_row_order.csv", std::as_bytes(std::span(names)));
     QVERIFY(test::contains(test::errorOf([&] { readNpf(path); }), path.string() + ": npf_row_order.csv, line 2"));

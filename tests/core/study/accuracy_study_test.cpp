@@ -72,7 +72,7 @@ class AccuracyStudyTest : public QObject {
 
   void representationsByTheirIds() {
     RepresentationChoice choice;
-    choice.families = familiesWithoutTraining();
+    choice.families = familiesWithoutFurtherData();
     for (const Representation& one : representationsOf(choice)) {
       const std::optional<double> budget = needsBudget(one.id) ? std::optional(one.budget) : std::nullopt;
       QVERIFY2(representationById(one.id, budget) == one, one.fullLabel().c_str());
@@ -240,6 +240,28 @@ class AccuracyStudyTest : public QObject {
       QCOMPARE(built.bytes, materials::pdvFileBytes(factors));
       QVERIFY(*factorization::pdvFactorsOf(*built.brdf) == factors);
     }
+  }
+
+  /// Published factors are evaluated as they are; their size is that of the 272 columns that the model uses.
+  void publishedNonparametricFactors() {
+    factorization::NonparametricFactors factors;
+    for (auto& c : factors.channels) {
+      c.diffuse = 0.2, c.specular = 3;
+      for (std::size_t i = 0; i < factors.nodes; ++i) c.d[i] = std::exp(-0.1 * double(i)), c.f[i] = 0.5, c.g[i] = 1;
+    }
+    const auto rows = representationsOf({.families = {RepresentationFamily::publishedNonparametric}});
+    QCOMPARE(rows.size(), std::size_t(1));
+    QCOMPARE(rows[0].id, std::string("published-nonparametric"));
+    StudyOptions options = smallPictures();
+    options.build.publishedNonparametric = std::make_shared<const factorization::NonparametricFactors>(factors);
+    const StudyRecord record = runStudy(plastic(), rows, options).at(0);
+    QCOMPARE(record.bytes, std::size_t(272 * 3 * 4));
+    QVERIFY(record.errors == metrics::brdfErrors(*plastic().table, *factorization::makeNonparametricBrdf(factors)));
+    QVERIFY(record.evaluation.median > 0 && record.frameMilliseconds > 0 && std::isfinite(record.renderedSnr));
+    QVERIFY(std::isnan(record.encodeSeconds));
+    QVERIFY_EXCEPTION_THROWN(runStudy(plastic(), rows, smallPictures()), Error);
+    const auto others = familiesWithoutFurtherData();
+    QVERIFY(std::ranges::count(others, RepresentationFamily::publishedNonparametric) == 0);
   }
 
   /// Codes are of the dictionary's grid: a table on another is sampled first.

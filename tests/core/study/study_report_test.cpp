@@ -88,6 +88,26 @@ class StudyReportTest : public QObject {
     QVERIFY(summarise({}).empty());
   }
 
+  /// A representation that the first material lacks is at its place in the lists.
+  void summariesHaveTheOrderOfFamilies() {
+    const auto all =
+        representationsOf({.families = {RepresentationFamily::table, RepresentationFamily::nonparametric,
+                                        RepresentationFamily::publishedNonparametric, RepresentationFamily::neural}});
+    const auto recordsOf = [&](bool withPublished) {
+      std::vector<StudyRecord> records;
+      for (const Representation& one : all)
+        if (withPublished || one.family != RepresentationFamily::publishedNonparametric)
+          records.push_back(record(one, 10, 20, 3264));
+      return records;
+    };
+    const auto summary = summarise(std::vector{recordsOf(false), recordsOf(true)});
+    QCOMPARE(summary.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      QVERIFY(summary[i].median.representation == all[i]);
+      QCOMPARE(summary[i].materials, std::size_t(i == 3 ? 1 : 2));
+    }
+  }
+
   void csvHasALineARecord() {
     const auto records = someRecords();
     const QString text = QString::fromStdString(toCsv(studyCsv("material: a", records, machine, "scene")));
@@ -162,13 +182,24 @@ class StudyReportTest : public QObject {
     studySvg("", records, std::vector<StudyAxes>{{.quality = metrics::BrdfMetric::lab}}, {});
   }
 
+  /// Without a time of encoding: a point in the other three panels, whose title states no such time.
+  void svgOfAnUnknownTime() {
+    StudyRecord one =
+        record(representationsOf({.families = {RepresentationFamily::publishedNonparametric}})[0], 10, 20, 3264);
+    one.encodeSeconds = std::nan("");
+    const std::string svg = studySvg("", std::vector{one}, allCostAxes(), {});
+    QCOMPARE(QString::fromStdString(svg).count("<title>Non-parametric factors, published: 20 dB"), 3);
+    QVERIFY(svg.find("encoded in") == std::string::npos);
+  }
+
   /// No two series are told apart by colour alone.
   void seriesDifferByShape() {
     std::set<std::pair<plots::Marker, bool>> shapes;
     std::set<std::string> names;
     RepresentationChoice choice;
-    choice.families = familiesWithoutTraining();
+    choice.families = familiesWithoutFurtherData();
     choice.families.push_back(RepresentationFamily::components);
+    choice.families.push_back(RepresentationFamily::publishedNonparametric);
     choice.separatedComponents = true;
     for (const Representation& representation : representationsOf(choice)) {
       const SeriesStyle look = lookOf(representation);
