@@ -278,8 +278,8 @@ class ChannelCode:
 
 
 class Code:
-    """A material as a sparse code over a dictionary, see gonio.encode(). The values are quantised as in its file. A code does not change after it is
-    made."""
+    """A material as a sparse code over a dictionary, see gonio.encode(). The values are quantised as in its file. A code does
+    not change after it is made."""
 
     __slots__ = ("_handle",)
 

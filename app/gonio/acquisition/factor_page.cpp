@@ -248,7 +248,7 @@ widgets::FactorCurves::Content FactorPage::shownCurves() const {
   for (const double angle : read.angles) curves.angles.push_back(degrees(angle));
   for (const double distance : read.distances)
     curves.distances.push_back(acquisition::isDeviation(read.axes) ? distance : degrees(distance));
-  // The curve along of such a channel is 1, which is no reading.
+  // The curve "along" of an unscaled channel is 1, not its readings.
   for (std::size_t channel = 0; channel < 3; ++channel)
     if (read.unscaled[channel]) curves.along[channel].clear();
   return curves;

@@ -107,7 +107,7 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
        MaterialCodeText::tr("%1 kB; table: %2 MB")
            .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
            .arg(tableBytes * 1e-6, 0, 'f', 1),
-       MaterialCodeText::tr("Size of the code's file with values in half precision. The dictionary comes with "
+       MaterialCodeText::tr("Size of the code's file. The dictionary comes with "
                             "Gonio and is not counted.")},
       {MaterialCodeText::tr("Time"),
        MaterialCodeText::tr("%1 ns per evaluation, %2 ms to decode, %3 s to encode")

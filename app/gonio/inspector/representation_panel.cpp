@@ -51,7 +51,7 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
   m_slider->setToolTip(
       tr("Number of dictionary atoms that represent each colour channel; more atoms lower the error but need more "
          "bytes and time.\n"
-         "262 is the number of Tongbuasirilai 2023."));
+         "Tongbuasirilai 2023 uses 262."));
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000")));
   m_count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_show->setToolTip(

@@ -58,7 +58,7 @@ class RepresentationPanelTest : public QObject {
     QVERIFY(code);
     const auto dictionary = materials::bundledDictionary();
     const dictionary::Encoder encoder(dictionary->ensemble);
-    const auto expected = encoder.encode(*m_document.material()->table(), {.coefficients = 32});
+    const auto expected = encoder.encode(*m_document.material()->table(), {.coefficients = 32, .quantised = true});
     const auto file = materials::encodeCode(expected.code, dictionary->id);
     const auto table = dictionary::decode(dictionary->ensemble, materials::readCode(io::MemorySource(file)).code);
     QCOMPARE(code->bytes, file.size());
