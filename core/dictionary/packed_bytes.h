@@ -42,7 +42,8 @@ class ByteReader {
 
   template <typename Number>
   Number read() {
-    if (left() < sizeof(Number)) throw Error("the code ends after " + std::to_string(at_) + " bytes, expected more");
+    if (left() < sizeof(Number))
+      throw Error("the code ends after " + std::to_string(bytes_.size()) + " bytes, expected more");
     Number number;
     std::memcpy(&number, bytes_.data() + at_, sizeof(Number));
     at_ += sizeof(Number);
