@@ -50,10 +50,10 @@ class ByteReader {
     return number;
   }
   /// A float32 >= 0. @param what for the error.
-  float readSize(const char* what) {
+  float readNonNegative(const char* what) {
     const auto number = read<float>();
     if (!std::isfinite(number) || number < 0)
-      throw Error(std::string(what) + " of the code is not a finite positive number");
+      throw Error(std::string(what) + " of the code is not a finite number >= 0");
     return number;
   }
   std::uint64_t readVariable() {

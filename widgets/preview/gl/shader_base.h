@@ -35,7 +35,7 @@ std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, cons
 /// The data that uploadShaderBase() uploads: the same object for every incident direction of a measurement.
 std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base);
 
-/// The definitions of the shader variant for the incident direction (shaders/preview/incident_slot.glsl).
+/// The definitions of the shader variant for the incident direction (shaders/preview/incident_direction.glsl).
 QStringList incidentDefinitions(const Brdf& base);
 
 }  // namespace gonio::widgets
