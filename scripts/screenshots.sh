@@ -52,7 +52,7 @@ cat >"$settings/figure.json" <<'END'
   "representations": [
     {"id": "ggx", "label": "GGX"},
     {"id": "factors-3d", "budget": 10, "label": "PDV, 10 terms"},
-    {"id": "code", "budget": 1024, "label": "Dictionary code"},
+    {"id": "code", "budget": 1024, "label": "Sparse code"},
     {"id": "nonparametric", "label": "Non-param. factors"}
   ],
   "pictures": {"samples": 32},

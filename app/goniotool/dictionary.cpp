@@ -160,7 +160,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_flag(
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
       "Learn from transformed values without cell scaling");
-  command->add_option("--seed", training.seed, "Seed of the initial assignment of materials to dictionaries (1)");
+  command->add_option("--seed", training.seed, "Seed of the initial assignment of signals to dictionaries (1)");
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");
   command->add_flag("--only-complete", options->onlyComplete,

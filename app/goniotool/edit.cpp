@@ -164,21 +164,13 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
         text);
 }
 
-/// "ggx, layered".
-std::string modelsWithLobes() {
-  std::string names;
-  for (const models::Model* model : models::allModels())
-    if (model->hasLobes()) names += (names.empty() ? "" : ", ") + std::string(model->spec().id);
-  return names;
-}
-
 editing::Composition compositionOf(const EditArguments& options, const models::Model& model) {
   if (options.composition.empty()) return editing::defaultComposition(model);
   const auto found = std::ranges::find(editing::compositionIds, options.composition);
   const auto composition = editing::Composition(found - editing::compositionIds.begin());
   if (composition == editing::Composition::lobes && !model.hasLobes())
-    throw UsageError("edit: --compose lobes needs a model that is a sum of lobes (" + modelsWithLobes() + "), found " +
-                     std::string(model.spec().id));
+    throw UsageError("edit: --compose lobes needs a model that is a sum of lobes (" + models::modelsWithLobes() +
+                     "), found " + std::string(model.spec().id));
   return composition;
 }
 
@@ -233,8 +225,10 @@ void addEdit(CLI::App& app, Tool& tool) {
       "--control", options->controls,
       "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()));
   command
-      ->add_option("--compose", options->composition,
-                   "Composition of the edit: additive, log-plus or lobes (that of the model)")
+      ->add_option(
+          "--compose", options->composition,
+          "Composition of the edit: additive, log-plus or lobes (lobes for models that are sums of lobes, otherwise "
+          "additive)")
       ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
   command->add_option("--strength", options->strength, "Fraction of the change that is applied (1)")
       ->check(CLI::Range(0.0, 1.0));

@@ -91,7 +91,11 @@ int encode(const EncodeArguments& options, const Tool& tool) {
                           {"squaredError", candidate.squaredError}});
     text += nameOf(candidate.code.transform) + ": gamma error " + number(candidate.gammaError) + "\n";
   }
-  for (const ChannelCode& channel : encoded.code.channels) dictionaries.push_back(channel.dictionary);
+  std::string numbers;  // from 1
+  for (const ChannelCode& channel : encoded.code.channels) {
+    dictionaries.push_back(channel.dictionary);
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(channel.dictionary + 1);
+  }
   Json json{{"method", options.method},  {"scaled", encoded.code.scaled}, {"coefficients", encoded.code.coefficients()},
             {"bytes", bytes.size()},     {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
             {"candidates", candidates},  {"errors", errorsJson(errors)},  {"brdfSnr", decibelsJson(snr)},
@@ -101,10 +105,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   print(tool, json,
         std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
             " bytes, transform " + nameOf(encoded.code.transform) +
-            (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + dictionaries.dump() +
-            ", BRDF SNR " + number(snr) + " dB" +
-            (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
-            " s\n" + text + errorsText(errors));
+            (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + numbers + ", BRDF SNR " +
+            number(snr) + " dB" + (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " +
+            number(encoded.seconds) + " s\n" + text + errorsText(errors));
   return 0;
 }
 
@@ -156,8 +159,10 @@ void addEncode(CLI::App& app, Tool& tool) {
                    "Use the smallest number of coefficients that reaches this rendered SNR, dB")
       ->check(CLI::Range(1.0, 200.0));
   command
-      ->add_option("--transform", options->transform,
-                   "Transform: log-plus or cosine-log (the one with the smaller gamma error)")
+      ->add_option(
+          "--transform", options->transform,
+          "Transform: log-plus or cosine-log (the one with the smaller gamma error; with --rendered-snr, the one that "
+          "needs fewer coefficients)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
   command->add_option("--gamma", options->encoding.gamma, "Gamma of the gamma error that selects the transform (2)")
       ->check(CLI::Range(1.0, 3.0));

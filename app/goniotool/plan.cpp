@@ -161,7 +161,7 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--basis-components", options->basisComponents,
-                   "Number of components in the basis file (as many as the selection uses)")
+                   "Number of components in the basis file (the larger of --samples and --components)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--max-polar", options->largestPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));

@@ -244,8 +244,9 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--dictionary", options->dictionaries,
-          "Dictionary file of the codes; repeatable: each material is encoded with the first dictionary that was "
-          "not trained on it (bundled dictionary)")
+          "Dictionary file of the codes, repeatable; a single one is used for all materials, even for those that it "
+          "was trained on; of several, each material is encoded with the first that was not trained on it (bundled "
+          "dictionary)")
       ->delimiter(',')
       ->allow_extra_args(false);
   command

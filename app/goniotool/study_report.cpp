@@ -95,8 +95,8 @@ Json summaryJson(std::span<const StudySummary> summaries) {
   Json json = recordsJson(medians);
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     json[i]["materials"] = summaries[i].materials;
-    json[i]["leastSnr"] = decibelsJson(summaries[i].leastSnr);
-    json[i]["mostSnr"] = decibelsJson(summaries[i].maxSnr);
+    json[i]["minSnr"] = decibelsJson(summaries[i].minSnr);
+    json[i]["maxSnr"] = decibelsJson(summaries[i].maxSnr);
   }
   return json;
 }

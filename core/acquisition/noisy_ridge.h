@@ -7,7 +7,7 @@
 #include "core/support/task_control.h"
 
 /// Ridge regression of samples that differ in their noise: sample i has noise of variance v (eta + n_i), where v is the
-/// variance of the coefficients.
+/// variance of the coefficients. Q is SampleRows::rows, y SampleRows::values.
 namespace gonio::acquisition {
 
 class NoisyRidge {

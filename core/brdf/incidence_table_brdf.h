@@ -29,8 +29,9 @@ struct IncidenceTable {
 /// An isotropic BRDF that interpolates an IncidenceTable: linearly in polar angle and azimuth about the axis, and
 /// between two angles of incidence linearly at equal angles about the mirror direction, so that a highlight moves with
 /// the light. Nodes below the horizon are dropped and the weights renormalised. All values at polar angle 0 belong to
-/// one direction and are replaced by their mean. Before the first and after the last node of a coordinate the value is
-/// constant and hasData() is false. Not reciprocal, as measured. About 0.3 us per pair.
+/// one direction and are replaced by their mean. Beyond the first and last angle of incidence or polar angle the value
+/// is constant and hasData() is false. Azimuths wrap around; in a symmetric table the value is constant beyond the
+/// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
   /// Negative values become 0 (negativeCount()). @throws Error if angles are out of range or not ascending, the number

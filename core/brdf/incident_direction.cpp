@@ -7,8 +7,8 @@
 
 namespace gonio {
 
-const char* incidentDirectionId(IncidentDirection slot) {
-  switch (slot) {
+const char* incidentDirectionId(IncidentDirection incident) {
+  switch (incident) {
     case IncidentDirection::light:
       return "light";
     case IncidentDirection::mean:
@@ -19,15 +19,15 @@ const char* incidentDirectionId(IncidentDirection slot) {
 }
 
 std::optional<IncidentDirection> incidentDirectionOf(const Brdf& brdf) {
-  if (const RglBrdf* rgl = brdf.asRgl()) return rgl->incidentSlot();
-  if (const auto* utia = dynamic_cast<const UtiaBrdf*>(&brdf)) return utia->incidentSlot();
+  if (const RglBrdf* rgl = brdf.asRgl()) return rgl->incidentDirection();
+  if (const auto* utia = dynamic_cast<const UtiaBrdf*>(&brdf)) return utia->incidentDirection();
   return std::nullopt;
 }
 
-std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection slot) {
-  if (incidentDirectionOf(*brdf).value_or(slot) == slot) return brdf;
-  if (const RglBrdf* rgl = brdf->asRgl()) return rgl->withIncident(slot);
-  return dynamic_cast<const UtiaBrdf&>(*brdf).withIncident(slot);
+std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection incident) {
+  if (incidentDirectionOf(*brdf).value_or(incident) == incident) return brdf;
+  if (const RglBrdf* rgl = brdf->asRgl()) return rgl->withIncident(incident);
+  return dynamic_cast<const UtiaBrdf&>(*brdf).withIncident(incident);
 }
 
 }  // namespace gonio

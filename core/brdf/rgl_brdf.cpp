@@ -112,14 +112,14 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
   return result;
 }
 
-RglBrdf::RglBrdf(RglData data, IncidentDirection slot) : slot_(slot) {
+RglBrdf::RglBrdf(RglData data, IncidentDirection incident) : incident_(incident) {
   MarginalWarp normals(std::move(data.vndf), "vndf");
   MarginalWarp luminance(sampled(std::move(data.luminance)), "luminance", MarginalWarp::EmptySlice::uniform);
   tables_ = std::make_shared<const Tables>(Tables{std::move(data), std::move(normals), std::move(luminance)});
 }
 
-std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentDirection slot) const {
-  return std::shared_ptr<const RglBrdf>(new RglBrdf(tables_, slot));
+std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentDirection incident) const {
+  return std::shared_ptr<const RglBrdf>(new RglBrdf(tables_, incident));
 }
 
 std::shared_ptr<const RglBrdf> RglBrdf::withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const {
@@ -127,14 +127,14 @@ std::shared_ptr<const RglBrdf> RglBrdf::withColours(SliceStack<glm::vec3> rgb, S
                 MarginalWarp(sampled(std::move(luminance)), "luminance", MarginalWarp::EmptySlice::uniform)};
   tables.data.rgb = std::move(rgb);
   tables.data.spectra = nullptr;
-  return std::shared_ptr<const RglBrdf>(new RglBrdf(std::make_shared<const Tables>(std::move(tables)), slot_));
+  return std::shared_ptr<const RglBrdf>(new RglBrdf(std::make_shared<const Tables>(std::move(tables)), incident_));
 }
 
 void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
   const auto value = [this](const Direction& incident, const Direction& outgoing) {
     return stored(*tables_, incident, outgoing);
   };
-  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = valueInOrder(slot_, pairs[i], value);
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = valueInOrder(incident_, pairs[i], value);
 }
 
 DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {

@@ -48,10 +48,10 @@ class RglBrdf final : public Brdf {
  public:
   /// @throws Error if the vndf is not a density: negative values, or a slice of zeros. Invalid values of the luminance
   /// count as 0; in a slice of zeros it is uniform.
-  explicit RglBrdf(RglData data, IncidentDirection slot = IncidentDirection::viewer);
-  /// The same file read with another slot; shares the data.
-  std::shared_ptr<const RglBrdf> withIncident(IncidentDirection slot) const;
-  IncidentDirection incidentSlot() const { return slot_; }
+  explicit RglBrdf(RglData data, IncidentDirection incident = IncidentDirection::viewer);
+  /// The same file read with another incident direction; shares the data.
+  std::shared_ptr<const RglBrdf> withIncident(IncidentDirection incident) const;
+  IncidentDirection incidentDirection() const { return incident_; }
   /// The same parameterisation with other values and without spectra. @param rgb of the size of the data's `rgb`.
   /// @param luminance for sampling, one slice per incident direction.
   std::shared_ptr<const RglBrdf> withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const;
@@ -59,17 +59,19 @@ class RglBrdf final : public Brdf {
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return tables_->data.isotropic; }
-  bool isReciprocal() const override { return slot_ == IncidentDirection::mean; }
+  bool isReciprocal() const override { return incident_ == IncidentDirection::mean; }
   const RglBrdf* asRgl() const override { return this; }
 
   /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident
-  /// direction, mixed with a tenth of cosine-weighted directions. The density is the same for every slot.
+  /// direction, mixed with a tenth of cosine-weighted directions. The density is the same for every incident
+  /// direction.
   bool hasImportanceSampling() const override { return true; }
   double samplingCost() const override { return 1.9; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override;
   double pdf(const Direction& wi, const Direction& wo) const override;
 
-  /// Data that all slots share. The fields `vndf` and `luminance` are moved out of `data` into the warps.
+  /// Data that are shared for all incident directions. The fields `vndf` and `luminance` are moved out of `data` into
+  /// the warps.
   struct Tables {
     RglData data;
     MarginalWarp visibleNormals, luminance;
@@ -77,10 +79,11 @@ class RglBrdf final : public Brdf {
   const std::shared_ptr<const Tables>& tables() const { return tables_; }
 
  private:
-  RglBrdf(std::shared_ptr<const Tables> tables, IncidentDirection slot) : tables_(std::move(tables)), slot_(slot) {}
+  RglBrdf(std::shared_ptr<const Tables> tables, IncidentDirection incident)
+      : tables_(std::move(tables)), incident_(incident) {}
 
   std::shared_ptr<const Tables> tables_;
-  IncidentDirection slot_;
+  IncidentDirection incident_;
 };
 
 }  // namespace gonio

@@ -20,7 +20,7 @@ namespace gonio {
 /// fail (a few in a thousand, for grazing viewers).
 class TabulatedLobe {
  public:
-  /// Evaluates the BRDF about 40,000 times (a few ms), an anisotropic one ten times as often.
+  /// Evaluates the BRDF about 50,000 times (a few ms), an anisotropic one about 430,000 times.
   explicit TabulatedLobe(const Brdf& brdf);
 
   /// Fraction of cosine-weighted samples in tabulatedMixture(); they also find highlights between the nodes.

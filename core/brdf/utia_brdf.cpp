@@ -64,7 +64,7 @@ Rgb storedValues(const UtiaBrdf::Values& values, const Direction& incident, cons
 
 }  // namespace
 
-UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection slot) : slot_(slot) {
+UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident) : incident_(incident) {
   checkUtia(values);
   for (glm::vec3& value : values)
     for (int channel = 0; channel < 3; ++channel) {
@@ -76,8 +76,8 @@ UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection slot) : slot
   values_ = std::make_shared<const Values>(std::move(values));
 }
 
-std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentDirection slot) const {
-  return std::shared_ptr<const UtiaBrdf>(new UtiaBrdf(*this, slot));
+std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentDirection incident) const {
+  return std::shared_ptr<const UtiaBrdf>(new UtiaBrdf(*this, incident));
 }
 
 void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
@@ -86,7 +86,7 @@ void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> val
   };
   for (std::size_t p = 0; p < pairs.size(); ++p)
     values[p] =
-        isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo) ? Rgb(0) : valueInOrder(slot_, pairs[p], value);
+        isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo) ? Rgb(0) : valueInOrder(incident_, pairs[p], value);
 }
 
 bool UtiaBrdf::hasData(const DirectionPair& pair) const {

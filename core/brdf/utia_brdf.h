@@ -27,31 +27,32 @@ class UtiaBrdf final : public Brdf {
   /// @param values [incident direction][viewing direction], where a direction has the index polar angle * 48 + azimuth;
   /// linear RGB, 1/sr, without the cosine. Negative values become 0 (negativeCount()).
   /// @throws Error if there are not 288 x 288 values or one is not finite (the message names it).
-  explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection slot = IncidentDirection::viewer);
-  /// The same file read with another slot; shares the values.
-  std::shared_ptr<const UtiaBrdf> withIncident(IncidentDirection slot) const;
-  IncidentDirection incidentSlot() const { return slot_; }
+  explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident = IncidentDirection::viewer);
+  /// The same file read with another incident direction; shares the values.
+  std::shared_ptr<const UtiaBrdf> withIncident(IncidentDirection incident) const;
+  IncidentDirection incidentDirection() const { return incident_; }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return false; }
-  bool isReciprocal() const override { return slot_ == IncidentDirection::mean; }
+  bool isReciprocal() const override { return incident_ == IncidentDirection::mean; }
   /// Whether both polar angles are at most 75 degrees.
   bool hasData(const DirectionPair& pair) const override;
 
-  /// [incident direction][viewing direction]; the 48 values of polar angle 0 are equal. All slots share them.
+  /// [incident direction][viewing direction]; the 48 values of polar angle 0 are equal. Shared by the BRDFs that
+  /// withIncident() returns.
   using Values = std::vector<glm::vec3>;
   const std::shared_ptr<const Values>& values() const { return values_; }
   /// Number of channel values that were below 0 and were set to 0.
   std::size_t negativeCount() const { return negativeCount_; }
 
  private:
-  UtiaBrdf(const UtiaBrdf& other, IncidentDirection slot)
-      : values_(other.values_), negativeCount_(other.negativeCount_), slot_(slot) {}
+  UtiaBrdf(const UtiaBrdf& other, IncidentDirection incident)
+      : values_(other.values_), negativeCount_(other.negativeCount_), incident_(incident) {}
 
   std::shared_ptr<const Values> values_;
   std::size_t negativeCount_ = 0;
-  IncidentDirection slot_;
+  IncidentDirection incident_;
 };
 
 }  // namespace gonio

@@ -46,8 +46,8 @@ ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cell
   ChannelCode channel;
   channel.dictionary = reader.read<std::uint8_t>();
   const std::size_t count = reader.read<std::uint16_t>();
-  const float scale = reader.readSize("a scale");
-  channel.highest = reader.readSize("a maximum");
+  const float scale = reader.readNonNegative("a scale");
+  channel.highest = reader.readNonNegative("a maximum");
   if (count > reader.left()) throw Error("the code ends within its indices");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;

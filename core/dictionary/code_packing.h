@@ -9,16 +9,16 @@
 
 #include "core/dictionary/sparse_code.h"
 
-/// Serialisation of a code. With full precision of the values, coefficients are sorted by index; each index is stored
-/// as the difference from the previous one, in a variable number of bytes: seven bits per byte, lowest first, with the
-/// eighth bit set if more bytes follow. Quantised codes are compressed (quantised_code.h).
+/// Serialisation of a code. Unless quantised, coefficients are sorted by index; each index is stored as the difference
+/// from the previous one, in a variable number of bytes: seven bits per byte, lowest first, with the eighth bit set if
+/// more bytes follow. Quantised codes are compressed (quantised_code.h).
 namespace gonio::dictionary {
 
 /// Number format of the coefficients.
 enum class CodePrecision : std::uint8_t {
   single,    ///< float32
   half,      ///< float16 of the value divided by the largest absolute value of its channel: relative error 2^-11
-  quantised  ///< multiples of ChannelCode::step, compressed: a fifth of the bytes
+  quantised  ///< multiples of ChannelCode::step, compressed: about a fifth of the bytes of `half`
 };
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32

@@ -18,7 +18,7 @@ MappedCells validCells(const TabulatedBrdf& table);
 void appendColumns(const TabulatedBrdf& table, const MappedCells& mapping, TallMatrix& columns,
                    std::vector<char>& missing);
 
-/// Removes the cells that are marked from the mapping. @return the indices of those that are kept.
+/// Removes the marked cells from the mapping. @return the indices of those that are kept.
 /// @throws Error if none is kept.
 std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector<char>& missing);
 /// Removes all other rows, in place.

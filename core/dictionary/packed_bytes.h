@@ -42,17 +42,18 @@ class ByteReader {
 
   template <typename Number>
   Number read() {
-    if (left() < sizeof(Number)) throw Error("the code ends after " + std::to_string(at_) + " bytes, expected more");
+    if (left() < sizeof(Number))
+      throw Error("the code ends after " + std::to_string(bytes_.size()) + " bytes, expected more");
     Number number;
     std::memcpy(&number, bytes_.data() + at_, sizeof(Number));
     at_ += sizeof(Number);
     return number;
   }
   /// A float32 >= 0. @param what for the error.
-  float readSize(const char* what) {
+  float readNonNegative(const char* what) {
     const auto number = read<float>();
     if (!std::isfinite(number) || number < 0)
-      throw Error(std::string(what) + " of the code is not a finite positive number");
+      throw Error(std::string(what) + " of the code is not a finite number >= 0");
     return number;
   }
   std::uint64_t readVariable() {

@@ -213,8 +213,8 @@ void expandChannels(std::span<const std::byte> bytes, SparseCode& code) {
   ByteReader reader(bytes);
   for (ChannelCode& channel : code.channels) {
     channel.dictionary = reader.read<std::uint8_t>();
-    channel.step = reader.readSize("a step");
-    channel.highest = reader.readSize("a maximum");
+    channel.step = reader.readNonNegative("a step");
+    channel.highest = reader.readNonNegative("a maximum");
   }
   RangeDecoder coder(reader.rest());
   Contexts contexts;

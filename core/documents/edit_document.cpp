@@ -158,10 +158,10 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   }
   if (source.contains("incident")) {
     const std::string id = source.text("incident");
-    const auto slot =
+    const auto incident =
         std::ranges::find_if(allIncidentDirections, [&](IncidentDirection s) { return id == incidentDirectionId(s); });
-    if (slot == std::end(allIncidentDirections)) source.fail("incident", "viewer, light or mean");
-    document.incident = *slot;
+    if (incident == std::end(allIncidentDirections)) source.fail("incident", "viewer, light or mean");
+    document.incident = *incident;
   }
   document.sourceSha256 = source.text("sha256");
   if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 lower-case hexadecimal digits");

@@ -42,8 +42,8 @@ struct EditDocument {
 
 /// @throws Error if an edit's values do not match its model.
 nlohmann::json toJson(const EditDocument& document);
-/// Unknown keys are ignored; documents of older versions keep their numbers. @throws Error that states the key, what
-/// was found and what was expected; also for unknown models and newer versions.
+/// Unknown keys are ignored; the parameter values of documents of older versions do not change. @throws Error that
+/// states the key, what was found and what was expected; also for unknown models and newer versions.
 EditDocument documentFromJson(const nlohmann::json& json);
 
 /// @throws Error that names the file.

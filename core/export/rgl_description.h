@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// The field `description` of a written RGL file: origin, incident slot and accuracy. @param snr rendered SNR, dB.
+/// The field `description` of a written RGL file: origin, incident direction and accuracy. @param snr rendered SNR, dB.
 /// @param clipped number of negative values that were set to 0.
 std::string describe(const std::string& origin, double snr, std::size_t clipped);
 

@@ -38,8 +38,9 @@ class SpectralEdit {
   std::vector<Change> changes_;
 };
 
-/// A spectral file at one wavelength, in three equal channels, with the incident slot of `file`; importance sampling
-/// follows the values at that wavelength. Takes a few ms for an isotropic file; with edits as long as editedColours().
+/// A spectral file at one wavelength, in three equal channels, with the incident direction of `file`; importance
+/// sampling follows the values at that wavelength. Takes a few ms for an isotropic file; with edits as long as
+/// editedColours().
 /// @param file with spectra.
 /// @param edited the material with edits, in IncidentDirection::viewer; null: as measured.
 /// @param nanometres wavelength. @throws Cancelled.

@@ -16,8 +16,8 @@ void checkBlendable(std::span<const PdvFactors* const> ends);
 /// and a wide highlight give one of intermediate width; F1 and F3 as weighted means. Further terms are corrections to
 /// the first term of their own material and may cancel one another, so their curves are not mixed but only scaled by
 /// the weight of the material. The result has at most maxPdvTerms terms; those of higher index are dropped. @param ends
-/// one per weight, at least one. @param weights >= 0, sum 1. An end of weight 1 is returned unchanged. @throws Error as
-/// checkBlendable().
+/// factors of the materials, one per weight, at least one. @param weights >= 0, sum 1. Factors of weight 1 are returned
+/// unchanged. @throws Error as checkBlendable().
 PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights);
 
 }  // namespace gonio::factorization

@@ -89,6 +89,7 @@ class Interpolation {
   virtual ~Interpolation() = default;
 
   std::size_t materials() const { return ends_.size(); }
+  /// The materials to blend, called ends.
   const std::vector<InterpolationMaterial>& ends() const { return ends_; }
 
   /// The blend, evaluated directly without a table. @throws Error for invalid weights.

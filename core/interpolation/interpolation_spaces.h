@@ -19,7 +19,7 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
 
 /// The tables without transform.
 TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
-/// The table of each end.
+/// The table of each material.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends);
 /// The tables resampled on the grid of the first. @throws Cancelled.
 std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,

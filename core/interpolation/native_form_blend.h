@@ -19,8 +19,8 @@ struct NativeFormBlend {
   double accuracy = std::numeric_limits<double>::infinity();
 };
 
-/// Minimum accuracy, dB, of blends of RGL files. It fails e.g. for a mirror-like and a wide highlight, which need
-/// different nodes.
+/// Minimum accuracy, dB, of blends of RGL files. A blend of a mirror-like and a wide highlight, for example, does not
+/// reach it, because they need different nodes.
 inline constexpr double minBlendAccuracy = 30;
 
 /// Whether a space mixes materials in their native form: `linear` and `differential`.

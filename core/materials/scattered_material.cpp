@@ -86,7 +86,9 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
                   " grid nodes are used; all other values are reconstructed from principal components of the bundled "
                   "materials, assuming an isotropic, reciprocal material");
   const std::size_t leftOut = samples.values.size() - points.used;
-  if (leftOut > 0)
+  if (leftOut > 0 && leftOut == points.outside)
+    notes.push_back(count(leftOut) + " samples too close to the horizon were left out");
+  else if (leftOut > 0)
     notes.push_back(count(leftOut) + " samples were left out: " + count(points.outside) +
                     " too close to the horizon, the others to limit the number of nodes");
   if (samples.belowHorizonCount > 0)

@@ -15,7 +15,7 @@ namespace gonio::metrics {
 ///   "energy" directional albedo, largest channel (also reported if the check passes)
 ///   "negative" -f, 1/sr
 ///   "non-finite" number of directions with such a value
-///   "extrapolated" fraction of a picture that shows directions without data in the table
+///   "extrapolated" fraction of direction pairs without data in the table, weighted by both cosines
 struct PlausibilityCheck {
   std::string name;
   bool passed = true;

@@ -128,6 +128,8 @@ std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterV
 
 /// All models, in the order of lists.
 std::span<const Model* const> allModels();
+/// The ids of the models that are sums of lobes, separated by commas, for messages.
+std::string modelsWithLobes();
 /// The model with a ModelSpec::id. @throws Error that lists the known ids.
 const Model& findModel(std::string_view id);
 

@@ -52,6 +52,13 @@ std::span<const Model* const> allModels() {
   return models;
 }
 
+std::string modelsWithLobes() {
+  std::string ids;
+  for (const Model* model : allModels())
+    if (model->hasLobes()) ids += (ids.empty() ? "" : ", ") + std::string(model->spec().id);
+  return ids;
+}
+
 const Model& findModel(std::string_view id) {
   std::string known;
   for (const Model* model : allModels()) {

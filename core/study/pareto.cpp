@@ -9,16 +9,17 @@
 
 namespace gonio::study {
 
-std::vector<std::size_t> paretoFront(std::span<const Trade> trades) {
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> alternatives) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < trades.size(); ++i)
-    if (!std::isnan(trades[i].cost) && !std::isnan(trades[i].error)) order.push_back(i);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::tuple(trades[i].cost, trades[i].error); });
+  for (std::size_t i = 0; i < alternatives.size(); ++i)
+    if (!std::isnan(alternatives[i].cost) && !std::isnan(alternatives[i].error)) order.push_back(i);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return std::tuple(alternatives[i].cost, alternatives[i].error); });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
-    const bool equal =
-        !front.empty() && trades[front.back()].cost == trades[i].cost && trades[front.back()].error == trades[i].error;
-    if (front.empty() || equal || trades[i].error < trades[front.back()].error) front.push_back(i);
+    const bool equal = !front.empty() && alternatives[front.back()].cost == alternatives[i].cost &&
+                       alternatives[front.back()].error == alternatives[i].error;
+    if (front.empty() || equal || alternatives[i].error < alternatives[front.back()].error) front.push_back(i);
   }
   return front;
 }

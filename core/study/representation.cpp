@@ -24,7 +24,7 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{
     {{"table", "measured table"},
      {"fits", "parametric fit"},
      {"factors", "PDV factors"},
-     {"codes", "dictionary code"},
+     {"codes", "sparse code"},
      {"components", "principal components"},
      {"nonparametric", "non-parametric factors"},
      {"published-nonparametric", "published non-parametric factors"},
@@ -91,7 +91,7 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       addCounted(list, {family, "factors-2d", "PDV factors, two curves"}, choice.terms, "term");
       return addCounted(list, {family, "factors-3d", "PDV factors, three curves"}, choice.terms, "term");
     case RepresentationFamily::code:
-      return addCounted(list, {family, "code", "Dictionary code"}, choice.coefficients, "coefficient");
+      return addCounted(list, {family, "code", "Sparse code"}, choice.coefficients, "coefficient");
     case RepresentationFamily::components:
       addCounted(list, {family, "components", "Principal components"}, choice.components, "component");
       if (choice.separatedComponents)
@@ -108,12 +108,12 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
       addCounted(list, {family, "factors-2d-published", "PDV factors, two curves, as published"}, choice.terms, "term");
       addCounted(list, {family, "factors-3d-published", "PDV factors, three curves, as published"}, choice.terms,
                  "term");
-      return addCounted(list, {family, "code-published", "Dictionary code, as published"}, choice.coefficients,
+      return addCounted(list, {family, "code-published", "Sparse code, as published"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::alternatives:
       addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint fit"}, choice.terms, "term");
       addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint fit"}, choice.terms, "term");
-      return addCounted(list, {family, "code-basis-pursuit", "Dictionary code by basis pursuit"}, choice.coefficients,
+      return addCounted(list, {family, "code-basis-pursuit", "Sparse code by basis pursuit"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::neural:
       return list.push_back({family, "neural", "Neural BRDF", 0, ""});

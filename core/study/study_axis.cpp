@@ -74,11 +74,11 @@ std::string axisTitle(Quality quality) {
 
 std::string axisTitle(Cost cost) { return std::string(costName(cost)) + " [" + std::string(costUnit(cost)) + "]"; }
 
-std::vector<Trade> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality) {
-  std::vector<Trade> trades;
+std::vector<CostAndError> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality) {
+  std::vector<CostAndError> alternatives;
   for (const StudyRecord& record : records)
-    trades.push_back({costOf(record, cost), quality ? qualityOf(record, quality) : -record.renderedSnr});
-  return trades;
+    alternatives.push_back({costOf(record, cost), quality ? qualityOf(record, quality) : -record.renderedSnr});
+  return alternatives;
 }
 
 std::optional<double> StudyAxis::position(double value) const {

@@ -23,7 +23,7 @@ std::string axisTitle(Quality quality);
 std::string axisTitle(Cost cost);
 
 /// Costs and errors for paretoFront().
-std::vector<Trade> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality);
+std::vector<CostAndError> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality);
 
 /// An axis with additional positions at the ends for values that the scale cannot represent: 0 on a logarithmic axis at
 /// the low end, an infinite SNR at the high end. Costs and errors are logarithmic, decibels linear.

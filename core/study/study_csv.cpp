@@ -54,7 +54,7 @@ plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummar
   for (const StudySummary& summary : summaries) {
     medians.push_back(summary.median);
     count.values.push_back(double(summary.materials));
-    least.values.push_back(summary.leastSnr);
+    least.values.push_back(summary.minSnr);
     most.values.push_back(summary.maxSnr);
     worst.texts.push_back(materials[summary.worst]);
   }

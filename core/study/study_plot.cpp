@@ -20,12 +20,12 @@ constexpr double markerSize = 4.6, labelSize = 10.5;
 constexpr std::string_view gridColour = "#dddddd", frontColour = "#888888";
 constexpr plots::SvgStroke frontStroke{.colour = frontColour, .width = 2.5, .dashes = "7 3"};
 
-struct FamilyLook {
+struct FamilyStyle {
   Marker marker;
   std::string_view colour;
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
-constexpr FamilyLook looks[representationFamilyCount] = {
+constexpr FamilyStyle styles[representationFamilyCount] = {
     {Marker::square, "#000000"},        {Marker::circle, "#0072b2"},       {Marker::triangle, "#d55e00"},
     {Marker::diamond, "#009e73"},       {Marker::cross, "#cc79a7"},        {Marker::star, "#e69f00"},
     {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"},
@@ -90,8 +90,8 @@ class PanelPainter {
     paintLines();
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (!places_[i]) continue;
-      const SeriesStyle look = lookOf(records_[i].representation);
-      svg_.marker(look.marker, *places_[i], markerSize, look.colour, look.hollow, numbersText(records_[i]));
+      const SeriesStyle style = styleOf(records_[i].representation);
+      svg_.marker(style.marker, *places_[i], markerSize, style.colour, style.hollow, numbersText(records_[i]));
       taken_.push_back({*places_[i] - markerSize, *places_[i] + markerSize});
     }
     for (const std::size_t i : front_) paintLabel(i);
@@ -130,7 +130,7 @@ class PanelPainter {
       const Representation& r = records_[i].representation;
       if (!places_[i]) continue;
       lines[r.id].push_back(*places_[i]);
-      colours[r.id] = lookOf(r).colour;
+      colours[r.id] = styleOf(r).colour;
     }
     for (const auto& [id, points] : lines)
       if (points.size() > 1) svg_.polyline(points, {colours[id], 0.8});
@@ -182,7 +182,7 @@ class PanelPainter {
 };
 
 struct LegendEntry {
-  SeriesStyle look;
+  SeriesStyle style;
   glm::dvec2 at;
 };
 
@@ -190,13 +190,13 @@ struct LegendEntry {
 std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double width) {
   std::vector<LegendEntry> legend;
   for (const StudyRecord& record : records)
-    if (const SeriesStyle look = lookOf(record.representation);
-        std::ranges::none_of(legend, [&](const LegendEntry& entry) { return entry.look.name == look.name; }))
-      legend.push_back({look, {}});
+    if (const SeriesStyle style = styleOf(record.representation);
+        std::ranges::none_of(legend, [&](const LegendEntry& entry) { return entry.style.name == style.name; }))
+      legend.push_back({style, {}});
   legend.push_back({{.marker = {}, .colour = frontColour, .hollow = false, .name = "Pareto front"}, {}});
   glm::dvec2 place(0);
   for (LegendEntry& entry : legend) {
-    const double taken = 34 + 7 * double(entry.look.name.size());
+    const double taken = 34 + 7 * double(entry.style.name.size());
     if (place.x + taken > width) place = {0, place.y + legendLine};
     entry.at = place;
     place.x += taken;
@@ -210,26 +210,26 @@ void paintLegend(SvgDrawing& svg, const glm::dvec2& origin, const std::vector<Le
     if (&entry == &legend.back())
       svg.line({at.x - 4, at.y}, {at.x + 16, at.y}, frontStroke);
     else
-      svg.marker(entry.look.marker, {at.x + 6, at.y}, markerSize, entry.look.colour, entry.look.hollow);
-    svg.text({at.x + 20, at.y + 4}, entry.look.name);
+      svg.marker(entry.style.marker, {at.x + 6, at.y}, markerSize, entry.style.colour, entry.style.hollow);
+    svg.text({at.x + 20, at.y + 4}, entry.style.name);
   }
 }
 
 }  // namespace
 
-SeriesStyle lookOf(const Representation& r) {
-  const FamilyLook& look = looks[std::size_t(r.family)];
+SeriesStyle styleOf(const Representation& r) {
+  const FamilyStyle& style = styles[std::size_t(r.family)];
   if (r.family == RepresentationFamily::baselines) {
     const Shape shape = baselineShape(r.id);
-    return {shape.marker, look.colour, shape.hollow, r.label};
+    return {shape.marker, style.colour, shape.hollow, r.label};
   }
-  if (r.id == separatedComponentsId) return {Marker::threeStar, look.colour, false, r.label};
+  if (r.id == separatedComponentsId) return {Marker::threeStar, style.colour, false, r.label};
   // Codes of the families that contain factors too have a shape of their own.
   const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
   const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative);
   const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
                      r.family == RepresentationFamily::published || alternative;
-  return {variantCode ? Marker::triangleLeft : look.marker, look.colour, hollow,
+  return {variantCode ? Marker::triangleLeft : style.marker, style.colour, hollow,
           named ? r.label : std::string(familyName(r.family))};
 }
 

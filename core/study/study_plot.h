@@ -17,7 +17,7 @@ struct SeriesStyle {
   bool hollow;
   std::string name;  ///< in a legend
 };
-SeriesStyle lookOf(const Representation& representation);
+SeriesStyle styleOf(const Representation& representation);
 
 /// The axes of a plot.
 struct StudyAxes {

@@ -13,11 +13,12 @@ namespace gonio::study {
 /// Measured cost and accuracy of a representation of a material.
 struct StudyRecord {
   Representation representation;
-  std::size_t bytes = 0;      ///< size of its file; for a table of its values and mask in memory; for a fit of its
-                              ///< parameters as float32. Excludes data shared by all materials (dictionary, components)
-  double encodeSeconds = 0;   ///< time to build the representation from the table; 0 for the table itself, NaN for
-                              ///< published factors, which were fitted elsewhere
-  EvaluationTime evaluation;  ///< ns per pair on one thread, in batches
+  /// Size of its file; for a table of its values and two flags per cell in memory; for a fit of its parameters as
+  /// float32. Excludes data shared by all materials (dictionary, components).
+  std::size_t bytes = 0;
+  double encodeSeconds = 0;      ///< time to build the representation from the table; 0 for the table itself, NaN for
+                                 ///< published factors, which were fitted elsewhere
+  EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
   double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads
   std::vector<double> errors;    ///< against the table, at its nodes, in the order of metrics::allBrdfMetrics()
   double renderedSnr = 0;        ///< in comparisonScene(), dB; +infinity for equal pictures, NaN for a black reference

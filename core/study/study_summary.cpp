@@ -38,10 +38,10 @@ StudySummary summaryOf(const Records& records) {
   for (std::size_t i = 0; i < first.errors.size(); ++i) m.errors.push_back(median([i](R r) { return r.errors[i]; }));
   const std::vector<double> snr = numbers(records, [](R r) { return r.renderedSnr; });
   m.renderedSnr = quantile(snr, 0.5);
-  summary.leastSnr = quantile(snr, 0);
+  summary.minSnr = quantile(snr, 0);
   summary.maxSnr = quantile(snr, 1);
   const auto worst =
-      std::ranges::find(records, summary.leastSnr, [](const OfMaterial& one) { return one.record->renderedSnr; });
+      std::ranges::find(records, summary.minSnr, [](const OfMaterial& one) { return one.record->renderedSnr; });
   summary.worst = worst == records.end() ? records.front().material : worst->material;
   return summary;
 }

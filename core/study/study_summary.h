@@ -10,10 +10,10 @@ namespace gonio::study {
 
 /// One representation at one budget over several materials.
 struct StudySummary {
-  StudyRecord median;               ///< medians over the materials, without NaN
-  std::size_t materials = 0;        ///< number of materials with this representation
-  double leastSnr = 0, maxSnr = 0;  ///< minimum and maximum over the materials, dB; NaN if all are NaN
-  std::size_t worst = 0;            ///< the first material with the minimum SNR
+  StudyRecord median;             ///< medians over the materials, without NaN
+  std::size_t materials = 0;      ///< number of materials with this representation
+  double minSnr = 0, maxSnr = 0;  ///< minimum and maximum over the materials, dB; NaN if all are NaN
+  std::size_t worst = 0;          ///< the first material with the minimum SNR
 };
 
 /// Summarises records of several materials, ordered by family and, within a family, as they first appear. `worst` is an

@@ -8,8 +8,9 @@
 namespace gonio {
 
 /// The base class of exceptions for invalid user data. The message states the file (if any), what was found, what was
-/// expected, and a hint. It is caught in one place: the editor shows a dialog, the command line returns an exit code.
-/// Programming errors are `assert`s.
+/// expected, and a hint. Code that knows more, such as the file name, may catch it and throw it again. Finally the
+/// editor displays the message, and the command line prints it and returns an exit code. Programming errors are
+/// `assert`s.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -43,7 +43,8 @@ py::tuple edit(const PyMaterial& material, const std::string& id, const std::str
       throw Error("composition: found '" + composition + "', expected additive, log-plus or lobes");
     change.composition = Composition(found - compositionIds.begin());
     if (change.composition == Composition::lobes && !model.hasLobes())
-      throw Error("composition: lobes needs a model that is a sum of lobes (ggx, layered), found " + id);
+      throw Error("composition: lobes needs a model that is a sum of lobes (" + models::modelsWithLobes() +
+                  "), found " + id);
   }
   if (!(strength >= 0 && strength <= 1)) throw Error("strength: expected a number from 0 to 1");
   auto clamped = models::clampToHardRange(model.spec(), change.edited);

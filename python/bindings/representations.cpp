@@ -225,8 +225,8 @@ py::list coefficientsOf(const PyCode& code) {
 /// The orthonormal matrices of a dictionary for phi_d, theta_d, theta_h; columns are atoms.
 py::tuple atoms(const PyDictionaryPtr& named, std::size_t number) {
   if (number >= named->ensemble.dictionaries.size())
-    throw Error("found the number " + std::to_string(number) + ", expected one of " +
-                std::to_string(named->ensemble.dictionaries.size()) + " dictionaries, from 0");
+    throw Error("number: found " + std::to_string(number) + ", expected 0 to " +
+                std::to_string(named->ensemble.dictionaries.size() - 1));
   const auto& modes = named->ensemble.dictionaries[number].modes;
   py::list result;
   for (const Eigen::MatrixXd& mode : modes) {

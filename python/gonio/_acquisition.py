@@ -35,7 +35,7 @@ class Basis:
     def __init__(self, handle: Any) -> None:
         """Bases are made by gonio.bundled_basis(), learn_basis() and open_basis(), not directly."""
         if not isinstance(handle, _core.Basis):
-            raise TypeError("make a basis by gonio.bundled_basis() or gonio.learn_basis()")
+            raise TypeError("make a basis with gonio.bundled_basis() or gonio.learn_basis()")
         self._handle = handle
 
     def __repr__(self) -> str:

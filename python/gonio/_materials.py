@@ -43,7 +43,7 @@ class Material:
     def __init__(self, handle: Any) -> None:
         """Materials are made by gonio.open() and the other functions, not directly."""
         if not isinstance(handle, _core.Material):
-            raise TypeError("open a material by gonio.open() or make one by gonio.from_table()")
+            raise TypeError("open a material with gonio.open() or make one with gonio.from_table()")
         self._handle = handle
 
     def __repr__(self) -> str:

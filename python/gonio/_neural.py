@@ -23,7 +23,7 @@ class NeuralBrdf:
     def __init__(self, handle: Any) -> None:
         """Neural BRDFs are made by gonio.train_neural(), gonio.neural_brdf() and gonio.open_neural(), not directly."""
         if not isinstance(handle, _core.NeuralFit):
-            raise TypeError("make a neural BRDF by gonio.train_neural()")
+            raise TypeError("make a neural BRDF with gonio.train_neural()")
         self._handle = handle
 
     def __repr__(self) -> str:

@@ -29,7 +29,7 @@ class Factors:
     def __init__(self, handle: Any) -> None:
         """Factors are made by gonio.factorize() and gonio.open_factors(), not directly."""
         if not isinstance(handle, _core.Factors):
-            raise TypeError("make factors by gonio.factorize()")
+            raise TypeError("make factors with gonio.factorize()")
         self._handle = handle
 
     def __repr__(self) -> str:
@@ -215,7 +215,7 @@ class Dictionary:
     def __init__(self, handle: Any) -> None:
         """Dictionaries are opened by gonio.dictionary(), not directly."""
         if not isinstance(handle, _core.Dictionary):
-            raise TypeError("open a dictionary by gonio.dictionary()")
+            raise TypeError("open a dictionary with gonio.dictionary()")
         self._handle = handle
 
     def __repr__(self) -> str:
@@ -286,7 +286,7 @@ class Code:
     def __init__(self, handle: Any) -> None:
         """Codes are made by gonio.encode() and gonio.open_code(), not directly."""
         if not isinstance(handle, _core.Code):
-            raise TypeError("make a code by gonio.encode()")
+            raise TypeError("make a code with gonio.encode()")
         self._handle = handle
 
     def __repr__(self) -> str:

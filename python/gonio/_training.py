@@ -28,7 +28,7 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
         dictionaries: Number of dictionaries for each sparsity, K.
         sparsities: Numbers of coefficients per signal; the dictionaries of each sparsity are learned together.
         iterations: Maximum number of rounds per sparsity.
-        passes: Passes over the dictionaries per round.
+        passes: Number of times per round that each dictionary is fitted to its signals before the signals are assigned again.
         tolerance: The rounds of a sparsity end when one lowers the relative squared error by less than this fraction.
         subspace_loss: Maximum fraction of the energy that the subspace shared by all dictionaries may omit.
         as_published: Whether to learn from transformed values without cell scaling.

@@ -72,6 +72,8 @@ def test_codes_are_sums_of_atoms(code):
     """The transformed values of the decoded table are the sum over the coefficients of products of atoms, but for the scale
     of the nodes: the ratio to it is one function of the node for all channels."""
     dictionary = gonio.dictionary()
+    with pytest.raises(gonio.Error, match=f"number: found {len(dictionary)}, expected 0 to {len(dictionary) - 1}"):
+        dictionary.atoms(len(dictionary))
     values = code.material().values
     ratios = []
     for c, channel in enumerate(code.channels):

@@ -5,7 +5,7 @@
 // A file is put where it is first included: what several variants share comes before what only one has.
 #include "grain.glsl"
 #include "half_difference.glsl"
-#include "preview/incident_slot.glsl"
+#include "preview/incident_direction.glsl"
 #include "preview/marginal_warp.glsl"
 #include "preview/normal_square.glsl"
 #if defined(RGL_THETAS) || defined(UTIA) || defined(INCIDENCE_TABLE) || defined(MODEL_ALONE) || defined(FACTOR_BASE_TERMS)

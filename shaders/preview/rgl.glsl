@@ -5,7 +5,7 @@
 //   RGL_ANISOTROPIC        azimuths count; else they are relative to the incident one
 //   RGL_REDUCTION          how many times the azimuths of incidence cover the circle
 //   RGL_JACOBIAN           the colours are divided by ndf / (4 sigma)
-#include "preview/incident_slot.glsl"
+#include "preview/incident_direction.glsl"
 #include "preview/marginal_warp.glsl"
 #include "preview/normal_square.glsl"
 

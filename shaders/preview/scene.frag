@@ -22,7 +22,7 @@
 //   RGL_THETAS, ...      an RGL file in place of the table (preview/rgl.glsl)
 //   UTIA                 a UTIA material in place of the table (preview/utia.glsl)
 //   INCIDENCE_TABLE, ... a table of angles of incidence (preview/incidence_table.glsl)
-//   INCIDENT_VIEWER, INCIDENT_LIGHT  in which order they are read (preview/incident_slot.glsl)
+//   INCIDENT_VIEWER, INCIDENT_LIGHT  in which order they are read (preview/incident_direction.glsl)
 //   MODEL_ALONE          a model in place of the table, with EVALUATE_MODEL, MODEL_UNIFORM and modelParameters
 //   BLEND_TABLES         several tables mixed (preview/blend.glsl), with BLEND_OWN a part of one of them in its own form
 #include "math.glsl"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/brdf/utia_brdf.h: 288 incident by 288 viewing directions, linear in the four angles. By hand: drivers
 // filter with weights of a few bits, and the nodes lie 15 degrees apart.
-#include "preview/incident_slot.glsl"
+#include "preview/incident_direction.glsl"
 
 uniform sampler2D utiaValues;  // a row an incident, a column a viewing direction
 

@@ -50,9 +50,9 @@ inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap
 /// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.
 /// @param samples a pixel of ours, 256 x 256.
 inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
-                                IncidentDirection slot = IncidentDirection::viewer) {
+                                IncidentDirection incident = IncidentDirection::viewer) {
   const auto brdf =
-      io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(slot);
+      io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(incident);
   Scene scene = openScene("sphere", 1);
   static const auto environment = asMitsubaReads(*openEnvironment((shared / "data/environments/studio.hdr").string()));
   scene.environment = environment;

@@ -61,8 +61,8 @@ class RglPreviewTest : public QObject {
     const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
     verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 50);
     // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
-    for (const IncidentDirection slot : {IncidentDirection::light, IncidentDirection::mean})
-      verify({widgets::EditedMaterial{brdf->withIncident(slot)}, lobe}, sphereScene(), 24);
+    for (const IncidentDirection incident : {IncidentDirection::light, IncidentDirection::mean})
+      verify({widgets::EditedMaterial{brdf->withIncident(incident)}, lobe}, sphereScene(), 24);
     verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 50);
   }
 

@@ -82,17 +82,17 @@ class UtiaPreviewTest : public QObject {
   void pairsOfDirections() {
     test::ShaderValues shader(testPairs());
     const auto brdf = randomMaterial();
-    for (const IncidentDirection slot : allIncidentDirections) {
-      const auto ordered = brdf->withIncident(slot);
+    for (const IncidentDirection incident : allIncidentDirections) {
+      const auto ordered = brdf->withIncident(incident);
       const double error = worst(shader, {ordered});
-      qInfo("%s: %.1e of the largest value", incidentDirectionId(slot), error / largest);
+      qInfo("%s: %.1e of the largest value", incidentDirectionId(incident), error / largest);
       QVERIFY(error < 1e-5 * largest);
     }
   }
 
   void picturesOfEveryOrder() {
-    for (const IncidentDirection slot : allIncidentDirections)
-      verify(brushedMaterial()->withIncident(slot), {}, sphereScene());
+    for (const IncidentDirection incident : allIncidentDirections)
+      verify(brushedMaterial()->withIncident(incident), {}, sphereScene());
     verify(brushedMaterial(), {}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
   }
 

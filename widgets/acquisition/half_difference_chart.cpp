@@ -208,7 +208,7 @@ void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
   painter.save();
   painter.translate(width() - 0.8 * em, at.center().y());
   painter.rotate(-90);
-  drawCentred(painter, {0, 0}, tr("Uncertainty: σ of ln ρ"));
+  drawCentred(painter, {0, 0}, tr("Uncertainty: σ of the mapped value"));
   painter.restore();
 }
 
@@ -269,7 +269,9 @@ bool HalfDifferenceChart::event(QEvent* event) {
                      .arg(degreesText(at.thetaH), degreesText(at.thetaD), degreesText(m_slice.phiD),
                           stateName(m_slice.states[std::size_t(cell)]));
   if (hasDeviations() && !std::isnan(m_slice.deviations[std::size_t(cell)]))
-    text += '\n' + tr("Uncertainty, σ of ln ρ: %1").arg(formatNumber(double(m_slice.deviations[std::size_t(cell)])));
+    text +=
+        '\n' +
+        tr("Uncertainty, σ of the mapped value: %1").arg(formatNumber(double(m_slice.deviations[std::size_t(cell)])));
   QToolTip::showText(help->globalPos(), text, this);
   return true;
 }

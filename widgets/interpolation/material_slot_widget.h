@@ -33,6 +33,7 @@ class MaterialSlotWidget : public QFrame {
   /// Sets only the note, which changes with every step of a drag.
   void setNote(const QString& note);
   const SlotContent& content() const { return m_content; }
+  /// Enables the button Current, which puts the open material in the slot.
   void setCurrentAvailable(bool available);
 
   QToolButton* currentButton() const { return m_current; }

@@ -13,7 +13,7 @@ class CartesianPlot final : public CurveChart {
  public:
   explicit CartesianPlot(QWidget* parent = nullptr);
 
-  /// @param section the section of half-difference space to which the curves belong.
+  /// @param section the section to which the curves belong.
   void setSection(const plots::Section& section, PlotSeriesList<plots::Curve> series);
 
  protected:

@@ -57,7 +57,7 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
   PreviewDisplay display_;
   FrameBudget budget_;
   PreviewComparison comparison_;
-  bool coarse_ = false;   ///< the last frame has half the resolution
+  bool coarse_ = false;   ///< the last frame has half or a quarter of the resolution
   double range_ = 0;      ///< 0: not determined yet
   int rangeSamples_ = 0;  ///< number of samples when the range was determined
 };

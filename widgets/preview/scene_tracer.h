@@ -33,7 +33,7 @@ class SceneTracer : public QObject {
   bool isDone() const { return m_isDone; }
   /// The newest picture; null before the first one. Smaller than requested while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
-  /// Time of the last pass, of one sample per pixel at full size.
+  /// Time of the last pass divided by its samples per pixel, at the size of film(), ms.
   double millisecondsPerSample() const { return m_milliseconds; }
 
  Q_SIGNALS:

@@ -35,9 +35,9 @@ QCPScatterStyle scatterStyle(plots::Marker marker, const QColor& colour, const Q
 }
 
 /// That of the exported plot, legible on the background.
-QColor colourOn(const PlotStyle& style, const study::SeriesStyle& look, study::RepresentationFamily family) {
+QColor colourOn(const PlotStyle& style, const study::SeriesStyle& series, study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::table) return style.text;
-  const QColor colour(QString::fromUtf8(look.colour.data(), qsizetype(look.colour.size())));
+  const QColor colour(QString::fromUtf8(series.colour.data(), qsizetype(series.colour.size())));
   return style.dark ? colour.lighter(145) : colour;
 }
 
@@ -163,16 +163,16 @@ void StudyScatter::addSeries(const PlotStyle& style) {
   std::map<std::string, QCPCurve*> curves;
   for (int i = 0; i < int(m_records.size()); ++i) {
     const study::Representation& representation = m_records[std::size_t(i)].representation;
-    const study::SeriesStyle look = study::lookOf(representation);
-    QCPCurve*& curve = curves[look.name];
+    const study::SeriesStyle series = study::styleOf(representation);
+    QCPCurve*& curve = curves[series.name];
     if (!curve) {
       curve = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
-      const QColor colour = colourOn(style, look, representation.family);
-      curve->setName(QString::fromStdString(look.name));
+      const QColor colour = colourOn(style, series, representation.family);
+      curve->setName(QString::fromStdString(series.name));
       curve->setPen(QPen(colour, 1));
       // Models are not budgets of one representation, so no line connects them.
       if (representation.family == study::RepresentationFamily::fit) curve->setLineStyle(QCPCurve::lsNone);
-      curve->setScatterStyle(scatterStyle(look.marker, colour, look.hollow ? style.background : colour));
+      curve->setScatterStyle(scatterStyle(series.marker, colour, series.hollow ? style.background : colour));
     }
     if (const auto at = fraction(i)) curve->addData(i, at->x(), at->y());
   }

@@ -16,7 +16,7 @@ namespace gonio::widgets {
 struct PlotStyle;
 
 /// The records of a study as points over a cost, with the Pareto front as steps. The pointer and the arrow keys move
-/// between points; a click or Enter selects one. The point shapes are those of the exported plot (study::lookOf()).
+/// between points; a click or Enter selects one. The point shapes are those of the exported plot (study::styleOf()).
 class StudyScatter : public QWidget {
   Q_OBJECT
 

@@ -89,7 +89,7 @@ QVariant AcquisitionSampleModel::data(const QModelIndex& index, int role) const 
 QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   const std::pair<QString, QString> titles[] = {
-      {tr("#"), tr("Rank in the order of selection; the first samples contribute most")},
+      {tr("#"), tr("Rank in the order of selection; with the SOMP methods, the first samples contribute most")},
       {tr("θi [°]"), tr("Polar angle of the light, degrees")},
       {tr("φi [°]"), tr("Azimuth of the light, degrees")},
       {tr("θo [°]"), tr("Polar angle of the viewer, degrees")},

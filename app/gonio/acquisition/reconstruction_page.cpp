@@ -57,7 +57,7 @@ void ReconstructionPage::showResult() {
     facts << tr("components: %n", nullptr, made.components);
     if (made.ridge > 0) facts << tr("η = %1").arg(widgets::formatNumber(made.ridge));
     if (std::isfinite(made.leaveOneOutError))
-      facts << tr("leave-one-out error of ln ρ: %1").arg(widgets::formatNumber(made.leaveOneOutError));
+      facts << tr("leave-one-out error of a mapped value: %1").arg(widgets::formatNumber(made.leaveOneOutError));
   }
   m_numbers->setText(facts.join(QStringLiteral(" · ")));
   m_view->setContent(content);

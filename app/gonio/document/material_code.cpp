@@ -127,7 +127,9 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
            "error of ρ,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
        MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
-                            "coefficients.\n\"Learned with\": number of coefficients per material during training.")
+                            "coefficients; one for all channels, unless separate ones lower the error by more than a "
+                            "quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) "
+                            "during training.")
            .arg(code.dictionary->ensemble.dictionaries.size())}};
 }
 

@@ -25,7 +25,7 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::lobes),
                         tr("The ratio of measurement to fit moves with each lobe as it widens (GGX, layered lobes, "
-                           "anisotropic models)"),
+                           "anisotropic models except Ashikhmin-Premoze)"),
                         Qt::ToolTipRole);
   m_choice->setToolTip(
       tr("Method that applies the change of the model to the measurement.\n\"Lobes\" preserves the measured "

@@ -255,7 +255,7 @@ QString Inspector::energyText(int edit) const {
     const QString was = QString::number(from, 'f', 3), is = QString::number(to, 'f', 3);
     return was == is ? was : QStringLiteral("%1 \u2192 %2").arg(was, is);
   };
-  return tr("Albedo %1; %2\u00b0: %3")
+  return tr("Albedo at 0\u00b0: %1; at %2\u00b0: %3")
       .arg(change(before.headOn, after.headOn), QString::number(degrees(editing::grazingView)),
            change(before.grazing, after.grazing));
 }

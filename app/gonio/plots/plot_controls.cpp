@@ -154,8 +154,8 @@ void PlotControls::addSections() {
 
 void PlotControls::addIncidence() {
   const QString toolTip = tr(
-      "Angle of incidence: between the direction to the light and the normal. Drag it in the plot, or Ctrl + drag on "
-      "the sphere in the preview to pick the angle from which a point is viewed.");
+      "Angle of incidence: between the direction to the light and the normal. Drag it in the plot; Ctrl + drag on the "
+      "sphere in the preview sets it to the angle at which the surface is viewed there.");
   m_thetaISlider = new widgets::ParameterSlider;
   m_thetaISlider->setRange(0, widgets::maxThetaI, models::ParameterScale::angle);
   m_thetaISlider->setFixedWidth(fontMetrics().height() * 8);
@@ -175,7 +175,9 @@ void PlotControls::addIncidence() {
   QWidget* row = addLabelled(tr("θi"), m_thetaISlider);
   row->layout()->addWidget(m_thetaI);
   auto* pick = new QCheckBox(tr("Pick on sphere"));
-  pick->setToolTip(tr("Picks the angle on the sphere of the preview (or Ctrl + drag there)"));
+  pick->setToolTip(tr(
+      "Sets θi to the angle at which the surface is viewed at the point of the sphere that is clicked in the preview "
+      "(also Ctrl + drag)"));
   connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
   addLabelled({}, pick);
 }

@@ -17,9 +17,9 @@ QString kindToolTip(study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::baselines)
     return StudyRun::tr("Other factorisations from the literature, at the sizes of PDV factors");
   if (family == study::RepresentationFamily::published)
-    return StudyRun::tr("PDV factors and dictionary codes as the papers describe them");
+    return StudyRun::tr("PDV factors and sparse codes as the papers describe them");
   if (family == study::RepresentationFamily::alternatives)
-    return StudyRun::tr("PDV factors with jointly fitted terms, dictionary codes by basis pursuit");
+    return StudyRun::tr("PDV factors with jointly fitted terms, sparse codes by basis pursuit");
   if (family == study::RepresentationFamily::neural)
     return StudyRun::tr("Networks of 675 weights (Sztrajman et al. 2021); training takes about 12 seconds");
   return StudyRun::tr("Measures representations of this kind");

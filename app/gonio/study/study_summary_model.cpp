@@ -63,7 +63,7 @@ QString StudySummaryModel::text(const study::StudySummary& summary, int column) 
     case MedianSnrColumn:
       return comparisonValue(median.renderedSnr);
     case WorstSnrColumn:
-      return comparisonValue(summary.leastSnr);
+      return comparisonValue(summary.minSnr);
     case WorstMaterialColumn:
       return QString::fromStdString(m_materials[summary.worst]);
     case BytesColumn:
@@ -93,7 +93,7 @@ QVariant StudySummaryModel::sortKey(int row, int column) const {
   const double keys[] = {0,
                          -double(summary->materials),
                          -median.renderedSnr,
-                         -summary->leastSnr,
+                         -summary->minSnr,
                          0,
                          double(median.bytes),
                          median.evaluation.median,

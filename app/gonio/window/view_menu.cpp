@@ -63,8 +63,8 @@ void ViewMenu::addPicture() {
   overlay->setToolTip(tr("Shows scene, exposure, time, samples and effects of the image over the preview"));
   QAction* noise = addAction(tr("Filter &Noise"), &m_preview, &widgets::PreviewWidget::setNoiseFiltered);
   noise->setToolTip(
-      tr("Smooths the image while it has few samples. Measurements, exports and difference images are never "
-         "filtered."));
+      tr("Smooths the image while it has few samples. Measurements, rendered images and difference images are never "
+         "filtered; Copy Image and the export of the preview as shown contain what the preview shows."));
   for (QAction* action : {overlay, noise}) action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, overlay, noise] {
     overlay->setChecked(m_preview.overlay()->statusWanted());

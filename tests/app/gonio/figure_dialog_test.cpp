@@ -60,7 +60,7 @@ class FigureDialogTest : public QObject {
     QCOMPARE(figure.materials.size(), std::size_t(1));
     QCOMPARE(figure.materials[0].path, editor.path("chrome.binary").toStdString());
     QCOMPARE(labelsOf(dialog->representations().list()),
-             QStringList({"Ward", "PDV factors, three curves, 10 terms", "Dictionary code, 256 coefficients"}));
+             QStringList({"Ward", "PDV factors, three curves, 10 terms", "Sparse code, 256 coefficients"}));
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().page().hasPage() && dialog->view().page().message().isEmpty());
     QVERIFY(dialog->view().status().startsWith("3 of 3 cells are not measured"));

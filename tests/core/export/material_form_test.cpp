@@ -76,7 +76,7 @@ class MaterialFormTest : public QObject {
     for (std::size_t incident = 0; incident < UtiaBrdf::directionCount; ++incident)
       for (std::size_t viewing = 0; viewing < UtiaBrdf::directionCount; ++viewing) {
         const std::size_t i = incident * UtiaBrdf::directionCount + viewing;
-        const Direction viewer = test::utiaDirection(incident);  // in the slot of the incident direction
+        const Direction viewer = test::utiaDirection(incident);  // as the incident direction
         const float factor = viewer.y < 0 ? 0.5f : 1;
         for (int c = 0; c < 3; ++c)
           QVERIFY2(std::abs(after[i][c] - factor * values[i][c]) < (factor == 1 ? 1e-30f : 1e-6f),

@@ -22,7 +22,7 @@ class PublishedReader {
     rgb_ = grid("rgb", 5);
   }
 
-  /// @param incident in the slot of theta_i
+  /// @param incident the direction of theta_i
   Rgb value(const Direction& incident, const Direction& outgoing) const {
     const Direction m = glm::normalize(incident + outgoing);
     const double turn = azimuth(m) - azimuth(incident);

@@ -163,7 +163,7 @@ class RglExportTest : public QObject {
     QVERIFY2(snr > 40, qPrintable(QString::number(snr)));
   }
 
-  /// A material that is not reciprocal keeps the viewer in the slot of the incident direction.
+  /// A material that is not reciprocal keeps the viewer as the incident direction.
   void viewerIsIncident() {
     const test::FunctionBrdf material(
         [](const Direction& wi, const Direction& wo) { return Rgb(0.1 + 0.2 * wi.z + 0.05 * wo.z); }, true, false);

@@ -137,7 +137,7 @@ class SpectralEditTest : public QObject {
   void oneWavelengthIsGrey() {
     const auto light = file_->withIncident(IncidentDirection::light);
     const auto shown = exports::atWavelength(*light, nullptr, 610);
-    QVERIFY(shown->incidentSlot() == IncidentDirection::light);
+    QVERIFY(shown->incidentDirection() == IncidentDirection::light);
     const DirectionPair pair{fromSpherical(0.4, 0.3), fromSpherical(0.7, 1.2)};
     const Rgb value = shown->evaluate(pair.wi, pair.wo);
     QVERIFY(value.x > 0 && value.x == value.y && value.y == value.z);

@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const double none = std::nan("");
 using Indices = std::vector<std::size_t>;
 
-bool beats(const Trade& a, const Trade& b) {
+bool beats(const CostAndError& a, const CostAndError& b) {
   return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
 }
 
@@ -33,30 +33,32 @@ class ParetoTest : public QObject {
     std::mt19937 random(7);
     std::uniform_int_distribution<int> few(0, 9);
     for (int trial = 0; trial < 200; ++trial) {
-      std::vector<Trade> trades(std::size_t(few(random)) * 3);
-      for (Trade& trade : trades) {
-        trade = {double(few(random)), double(few(random))};
-        if (few(random) == 0) trade.cost = none;
-        if (few(random) == 0) trade.error = few(random) < 5 ? none : -infinity;
+      std::vector<CostAndError> alternatives(std::size_t(few(random)) * 3);
+      for (CostAndError& alternative : alternatives) {
+        alternative = {double(few(random)), double(few(random))};
+        if (few(random) == 0) alternative.cost = none;
+        if (few(random) == 0) alternative.error = few(random) < 5 ? none : -infinity;
       }
-      const Indices front = paretoFront(trades);
-      for (std::size_t i = 0; i < trades.size(); ++i) {
-        const bool isNumber = !std::isnan(trades[i].cost) && !std::isnan(trades[i].error);
-        const bool beaten = std::ranges::any_of(trades, [&](const Trade& other) { return beats(other, trades[i]); });
+      const Indices front = paretoFront(alternatives);
+      for (std::size_t i = 0; i < alternatives.size(); ++i) {
+        const bool isNumber = !std::isnan(alternatives[i].cost) && !std::isnan(alternatives[i].error);
+        const bool beaten =
+            std::ranges::any_of(alternatives, [&](const CostAndError& other) { return beats(other, alternatives[i]); });
         QCOMPARE(std::ranges::count(front, i) == 1, isNumber && !beaten);
       }
-      QVERIFY(std::ranges::is_sorted(front, {}, [&](std::size_t i) { return trades[i].cost; }));
+      QVERIFY(std::ranges::is_sorted(front, {}, [&](std::size_t i) { return alternatives[i].cost; }));
     }
   }
 
   void equalsStandTogetherInTheirOrder() {
-    const std::vector<Trade> trades{{2, 1}, {1, 2}, {2, 1}, {1, 2}, {2, 2}};
-    QCOMPARE(paretoFront(trades), (Indices{1, 3, 0, 2}));
+    const std::vector<CostAndError> alternatives{{2, 1}, {1, 2}, {2, 1}, {1, 2}, {2, 2}};
+    QCOMPARE(paretoFront(alternatives), (Indices{1, 3, 0, 2}));
   }
 
   void noErrorAtAllAndNoCostAtAll() {
-    const std::vector<Trade> trades{{5, -infinity}, {0, 3}, {6, -infinity}, {4, none}, {infinity, -infinity}};
-    QCOMPARE(paretoFront(trades), (Indices{1, 0}));
+    const std::vector<CostAndError> alternatives{
+        {5, -infinity}, {0, 3}, {6, -infinity}, {4, none}, {infinity, -infinity}};
+    QCOMPARE(paretoFront(alternatives), (Indices{1, 0}));
     QVERIFY(paretoFront({}).empty());
   }
 

@@ -73,7 +73,7 @@ class StudyReportTest : public QObject {
     const std::vector<StudySummary> summary = summarise(materials);
     QCOMPARE(summary.size(), materials[0].size());
     QCOMPARE(summary[0].median.renderedSnr, 30.0);
-    QCOMPARE(summary[0].leastSnr, 10.0);
+    QCOMPARE(summary[0].minSnr, 10.0);
     QCOMPARE(summary[0].maxSnr, 50.0);
     QCOMPARE(summary[0].worst, std::size_t(2));
     QCOMPARE(summary[3].worst, std::size_t(0));
@@ -202,9 +202,9 @@ class StudyReportTest : public QObject {
     choice.families.push_back(RepresentationFamily::publishedNonparametric);
     choice.separatedComponents = true;
     for (const Representation& representation : representationsOf(choice)) {
-      const SeriesStyle look = lookOf(representation);
-      shapes.insert({look.marker, look.hollow});
-      names.insert(look.name);
+      const SeriesStyle style = styleOf(representation);
+      shapes.insert({style.marker, style.hollow});
+      names.insert(style.name);
     }
     QCOMPARE(shapes.size(), names.size());
   }

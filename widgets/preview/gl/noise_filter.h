@@ -10,9 +10,10 @@
 
 namespace gonio::widgets {
 
-/// Removes noise from a picture with few samples, for display only: exported and measured values are never filtered.
-/// Preserves edges of shapes and differences larger than the noise (shaders/preview/noise_filter.frag). A picture
-/// without noise does not change, except for rounding. All calls need the picture's context.
+/// Removes noise from a picture with few samples, for display only: measurements, rendered images and difference images
+/// are never filtered. Preserves edges of shapes and differences larger than the noise
+/// (shaders/preview/noise_filter.frag). A picture without noise does not change, except for rounding. All calls need
+/// the picture's context.
 class NoiseFilter {
  public:
   /// Six or seven passes over the picture, which take as long as about two samples of a sphere.

@@ -11,9 +11,9 @@ namespace gonio::widgets {
 
 /// The possible subjects on the sides of a comparison.
 enum class ComparedSubject {
-  measured,  ///< the table
+  measured,  ///< the measurement in its native form
   fit,       ///< the fitted model alone
-  edited,    ///< the table with its edit
+  edited,    ///< the measurement with its edits
   reference  ///< another material
 };
 

@@ -79,9 +79,9 @@ std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base
 
 QStringList incidentDefinitions(const Brdf& base) {
   QStringList result;
-  const std::optional<IncidentDirection> slot = incidentDirectionOf(base);
-  if (slot && *slot != IncidentDirection::light) result << "INCIDENT_VIEWER";
-  if (slot && *slot != IncidentDirection::viewer) result << "INCIDENT_LIGHT";
+  const std::optional<IncidentDirection> incident = incidentDirectionOf(base);
+  if (incident && *incident != IncidentDirection::light) result << "INCIDENT_VIEWER";
+  if (incident && *incident != IncidentDirection::viewer) result << "INCIDENT_LIGHT";
   return result;
 }
 

@@ -32,10 +32,10 @@ bool fitsBesideBlends(const Brdf& base);
 /// Uploads a measurement, in a few ms. Null for a table and for a BRDF that the shader cannot evaluate.
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base);
 
-/// The data that uploadShaderBase() uploads: the same object for all orders of a measurement's directions.
+/// The data that uploadShaderBase() uploads: the same object for every incident direction of a measurement.
 std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base);
 
-/// The definitions of the shader variant for the incident direction (shaders/preview/incident_slot.glsl).
+/// The definitions of the shader variant for the incident direction (shaders/preview/incident_direction.glsl).
 QStringList incidentDefinitions(const Brdf& base);
 
 }  // namespace gonio::widgets
