@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/acquisition/sampling_plan.h"
 #include "core/brdf/data_transform.h"
 #include "core/materials/bundled_basis.h"
 #include "core/math/parallel.h"
@@ -70,19 +69,6 @@ std::string noteWith(const materials::Material& material, const std::string& par
   return {};
 }
 
-/// Directions above the horizon, at a node that is not valid in all bundled materials.
-DirectionPair unknownPair() {
-  const auto basis = materials::bundledBasis();
-  const auto& mapping = basis->components.mapping;
-  for (std::uint32_t node = 0; node < mapping.grid.size(); ++node) {
-    const DirectionPair pair = mapping.grid.directions(node);
-    if (pair.wi.z > 1e-3 && pair.wo.z > 1e-3 && acquisition::nearestNode(mapping.grid, pair) == node &&
-        !std::ranges::binary_search(mapping.cells, node))
-      return pair;
-  }
-  return {};
-}
-
 /// F of "to a factor of F (root mean square)".
 double statedFactor(const materials::Material& material) {
   const std::string note = noteWith(material, "leave-one-out error"), before = "a factor of ";
@@ -124,8 +110,6 @@ class ScatteredMaterialTest : public QObject {
     mean.add(pair, Rgb(0.2));
     mean.add(samples.directions[2], samples.values[2]);
     QVERIFY(std::ranges::equal(materialOf(mean).table->values(), material.table->values()));
-    mean.add(unknownPair(), Rgb(1));
-    QCOMPARE(noteWith(materialOf(mean), "left out"), std::string("1 samples too close to the horizon were left out"));
   }
 
   void deviationsCount() {
