@@ -91,9 +91,12 @@ std::optional<double> StudyAxis::position(double value) const {
 
 std::vector<StudyAxis::Tick> StudyAxis::ticks() const {
   constexpr int wanted = 7;
+  constexpr double clear = 0.1;  // of the axis, from the labels of values beyond the scale
   std::vector<Tick> ticks;
   if (zeroEnd) ticks.push_back({endShare / 3, scale.logarithmic ? "0" : "-∞"});
-  for (const double value : plots::scaleTicks(scale, wanted)) ticks.push_back({*position(value), shortNumber(value)});
+  for (const double value : plots::scaleTicks(scale, wanted))
+    if (const double at = *position(value); !(zeroEnd && at < clear) && !(infiniteEnd && at > 1 - clear))
+      ticks.push_back({at, shortNumber(value)});
   if (!scale.logarithmic) ticks.push_back({*position(0), "0"});
   if (infiniteEnd) ticks.push_back({1 - endShare / 3, "∞"});
   return ticks;

@@ -140,6 +140,9 @@ class StudyReportTest : public QObject {
     for (const StudyAxis& axis : {quality, encoding, size})
       for (const StudyAxis::Tick& tick : axis.ticks()) QVERIFY(tick.position >= 0 && tick.position <= 1);
     QVERIFY(qualityAxis(records, metrics::BrdfMetric::log).scale.logarithmic);
+    // Labels beside those of infinity and zero would overlap them.
+    for (const StudyAxis::Tick& tick : quality.ticks()) QVERIFY(tick.text == "∞" || tick.position <= 0.9);
+    for (const StudyAxis::Tick& tick : encoding.ticks()) QVERIFY(tick.text == "0" || tick.position >= 0.1);
   }
 
   void numbersAreShort() {
