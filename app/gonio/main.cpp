@@ -11,8 +11,6 @@
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
-#include "app/gonio/figures/figure_file_buttons.h"
-#include "app/gonio/figures/figure_view.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
@@ -23,6 +21,7 @@
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/event_times.h"
+#include "app/gonio/window/figure_screenshot.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/opening_times.h"
 #include "app/gonio/window/screenshot.h"
@@ -226,29 +225,13 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
   }
 }
 
-/// Opens the dialog of a figure with a description, and measures the figure.
-FigureDialog& measureFigure(MainWindow& window, const QString& description) {
-  auto* dialog = new FigureDialog(window.parts().figureParts(), &window);
-  QObject::connect(&dialog->files(), &FigureFileButtons::opened, dialog,
-                   [dialog] { dialog->view().maker().measure(); });
-  dialog->show();
-  dialog->files().open(description);
-  return *dialog;
-}
-
 /// Saves a picture of the window, or of the dialog of the figure, and ends the program.
 void takeScreenshot(MainWindow& window, const Options& options) {
-  if (options.figure.isEmpty()) {
+  if (options.figure.isEmpty())
     new Screenshot(
         window, [&window] { return window.parts().isSettled(); }, options.screenshot, options.waitSeconds);
-    return;
-  }
-  FigureDialog& dialog = measureFigure(window, options.figure);
-  const auto isMeasured = [&view = dialog.view()] {
-    const gonio::figures::FigureMeasurement& known = view.maker().known();
-    return view.isSettled() && !known.rows.empty() && known.missingCells() == 0;
-  };
-  new Screenshot(dialog, isMeasured, options.screenshot, options.waitSeconds);
+  else
+    takeFigureScreenshot(window.parts().figureParts(), window, options.figure, options.screenshot, options.waitSeconds);
 }
 
 /// Renders the pictures of the library into a folder. @return the program's exit code.

@@ -16,7 +16,7 @@ namespace gonio::models {
 /// The slope of the logarithm of the terms of heSeries() at the order m. From m = 2 on it decreases.
 inline double heLogSlope(double g, double a, double m) { return std::log(g / (m + 0.5)) - 1 / m + a / (m * m); }
 
-/// Order and width (standard deviation) of a Gaussian that resembles the terms of heSeries().
+/// Order m >= 1 and width (standard deviation, in orders) of a Gaussian that resembles the terms of heSeries().
 struct HeTerms {
   double order, width;
 };
@@ -45,7 +45,7 @@ inline double heSumOfTerms(double g, double a) {
   for (int first = 0; first < block * blocks; first += block) {
     const double* reciprocal = &reciprocals[std::size_t(first)];
     double terms[block];
-    for (int n = 0; n < block; ++n) terms[n] = fastExp(std::max(-a * reciprocal[n], -700.0)) * reciprocal[n];
+    for (int n = 0; n < block; ++n) terms[n] = fastExp(-a * reciprocal[n]) * reciprocal[n];
     double last = 0, before = 0;
     for (int n = 0; n < block; ++n) {
       before = last;
@@ -70,7 +70,7 @@ inline double heIntegralOfTerms(double g, double a) {
     const double u = m / g - 1, inverse = 1 / m;
     const double exponent =
         -g * ((1 + u) * fastLog1p(u) - u) - inverse * (a + 1.0 / 12 - inverse * inverse * (1.0 / 360));
-    values[n] = at < 1 ? 0.0 : fastExp(std::min(exponent, 0.0)) * inverse / std::sqrt(m);
+    values[n] = at < 1 ? 0.0 : fastExp(exponent) * inverse / std::sqrt(m);
   }
   double sum = 0;
   for (const double value : values) sum += value;
@@ -78,7 +78,7 @@ inline double heIntegralOfTerms(double g, double a) {
 }
 
 /// sum over m >= 1 of g^m exp(-g - a / m) / (m! m): eq. 78 of the paper without its constant, g > 0, a >= 0. Relative
-/// error below 1e-7. About 0.05 us.
+/// error below 1e-7. About 0.15 us, 0.3 us for high orders.
 inline double heSeries(double g, double a) {
   constexpr double directOrder = 25;
   return heLogSlope(g, a, directOrder) <= 0 ? heSumOfTerms(g, a) : heIntegralOfTerms(g, a);
