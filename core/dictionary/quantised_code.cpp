@@ -224,6 +224,8 @@ void expandChannels(std::span<const std::byte> bytes, SparseCode& code) {
     const bool isShared = c > 0 && channel.dictionary == code.channels[c - 1].dictionary;
     levels.emplace_back(sizes);
     ChannelCoder(coder, contexts, sizes, levels[c], isShared ? &levels[c - 1] : nullptr).run();
+    if (channel.step == 0 && !levels[c].values.empty())
+      throw Error("the step of a channel with coefficients is 0, expected a positive number");
     channel.coefficients = coefficientsOf(levels[c], channel.step);
     for (const Coefficient<float>& coefficient : channel.coefficients)
       if (!std::isfinite(coefficient.value)) throw Error("a coefficient of the code is not finite");

@@ -30,6 +30,9 @@
 #include "preview/scene_shapes.glsl"
 #if defined(LIGHT_ENVIRONMENT) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
 #define DRAW_DIRECTIONS
+#if defined(SHADOWS) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
+#define MEET_OBJECTS
+#endif
 #include "preview/sampling_lobe.glsl"
 #endif
 #if defined(LIGHT_ENVIRONMENT) || defined(SHOW_ENVIRONMENT)
@@ -217,10 +220,8 @@ vec3 reflected(Surface surface, vec4 numbers, uint pixel, uvec3 hash) {
     vec3 direction = surface.frame * wi;
     if (!leaves(surface, direction, wi) || density <= 0.0) break;
     vec3 value = throughput * reflectance(surface, wi) * wi.z;
-    Hit hit;
-    hit.object = -1;
-#if defined(SHADOWS) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
-    hit = firstObject(surface.object, surface.position, direction);
+#ifdef MEET_OBJECTS
+    Hit hit = firstObject(surface.object, surface.position, direction);
 #endif
 #ifdef LIGHT_ENVIRONMENT
 #ifdef SHADOWS
@@ -233,6 +234,7 @@ vec3 reflected(Surface surface, vec4 numbers, uint pixel, uvec3 hash) {
       sum += value * light.radiance * weightOverDensity(density, light.density);
     }
 #endif
+#ifdef MEET_OBJECTS
     if (hit.object < 0) break;
     if (hit.object >= firstLamp) {
 #ifdef LIGHT_LAMPS
@@ -256,6 +258,7 @@ vec3 reflected(Surface surface, vec4 numbers, uint pixel, uvec3 hash) {
       throughput /= kept;
     }
     surface = surfaceAt(hit, surface.position, direction);
+#endif
   }
 #else
   if (surface.wo.z > 0.0) sum = drawnLights(surface, 0, hash);

@@ -40,7 +40,7 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
       edit.edited.values[*model.spec().find(id)] *= factor;
     fixture.renderer.setSubject({widgets::EditedMaterial{base, {{edit}}}, lobe});
     fixture.renderer.restart();
-    fixture.renderer.accumulate(1);
+    fixture.accumulate(1);
   };
   next();  // compiles the shader
   for (auto _ : state) next();

@@ -38,7 +38,7 @@ void runFrames(benchmark::State& state, bool environment, bool edited) {
       fixture.show({{fixture.edit}});
     }
     fixture.renderer.restart();
-    fixture.renderer.accumulate(int(state.range(0)));
+    fixture.accumulate(int(state.range(0)));
   }
 }
 
@@ -53,10 +53,10 @@ void runFormFrames(benchmark::State& state, bool environment, std::shared_ptr<co
   if (asTable) brdf = bakeTable(*brdf);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.renderer.setSubject(widgets::measuredSubject(brdf, std::make_shared<const TabulatedLobe>(*brdf)));
-  fixture.renderer.accumulate(1);
+  fixture.accumulate(1);
   for (auto _ : state) {
     fixture.renderer.restart();
-    fixture.renderer.accumulate(1);
+    fixture.accumulate(1);
   }
   fixture.show();
 }
@@ -86,7 +86,7 @@ void runFactorDrag(benchmark::State& state, bool environment) {
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, factor));
     fixture.show({{edit}});
     fixture.renderer.restart();
-    fixture.renderer.accumulate(1);
+    fixture.accumulate(1);
   }
   fixture.show();
 }
@@ -114,7 +114,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   // Textures and shaders are there when the hand begins.
   const auto first = std::vector<double>(count, 1.0 / double(count));
   fixture.renderer.setSubject(widgets::blendSubject(*blend, first));
-  fixture.renderer.accumulate(1);
+  fixture.accumulate(1);
   double t = 0.1;
   for (auto _ : state) {
     t = t < 0.9 ? t + 0.013 : 0.1;
@@ -123,7 +123,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
     widgets::PreviewSubject subject = widgets::blendSubject(*blend, weights);
     subject.lobe = lobe;
     fixture.renderer.setSubject(subject);
-    fixture.renderer.accumulate(1);
+    fixture.accumulate(1);
   }
   fixture.renderer.setSubject(widgets::measuredSubject(materials[0].table, lobe));
 }
@@ -291,10 +291,10 @@ void sceneFrame(benchmark::State& state, const std::string& name) {
   const Scene scene = openScene(name, 3);
   fixture.show();
   fixture.renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
-  fixture.renderer.accumulate(1);  // compiles the shader and uploads the environment
+  fixture.accumulate(1);  // compiles the shader and uploads the environment
   for (auto _ : state) {
     fixture.renderer.restart();
-    fixture.renderer.accumulate(1);
+    fixture.accumulate(1);
   }
 }
 
@@ -304,14 +304,17 @@ void noiseFilter(benchmark::State& state) {
   const Scene scene = openScene("sphere");
   fixture.show();
   fixture.renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
-  fixture.renderer.accumulate(14);
+  fixture.accumulate(14);
   QOpenGLFunctions_4_1_Core gl;
   gl.initializeOpenGLFunctions();
   widgets::PreviewResources resources;
   resources.initialize();
   widgets::NoiseFilter filter;
   filter.apply(gl, resources, fixture.renderer);  // compiles its shaders
-  for (auto _ : state) filter.apply(gl, resources, fixture.renderer);
+  for (auto _ : state) {
+    filter.apply(gl, resources, fixture.renderer);
+    gl.glFinish();
+  }
   filter.release();
   resources.release();
 }

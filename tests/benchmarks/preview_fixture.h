@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QGuiApplication>
+#include <QOpenGLFunctions>
 #include <stdexcept>
 
 #include "core/models/registry.h"
@@ -26,6 +27,12 @@ class PreviewFixture {
 
   void show(const editing::EditList& edits = {}) {
     renderer.setSubject({widgets::EditedMaterial{table, edits}, lobe_});
+  }
+
+  /// Adds samples to each pixel and returns when they are drawn (a GPU would go on after the call).
+  void accumulate(int samples) {
+    renderer.accumulate(samples);
+    QOpenGLContext::currentContext()->functions()->glFinish();
   }
 
  private:

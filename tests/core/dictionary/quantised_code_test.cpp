@@ -145,6 +145,10 @@ class QuantisedCodeTest : public QObject {
     std::vector<std::byte> longer = bytes;
     longer.push_back({});
     QVERIFY_EXCEPTION_THROWN(expanded(longer), Error);
+    // Coefficients of step 0 would all be 0, and not be written again.
+    std::vector<std::byte> withoutStep = bytes;
+    std::fill_n(withoutStep.begin() + 1, sizeof(float), std::byte(0));
+    QVERIFY_EXCEPTION_THROWN(expanded(withoutStep), Error);
     // Whatever is read from flipped bits is a code of the grid, or an error.
     std::mt19937_64 random(5);
     for (int i = 0; i < 500; ++i) {
