@@ -120,14 +120,17 @@ float tabulatedDensity(vec3 wi, vec3 wo) {
   vec3 normal = normalize(wi + wo);
   vec2 axis = lobeAxis(wo);
   float phi = atan(axis.x * normal.y - axis.y * normal.x, dot(axis, normal.xy));
-  float x = sqrt(sqrt(length(normal.xy) / (1.0 + normal.z)));
+  // Nearer the pole, the half vector of two directions in single precision has no digits left, and the density would
+  // vanish: it is that of the first cells all over them.
+  const float nearestToPole = 0.016;
+  float x = max(nearestToPole, sqrt(sqrt(length(normal.xy) / (1.0 + normal.z))));
   vec3 size = vec3(textureSize(lobeCells, 0));
   vec2 place = vec2(x, (phi + pi) / (2.0 * pi)) * (size.xy - 1.0) + 0.5;
   float cells = texture(lobeCells, vec3(place / size.xy, (lobeViewer(wo.z) + 0.5) / size.z)).x;
   float x4 = x * x * x * x;
   float one = 1.0 + x4 * x4;
   float stretch = 32.0 * pi * x4 * x * x * x / (one * one);
-  return cells * (size.x - 1.0) * (size.y - 1.0) / (max(stretch, 1e-20) * 4.0 * max(dot(normal, wo), 1e-6));
+  return cells * (size.x - 1.0) * (size.y - 1.0) / (stretch * 4.0 * max(dot(normal, wo), 1e-6));
 }
 
 // Density of sampleLobe at wi, 1/sr.
