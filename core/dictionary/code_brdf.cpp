@@ -34,7 +34,14 @@ Place wrapped(double position, int count) {
   return {low, low + 1 == count ? 0 : low + 1, float(position - low)};
 }
 
-/// The atoms of one mode that a channel uses, those of a node side by side.
+/// Four numbers at one node of mode 0, then four at the next one; or the same four twice.
+using Lanes = Eigen::Array<float, 8, 1>;
+
+/// The channels at the corners of a cell, the fourth unused; bits 0, 1 and 2 of the index choose the nodes of the
+/// modes.
+using CornerValues = Eigen::Array<float, 4, 8>;
+
+/// The atoms of one mode that are used, those of a node side by side.
 class Atoms {
  public:
   Atoms(const Eigen::MatrixXd& mode, const std::vector<int>& used) : count_(used.size()) {
@@ -43,11 +50,8 @@ class Atoms {
       for (std::size_t a = 0; a < count_; ++a) values_[std::size_t(node) * count_ + a] = float(mode(node, used[a]));
   }
 
-  void at(const Place& place, float* result) const {
-    const float* low = values_.data() + std::size_t(place.low) * count_;
-    const float* high = values_.data() + std::size_t(place.high) * count_;
-    for (std::size_t a = 0; a < count_; ++a) result[a] = low[a] + place.fraction * (high[a] - low[a]);
-  }
+  /// All atoms at a node.
+  const float* at(int node) const { return values_.data() + std::size_t(node) * count_; }
   std::size_t count() const { return count_; }
 
  private:
@@ -55,104 +59,171 @@ class Atoms {
   std::vector<float> values_;
 };
 
-/// One channel: its coefficients grouped by the atoms of modes 1 and 2, so that a coefficient costs one product.
-class ChannelSum {
+/// Numbers the atoms of a mode in the order in which they are asked for.
+class UsedAtoms {
  public:
-  ChannelSum(const std::array<Eigen::MatrixXd, 3>& atoms, const ChannelCode& channel) : highest_(channel.highest) {
-    const std::uint32_t n0 = std::uint32_t(atoms[0].rows()), n1 = std::uint32_t(atoms[1].rows());
-    std::vector<Coefficient<float>> sorted = channel.coefficients;
-    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
-    std::array<std::map<int, std::uint16_t>, 3> places;
-    std::array<std::vector<int>, 3> used;
-    const auto place = [&](std::size_t mode, std::uint32_t atom) {
-      const auto [found, isNew] = places[mode].try_emplace(int(atom), std::uint16_t(used[mode].size()));
-      if (isNew) used[mode].push_back(int(atom));
-      return found->second;
-    };
-    for (const Coefficient<float>& c : sorted) {
-      const std::uint16_t atom1 = place(1, c.index / n0 % n1), atom2 = place(2, c.index / (n0 * n1));
-      if (groups_.empty() || groups_.back().atom1 != atom1 || groups_.back().atom2 != atom2)
-        groups_.push_back({atom1, atom2, std::uint32_t(values_.size()), 0});
-      atoms0_.push_back(place(0, c.index % n0));
-      values_.push_back(c.value);
-      groups_.back().end = std::uint32_t(values_.size());
+  std::uint16_t place(std::uint32_t atom) {
+    const auto [found, isNew] = places_.try_emplace(atom, std::uint16_t(list_.size()));
+    if (isNew) list_.push_back(int(atom));
+    return found->second;
+  }
+  const std::vector<int>& list() const { return list_; }
+
+ private:
+  std::map<std::uint32_t, std::uint16_t> places_;
+  std::vector<int> list_;
+};
+
+/// The coefficients of all channels of one dictionary, by the atoms of mode 2, then of mode 1, so that each costs one
+/// product per node of mode 0.
+class DictionarySum {
+ public:
+  /// @param channels of the code that have this dictionary.
+  DictionarySum(const std::array<Eigen::MatrixXd, 3>& atoms, const SparseCode& code, const std::vector<int>& channels) {
+    std::map<std::uint32_t, Lanes> byIndex;
+    for (const int channel : channels)
+      for (const Coefficient<float>& c : code.channels[std::size_t(channel)].coefficients) {
+        Lanes& lanes = byIndex.try_emplace(c.index, Lanes::Zero()).first->second;
+        lanes[channel] += c.value;
+        lanes[channel + 4] += c.value;
+      }
+    const auto n0 = std::uint32_t(atoms[0].rows()), n1 = std::uint32_t(atoms[1].rows());
+    std::array<UsedAtoms, 3> used;
+    for (const auto& [index, lanes] : byIndex) {
+      const std::uint16_t atom1 = used[1].place(index / n0 % n1), atom2 = used[2].place(index / (n0 * n1));
+      if (slices_.empty() || slices_.back().atom != atom2) slices_.push_back({atom2, std::uint32_t(rows_.size())});
+      if (slices_.back().end == rows_.size() || rows_.back().atom != atom1)
+        rows_.push_back({atom1, std::uint32_t(values_.size())});
+      slices_.back().end = std::uint32_t(rows_.size());
+      atoms0_.push_back(used[0].place(index % n0));
+      values_.push_back(lanes);
+      rows_.back().end = std::uint32_t(values_.size());
     }
-    for (std::size_t mode = 0; mode < 3; ++mode) atoms_.emplace_back(atoms[mode], used[mode]);
+    for (std::size_t mode = 0; mode < 3; ++mode) atoms_.emplace_back(atoms[mode], used[mode].list());
   }
 
-  float at(const std::array<Place, 3>& places, std::vector<float>& scratch) const {
-    scratch.resize(atoms_[0].count() + atoms_[1].count() + atoms_[2].count());
-    float* const a0 = scratch.data();
-    float* const a1 = a0 + atoms_[0].count();
-    float* const a2 = a1 + atoms_[1].count();
-    atoms_[0].at(places[0], a0);
-    atoms_[1].at(places[1], a1);
-    atoms_[2].at(places[2], a2);
-    float sum = 0;
-    for (const Group& group : groups_) {
-      float inner = 0;
-      for (std::uint32_t i = group.begin; i < group.end; ++i) inner += values_[i] * a0[atoms0_[i]];
-      sum += inner * a1[group.atom1] * a2[group.atom2];
+  /// @param scratch for the atoms of mode 0 at both nodes.
+  void addTo(CornerValues& corners, const std::array<Place, 3>& places, std::vector<Lanes>& scratch) const {
+    scratch.resize(atoms_[0].count());
+    const float *const low0 = atoms_[0].at(places[0].low), *const high0 = atoms_[0].at(places[0].high);
+    for (std::size_t a = 0; a < scratch.size(); ++a)
+      scratch[a] << low0[a], low0[a], low0[a], low0[a], high0[a], high0[a], high0[a], high0[a];
+    const float *const low1 = atoms_[1].at(places[1].low), *const high1 = atoms_[1].at(places[1].high);
+    const float *const low2 = atoms_[2].at(places[2].low), *const high2 = atoms_[2].at(places[2].high);
+    std::array<Lanes, 4> sums{Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};  // by modes 1 and 2
+    std::uint32_t row = 0, coefficient = 0;
+    for (const Range& slice : slices_) {
+      Lanes first = Lanes::Zero(), second = Lanes::Zero();  // by mode 1
+      for (; row < slice.end; ++row) {
+        Lanes sum = Lanes::Zero();
+        for (; coefficient < rows_[row].end; ++coefficient) sum += values_[coefficient] * scratch[atoms0_[coefficient]];
+        first += sum * low1[rows_[row].atom];
+        second += sum * high1[rows_[row].atom];
+      }
+      sums[0] += first * low2[slice.atom];
+      sums[1] += second * low2[slice.atom];
+      sums[2] += first * high2[slice.atom];
+      sums[3] += second * high2[slice.atom];
     }
-    return std::min(sum, highest_);
+    for (int k = 0; k < 4; ++k) {
+      corners.col(2 * k) += sums[std::size_t(k)].head<4>();
+      corners.col(2 * k + 1) += sums[std::size_t(k)].tail<4>();
+    }
   }
 
  private:
-  struct Group {
-    std::uint16_t atom1, atom2;
-    std::uint32_t begin, end;
+  /// What follows the range before, up to `end`, and belongs to one atom.
+  struct Range {
+    std::uint16_t atom;
+    std::uint32_t end;
   };
   std::vector<Atoms> atoms_;
-  std::vector<Group> groups_;
+  std::vector<Range> slices_, rows_;  ///< of rows_, by mode 2; of values_, by mode 1
   std::vector<std::uint16_t> atoms0_;
-  std::vector<float> values_;
-  float highest_;
+  std::vector<Lanes> values_;
 };
 
 class CodeBrdf final : public Brdf {
  public:
-  CodeBrdf(const Ensemble& ensemble, const SparseCode& code) : grid_(code.grid), transform_(code.transform) {
+  CodeBrdf(const Ensemble& ensemble, const SparseCode& code)
+      : grid_(code.grid), transform_(code.transform), geometry_(GridGeometry::of(code.grid)) {
     checkCode(ensemble, code);
-    const auto geometry = GridGeometry::of(code.grid);
-    for (const ChannelCode& channel : code.channels)
-      channels_.emplace_back(
-          unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry, code.scaled), channel);
+    std::map<int, std::vector<int>> channels;
+    for (int c = 0; c < 3; ++c) {
+      channels[code.channels[std::size_t(c)].dictionary].push_back(c);
+      highest_[c] = code.channels[std::size_t(c)].highest;
+    }
+    for (const auto& [dictionary, list] : channels)
+      sums_.emplace_back(unscaledAtoms(ensemble.dictionaries[std::size_t(dictionary)], *geometry_, code.scaled), code,
+                         list);
   }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    std::vector<float> scratch;
+    std::vector<Lanes> scratch;
     HalfDifferenceBlock block;
     for (std::size_t begin = 0; begin < pairs.size(); begin += HalfDifferenceBlock::capacity) {
       const std::size_t length = std::min(HalfDifferenceBlock::capacity, pairs.size() - begin);
       toHalfDifference(pairs.subspan(begin, length), block);
       for (std::size_t i = 0; i < length; ++i)
-        values[begin + i] = block.valid[i] != 0 && isAboveHorizon(pairs[begin + i])
-                                ? valueAt(block, i, pairs[begin + i], scratch)
-                                : Rgb(0);
+        values[begin + i] =
+            block.valid[i] != 0 && isAboveHorizon(pairs[begin + i]) ? valueAt(block, i, scratch) : Rgb(0);
     }
   }
   bool isReciprocal() const override { return grid_.reciprocal; }
 
  private:
+  /// The corners of a cell and their weights, 0 below the horizon.
+  struct Corners {
+    std::array<Place, 3> places;
+    std::array<std::size_t, 8> cells;
+    std::array<double, 8> weights;
+  };
+
   static bool isAboveHorizon(const DirectionPair& pair) { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
 
-  Rgb valueAt(const HalfDifferenceBlock& block, std::size_t i, const DirectionPair& pair,
-              std::vector<float>& scratch) const {
-    const auto position = grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]);
-    const std::array<Place, 3> places{wrapped(position.phiD, grid_.phiDCount),
-                                      clamped(position.thetaD, grid_.thetaDCount),
-                                      clamped(position.thetaH, grid_.thetaHCount)};
-    const double weight = cosineWeight(pair.wi.z, pair.wo.z);
-    Rgb value;
-    for (int c = 0; c < 3; ++c)
-      value[c] = inverseTransformed(transform_, double(channels_[std::size_t(c)].at(places, scratch)), weight);
-    return value;
+  Corners corners(const HalfDifferenceGrid::Position& position) const {
+    Corners corners{{wrapped(position.phiD, grid_.phiDCount), clamped(position.thetaD, grid_.thetaDCount),
+                     clamped(position.thetaH, grid_.thetaHCount)},
+                    {},
+                    {}};
+    const auto& [phiD, thetaD, thetaH] = corners.places;
+    double sum = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const bool isHigh[]{(corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0};
+      double weight = 1;
+      for (std::size_t mode = 0; mode < 3; ++mode)
+        weight *= isHigh[mode] ? double(corners.places[mode].fraction) : 1 - double(corners.places[mode].fraction);
+      const std::size_t cell = grid_.index(isHigh[2] ? thetaH.high : thetaH.low, isHigh[1] ? thetaD.high : thetaD.low,
+                                           isHigh[0] ? phiD.high : phiD.low);
+      corners.cells[corner] = cell;
+      corners.weights[corner] = geometry_->aboveHorizon[cell] != 0 ? weight : 0;
+      sum += corners.weights[corner];
+    }
+    for (double& weight : corners.weights) weight = sum > 0 ? weight / sum : 0;
+    return corners;
+  }
+
+  Rgb valueAt(const HalfDifferenceBlock& block, std::size_t i, std::vector<Lanes>& scratch) const {
+    const Corners at = corners(grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]));
+    CornerValues values = CornerValues::Zero(), cosines = CornerValues::Ones();
+    for (const DictionarySum& sum : sums_) sum.addTo(values, at.places, scratch);
+    values = values.min(highest_.replicate<1, 8>());
+    if (transform_ == DataTransform::cosineLog)
+      for (int k = 0; k < 8; ++k)
+        cosines.col(k).setConstant(geometry_->weights[Eigen::Index(at.cells[std::size_t(k)])]);
+    invertTransform(values.reshaped(), transform_, cosines.reshaped());
+    Rgb sum(0);
+    for (int k = 0; k < 8; ++k)
+      for (int c = 0; c < 3; ++c) sum[c] += at.weights[std::size_t(k)] * double(values(c, k));
+    return sum;
   }
 
   HalfDifferenceGrid grid_;
   DataTransform transform_;
-  std::vector<ChannelSum> channels_;
+  std::shared_ptr<const GridGeometry> geometry_;
+  Eigen::Array<float, 4, 1> highest_ = Eigen::Array<float, 4, 1>::Zero();
+  std::vector<DictionarySum> sums_;
 };
 
 }  // namespace

@@ -70,8 +70,8 @@ struct TransformedTable {
   std::vector<std::uint8_t> valid;  ///< as TabulatedBrdf::valid()
 };
 
-/// A blend that a preview's shader can evaluate per pixel while the weights change: the BRDF value is the inverse
-/// transform of the sum of weight times value over the tables.
+/// A blend that a preview's shader can evaluate per pixel while the weights change: at a node, the BRDF value is the
+/// inverse transform of the sum of weight times value over the tables; between nodes, values are interpolated.
 struct TransformedMixture {
   DataTransform transform = DataTransform::none;
   std::vector<TransformedTable> tables;  ///< one per material

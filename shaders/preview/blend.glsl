@@ -3,7 +3,7 @@
 // Materials mixed while a point is dragged between them; only the weights change (and the target that all move to).
 // Twin of editing::TransformedMixture and of the blends of core/interpolation that it stands for.
 //   BLEND_TABLES     how many
-//   BLEND_TRANSFORM  the DataTransform of their values; the mean is transformed back
+//   BLEND_IN_TRANSFORMED_DOMAIN  their values are transformed, by the DataTransform BLEND_TRANSFORM
 //   BLEND_MOVES      each is moved by a model first, with EVALUATE_MODEL and MODEL_PARAMETERS: by model(target) -
 //                    model(its own parameters)
 //   BLEND_OWN        one of them has a part of its weight in its own form, as ownForm() evaluates it
@@ -30,6 +30,46 @@ uniform int blendOwnIndex;
 vec3 ownForm(vec3 wi, vec3 wo);
 #endif
 
+#ifdef BLEND_IN_TRANSFORMED_DOMAIN
+// Product of the cosines of both directions at a node of the grid.
+float nodeCosines(ivec3 node, vec3 size) {
+  float thetaH = float(node.z * node.z) / (size.z * size.z) * (0.5 * pi);
+  float thetaD = float(node.y) / size.y * (0.5 * pi);
+  float middle = cos(thetaH) * cos(thetaD);
+  float side = sin(thetaH) * sin(thetaD) * cos(float(node.x) / size.x * blendPhiPeriods[0]);
+  return middle * middle - side * side;
+}
+
+// The mixture at a node, transformed back; alpha is 0 where no material has data.
+vec4 blendAtNode(ivec3 node, vec3 size) {
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < BLEND_TABLES; ++i) {
+    vec4 texel = texelFetch(blendTables[i], node, 0);
+    sum += blendWeights[i] * texel;
+  }
+  if (sum.a <= 0.0) return vec4(0.0);
+  return vec4(inverseTransformed(BLEND_TRANSFORM, max(sum.rgb, vec3(0.0)), nodeCosines(node, size)), 1.0);
+}
+
+// Linear RGB in 1/sr; 0 where no material has data. Values are interpolated, as those of a table of the mixture are: in
+// the transformed domain they would be lower between the nodes, by far so in a sharp highlight.
+vec3 evaluateBlend(vec3 wi, vec3 wo) {
+  vec3 at;
+  if (!toHalfDifference(wi, wo, at)) return vec3(0.0);
+  ivec3 count = textureSize(blendTables[0], 0);
+  vec3 place = tablePlace(vec3(count), blendPhiPeriods[0], at);
+  ivec3 low = ivec3(place);
+  vec3 share = place - vec3(low);
+  vec4 sum = vec4(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    ivec3 step = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    ivec3 node = ivec3((low.x + step.x) % count.x, min(low.yz + step.yz, count.yz - 1));
+    vec3 weights = mix(1.0 - share, share, vec3(step));
+    sum += weights.x * weights.y * weights.z * blendAtNode(node, vec3(count));
+  }
+  return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
+}
+#else
 // Linear RGB in 1/sr; 0 where no material has data.
 vec3 evaluateBlend(vec3 wi, vec3 wo) {
   vec3 at;
@@ -55,5 +95,6 @@ vec3 evaluateBlend(vec3 wi, vec3 wo) {
 #endif
   sum += blendOwnShare * own;
 #endif
-  return inverseTransformed(BLEND_TRANSFORM, max(sum, vec3(0.0)), wi.z * wo.z);
+  return max(sum, vec3(0.0));
 }
+#endif

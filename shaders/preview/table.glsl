@@ -8,12 +8,16 @@
 uniform sampler3D table;
 uniform float phiPeriod;
 
+// Where half-difference coordinates are among the nodes of a texture.
+vec3 tablePlace(vec3 size, float period, vec3 at) {
+  float phi = at.z < 0.0 ? at.z + period : at.z;
+  return vec3(phi / period * size.x, at.y * (2.0 / pi) * size.y, sqrt(max(0.0, at.x) * (2.0 / pi)) * size.z);
+}
+
 // The filtered texel at half-difference coordinates; its alpha is 0 where all eight corners are invalid.
 vec4 tableAt(sampler3D values, float period, vec3 at) {
   vec3 size = vec3(textureSize(values, 0));
-  float phi = at.z < 0.0 ? at.z + period : at.z;
-  vec3 cell = vec3(phi / period * size.x, at.y * (2.0 / pi) * size.y, sqrt(max(0.0, at.x) * (2.0 / pi)) * size.z);
-  return texture(values, (cell + 0.5) / size);
+  return texture(values, (tablePlace(size, period, at) + 0.5) / size);
 }
 
 // Linear RGB in 1/sr; `valid` is false where all eight corners are invalid.

@@ -27,8 +27,9 @@ void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::Differen
 }  // namespace
 
 void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
-  definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size())
-              << QString("BLEND_TRANSFORM %1").arg(int(blend.mixture->transform));
+  definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size());
+  if (const DataTransform transform = blend.mixture->transform; transform != DataTransform::none)
+    definitions << "BLEND_IN_TRANSFORMED_DOMAIN" << QString("BLEND_TRANSFORM %1").arg(int(transform));
   if (blend.own) {
     definitions << "BLEND_OWN";
     addShaderBase(*blend.own, definitions, preamble);
