@@ -9,7 +9,7 @@
 
 namespace gonio::widgets {
 
-/// One subject on the graphics card, for shaders/preview/material.glsl and sampling.glsl. Uploaded data stay until they
+/// One subject on the graphics card, for shaders/preview/material.glsl and sampling_lobe.glsl. Uploaded data stay until they
 /// are replaced.
 class SubjectTextures {
  public:
