@@ -71,7 +71,6 @@ int main(int argc, char** argv) {
   try {
     return parseAndWork(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "goniotool: %s\n", error.what());
-    return failed;
+    return printError(error.what(), failed);
   }
 }

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <string_view>
 
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
@@ -20,6 +22,21 @@ std::string metricLine(std::string_view id, const std::string& value, std::strin
   return line;
 }
 
+/// Bytes of the first character of UTF-8 text, 0 if it is a control character or not UTF-8: errors quote damaged files,
+/// which must not control the terminal.
+std::size_t printableLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool isControl = first == 0xc2 && byte(1) < 0xa0;
+  const bool isSeparator = first == 0xe2 && byte(1) == 0x80 && (byte(2) == 0xa8 || byte(2) == 0xa9);
+  return isControl || isSeparator ? 0 : length;
+}
+
 }  // namespace
 
 void print(const Tool& tool, const Json& json, const std::string& text) {
@@ -32,18 +49,21 @@ void print(const Tool& tool, const Json& json, const std::string& text) {
 
 std::string oneLine(const std::string& message) {
   std::string line;
-  for (const char c : message) {
-    if (c != '\n') {
-      // The lines of a list are indented.
-      if (c != ' ' || !line.ends_with(' ')) line += c;
-      continue;
-    }
-    line += line.ends_with(':') ? " " : "; ";
+  for (std::size_t at = 0; at < message.size();) {
+    const std::size_t length = printableLength(std::string_view(message).substr(at));
+    if (message[at] == '\n')
+      line += line.ends_with(':') ? " " : "; ";
+    else if (length == 0)
+      line += '?';
+    else if (message[at] != ' ' || !line.ends_with(' '))  // the lines of a list are indented
+      line.append(message, at, length);
+    at += std::max<std::size_t>(1, length);
   }
   return line;
 }
 
 std::string number(double value) {
+  if (std::isnan(value)) return "undefined";
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.6g", value);
   return buffer;

@@ -136,6 +136,28 @@ class GoniotoolErrorsTest : public QObject {
     QVERIFY(result.out.isEmpty());
   }
 
+  /// Bytes of a damaged file that an error quotes: line breaks of any kind would make two lines, and escape sequences
+  /// would control the terminal.
+  void quotedBytesAreHarmless() {
+    const QString environment = folder_.path("readings.csv");
+    folder_.writeText("readings.csv",
+                      "# method: factors\n# \x1b[31m\x0b\xc2\x85\xe2\x80\xa8\xff\xe4,a,b\n1,2,3,4,5,6,7,8\n");
+    const ToolResult result =
+        runTool({"measure", "--factors", "half-out", "--values", environment, "--predict", folder_.path("x.pdv")});
+    QCOMPARE(result.code, 1);
+    QCOMPARE(result.errorLines(), 1);
+    for (const QChar c : result.error.trimmed())
+      QVERIFY2(c.isPrint() && c.category() != QChar::Separator_Line, qPrintable(result.error));
+  }
+
+  /// A black material has no signal to compare with.
+  void undefinedNumbersAreNamed() {
+    const QString black = folder_.writeTable("black.binary", "lambert", {{Rgb(0)}}, HalfDifferenceGrid{});
+    const ToolResult result = runTool({"encode", black, "--out", folder_.path("black.code")});
+    QCOMPARE(result.code, 0);
+    QVERIFY2(result.out.contains("BRDF SNR undefined") && !result.out.contains("nan"), qPrintable(result.out));
+  }
+
   void progressIsOnStandardErrorOnly() {
     const ToolResult shown = runJson({"fit", plastic_, "--model", "ggx", "--progress"});
     VERIFY_SUCCESS(shown);
