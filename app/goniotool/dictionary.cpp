@@ -79,8 +79,8 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     if (e < result.errorsAfter.size()) {
       entry["errorBeforeSweep"] = result.errorsBefore[e];
       entry["errorAfterSweep"] = result.errorsAfter[e];
-      text += "; for whole tables " + number(result.errorsBefore[e]) + " before the final sweep over them, " +
-              number(result.errorsAfter[e]) + " after it";
+      text += "; on the complete tables " + number(result.errorsBefore[e]) + " before and " +
+              number(result.errorsAfter[e]) + " after the last update, which uses them";
     }
     ensembles.push_back(entry);
     text += "\n";

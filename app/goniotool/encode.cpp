@@ -145,7 +145,7 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--dictionary", options->dictionary, "Dictionary file (bundled dictionary)");
   command
       ->add_option("--coefficients", options->coefficients,
-                   "Max. coefficients per channel (1024; with --bytes 4096, with --as-published 262)")
+                   "Max. coefficients per channel (1024; 4096 with --bytes, 262 with --as-published)")
       ->check(CLI::Range(0, 65535));
   command
       ->add_option(
@@ -178,7 +178,8 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
   command->add_flag("--as-published", options->asPublished,
-                    "Published method: without cell scaling, one projection, unweighted gamma error");
+                    "Published method: without cell scaling, invalid cells filled once before the projection, "
+                    "unweighted gamma error");
   command->add_option("--out", options->out,
                       "File to write: the code (" + suffixOf(materials::FormatId::code) +
                           "), or with --method components " + outputHelp("the material that the components represent"));

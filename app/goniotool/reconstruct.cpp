@@ -169,7 +169,9 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->add_option("--components", reconstruction.components,
                    "Number of components (all of the basis; with --train as many as samples)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--atoms", reconstruction.atoms, "Number of atoms of the method sparse (chosen by leave-one-out)")
+  command
+      ->add_option("--atoms", reconstruction.atoms,
+                   "Max. number of components per channel of the method sparse (chosen by leave-one-out)")
       ->check(CLI::Range(1, 65535));
   command->add_flag("--equal-noise", reconstruction.equalNoise,
                     "Give all samples the same weight even if their noise is known, as in the published method");

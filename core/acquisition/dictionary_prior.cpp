@@ -178,7 +178,7 @@ void checkPriorInput(const Ensemble& ensemble, const TrainingMaterials& material
   if (options.atoms < 1)
     throw Error("found " + std::to_string(options.atoms) + " atoms for a dictionary prior, expected 1 or more");
   if (!(options.sharing > 0 && options.sharing <= 1))
-    throw Error("found the sharing " + numberText(options.sharing) +
+    throw Error("found the weight " + numberText(options.sharing) +
                 " for a dictionary prior, expected a number above 0 and at most 1");
 }
 

@@ -151,7 +151,9 @@ constexpr Baseline allBaselines[] = {
      "Bagher, Snyder and Nowrouzezahrai 2016, A Non-Parametric Factor Microfacet Model for Isotropic BRDFs", 0,
      buildNonparametric},
     {"cp", "CP decomposition", "CP decomposition in half-difference coordinates",
-     "Carroll and Chang 1970; Kolda and Bader 2009, Tensor Decompositions and Applications", 33'284, buildCp},
+     "Carroll and Chang 1970, Analysis of Individual Differences in Multidimensional Scaling; Kolda and Bader 2009, "
+     "Tensor Decompositions and Applications",
+     33'284, buildCp},
     {"hosvd", "Higher-order SVD", "higher-order SVD in half-difference coordinates",
      "De Lathauwer, De Moor and Vandewalle 2000, A Multilinear Singular Value Decomposition", 263'036, buildHosvd},
     {"cosine-series", "Cosine series", "discrete cosine transform in half-difference coordinates",

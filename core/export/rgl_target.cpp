@@ -42,8 +42,8 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
           .label = label,
           .description = description,
           .holds =
-              "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL file "
-              "keeps its stored values. No transmission.",
+              "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; the stored "
+              "values of an RGL file are copied unchanged. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .usesSize = true,
           .usesSnr = true};

@@ -52,7 +52,7 @@ FigureTexts textsOf(const FigureDescription& description, const FigureMeasuremen
   if (description.inset) {
     // The inset has half of the picture's width beside an error map.
     const double magnification = (description.errorMaps ? 0.5 : 1) / description.inset->size;
-    std::snprintf(text, sizeof text, "Insets: %.2g× the images", magnification);
+    std::snprintf(text, sizeof text, "Insets: magnified %.2g×", magnification);
     texts.insetNote = text;
   }
   return texts;

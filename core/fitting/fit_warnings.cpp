@@ -65,7 +65,7 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
   if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
     warnings.push_back("All cells have the same value in " + names +
-                       ": explained by a diffuse term alone; the highlight parameters keep their defaults.");
+                       ": explained by a diffuse term alone; the highlight parameters remain at their defaults.");
   // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
   const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
   if (const std::string names = namesOf(channels, isSpike); !names.empty())

@@ -48,7 +48,8 @@ constexpr ModelSpec ggxSpec = {
     .description = "Microfacets with long tails and separate widths along x and y: brushed and rolled metal. "
                    "Reciprocal; loses a little energy at high roughness (single scattering).",
     .formula = formula,
-    .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Walter et al. 2007",
+    .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Walter et "
+                 "al. 2007, Microfacet Models for Refraction through Rough Surfaces",
     .parameters = ggxParameters, .conservesEnergy = true};
 
 constexpr ModelSpec beckmannSpec = {
@@ -56,7 +57,8 @@ constexpr ModelSpec beckmannSpec = {
     .description = "Microfacets with Gaussian slopes, separate widths along x and y, and Smith masking. "
                    "Reciprocal; loses a little energy at high roughness (single scattering).",
     .formula = formula,
-    .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Beckmann and Spizzichino 1963",
+    .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Beckmann "
+                 "and Spizzichino 1963, The Scattering of Electromagnetic Waves from Rough Surfaces",
     .parameters = beckmannParameters, .conservesEnergy = true};
 // clang-format on
 

@@ -87,7 +87,8 @@ constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
                          "plastic, exact for a metal, or Schlick's approximation.",
                          "dielectric: exact, k = 0; conductor: exact, eta + i k; "
                          "schlick: F_0 + (1 - F_0)(1 - cos theta_d)^5",
-                         "Cook and Torrance 1982; Born and Wolf, Principles of Optics, 14.2; Schlick 1994",
+                         "Cook and Torrance 1982, A Reflectance Model for Computer Graphics; Born and Wolf, Principles of "
+                         "Optics, 14.2; Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering",
                          fresnelChoices, int(ofSource));
 }
 // clang-format on

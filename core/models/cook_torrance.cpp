@@ -29,7 +29,7 @@ constexpr ParameterSpec parameters[] = {
                     "of the fit.",
                     "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (the paper has N = pi and a D without "
                     "the factor 1/pi, which is equivalent)",
-                    "Walter et al. 2007, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "
+                    "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "
                     "Torrance 1982", normalisations),
     fresnelParameter(FresnelChoice::dielectric),
     edgeTintParameter(),

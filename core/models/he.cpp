@@ -48,7 +48,7 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec heSpec = {
     .id = "he", .name = "He-Torrance-Sillion-Greenberg",
     .description = "Wave optics of a surface with Gaussian heights: the directional-diffuse part of the model, "
-                   "unpolarised, whose colour depends on the wavelength. Reciprocal. The mirror reflection of smooth "
+                   "unpolarised; it depends on the wavelength. Reciprocal. The mirror reflection of smooth "
                    "surfaces is omitted.",
     .formula = "k_d / pi + k_s pi (tau / lambda)^2 F S D cos^2 theta_d / (cos^2 theta_h cos theta_i cos theta_o)",
     .reference = he1991, .parameters = parameters, .dependsOnWavelength = true};

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view sources =
     "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 33; Heitz 2014, Understanding "
-    "the Masking-Shadowing Function, eq. 99; Schlick 1994";
+    "the Masking-Shadowing Function, eq. 99; Schlick 1994, An Inexpensive BRDF Model for "
+    "Physically-based Rendering";
 constexpr std::string_view lobeFormula =
     "(F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o), s = (1 - cos theta_d)^5";
 constexpr std::string_view widthFormula = "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)";

@@ -26,7 +26,7 @@ ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidg
   setAccessibleName(tr("Residual"));
   setToolTip(
       tr("Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\n"
-         "with the weights of the factorisation. More terms lower it. If measured detail is kept, the residual "
+         "with the weights of the factorisation. More terms lower it. With \"Preserve measured detail\", the residual "
          "remains part of the material."));
 }
 

@@ -23,7 +23,7 @@ QString familyTitle(models::ModelFamily family) {
     case models::ModelFamily::empirical:
       return ModelBox::tr("Empirical");
     case models::ModelFamily::analytic:
-      return ModelBox::tr("Analytic");
+      return ModelBox::tr("Physically based");
     case models::ModelFamily::series:
       return ModelBox::tr("Series");
   }

@@ -61,7 +61,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
   return {
       PlausibilityText::tr("Measured"),
       PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),
-      PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
+      PlausibilityText::tr("Fraction of directions without data, weighted by both cosines: %1 (limit %2)")
           .arg(percent(check.worst), percent(check.limit)),
       PlausibilityText::tr("Treat angles without data with caution.")};
 }

@@ -146,7 +146,7 @@ QWidget* ComparisonBar::buildDifference() {
 void ComparisonBar::setSubjects(const std::array<QString, 4>& names) {
   for (QComboBox* list : m_sides) {
     auto* items = qobject_cast<QStandardItemModel*>(list->model());
-    const QString fallback[] = {tr("Measured"), tr("Fit"), tr("Edited"), tr("Reference")};
+    const QString fallback[] = {tr("Measured"), tr("Fit"), tr("Edited"), tr("Other material (none)")};
     for (int i = 0; i < otherMaterialEntry; ++i) {
       const QString& name = names[std::size_t(i)];
       list->setItemText(i, name.isEmpty() ? fallback[i] : name);

@@ -159,9 +159,11 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
           return done(fit);
         }
         m_proposal = fit;
-        const QString error = fit.errors.empty() ? tr("unknown") : widgets::formatNumber(fit.errors.front());
         Q_EMIT proposalOffered(
-            tr("The fit of %1 was stopped. The best parameters so far have a log error of %2.").arg(name, error));
+            fit.errors.empty()
+                ? tr("The fit of %1 was stopped. The log error of the best parameters so far is unknown.").arg(name)
+                : tr("The fit of %1 was stopped. The best parameters so far have a log error of %2.")
+                      .arg(name, widgets::formatNumber(fit.errors.front())));
       },
       [this, name](const QString& error) { Q_EMIT failed(tr("Cannot fit %1").arg(name), error); });
 }

@@ -63,7 +63,8 @@ QString editFormulae() {
                       "An edit changes the parameters of a model from their fitted to their edited values. "
                       "Its composition applies this change to the measurement:")) +
          composition(compositionName(editing::Composition::additive),
-                     HelpPagesText::tr("adds the change (Tongbuasirilai 2023, eq. 4.40)"),
+                     HelpPagesText::tr("adds the change (Tongbuasirilai 2023, Data-Driven Approaches for Sparse "
+                                       "Reflectance Modeling and Acquisition, eq. 4.40)"),
                      HelpPagesText::tr("edited = max(0, measured + strength (model(edited) − model(fitted)))")) +
          composition(compositionName(editing::Composition::logPlus),
                      HelpPagesText::tr("close to a ratio where values are large, to a difference where they are small"),
