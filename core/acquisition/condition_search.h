@@ -15,12 +15,12 @@ struct ConditionSearchResult {
   double conditionNumber = 0;     ///< of these rows of U Sigma; infinite if they are dependent
 };
 
-/// Finds `samples` rows (all, if there are fewer) of the dictionary U Sigma whose condition number is small, by the
-/// search of Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition". The dictionary has
-/// the first min(number of chosen rows, basis.count()) components. Each search starts at random rows; each row in turn
-/// moves to that one of its six neighbours on the grid (one step in theta_h, theta_d or phi_d, which wraps) that lowers
-/// the condition number most, until no single move lowers it. Returns the best of `restarts` searches; for one sample
-/// the row of largest norm.
+/// Finds `samples` rows (all, if there are fewer) of the scaled basis U Sigma that have a small condition number, by
+/// the search of Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition". The scaled basis
+/// has the first min(number of chosen rows, basis.count()) components. Each search starts at random rows; each row in
+/// turn moves to that one of its six neighbours on the grid (one step in theta_h, theta_d or phi_d, which wraps) that
+/// lowers the condition number most, until no single move lowers it. Returns the best of `restarts` searches; for one
+/// sample the row of largest norm.
 ///
 /// Exact: a move is skipped only if the Rayleigh quotients of the extreme eigenvectors of the rows' Gram matrix prove
 /// that it does not help. That test costs O(m) per move, an evaluation O(m^3), m = samples. The searches run in

@@ -11,8 +11,8 @@
 namespace gonio::acquisition {
 
 /// The atoms of the simultaneous pursuit, one per candidate cell: the columns of D^-1 = Sigma_p^-1 U_p^T, the left
-/// inverse of the dictionary D of the first p components, normalised to unit length. A zero column stays zero and has
-/// score 0. Rows are indices into the basis' mapping; atoms are indices into these rows.
+/// inverse of the scaled basis D = U Sigma of the first p components, normalised to unit length. A zero column stays
+/// zero and has score 0. Rows are indices into the basis' mapping; atoms are indices into these rows.
 class DictionaryAtoms {
  public:
   /// @param components 1 or more. @param rows ascending. The basis must outlive this object.

@@ -28,16 +28,17 @@ struct DictionaryPrior {
 
 struct DictionaryPriorOptions {
   DataTransform transform = DataTransform::logPlus;  ///< logPlus or cosineLog
-  std::size_t atoms = 4096;  ///< per dictionary: those whose coefficients have the largest mean square
+  std::size_t atoms = 4096;  ///< per dictionary: those with the largest mean square of the coefficients
   /// Weight, in (0, 1], of a signal in the priors of all dictionaries other than the one that represents it best, where
   /// its weight is 1. With 1 every dictionary learns from all signals equally.
   double sharing = 0.1;
 };
 
 /// Weighted means and variances of the coefficients over the signals of the materials (three channels each). The
-/// signals are projected onto a shared subspace that loses at most 1e-4 of their energy, and analysed by those atoms of
-/// each mode that lose at most as much again; restVariance includes both losses. The result does not depend on the
-/// number of threads. Two passes over the materials; 0.8 MB of memory per signal; O(materials dictionaries).
+/// signals are projected onto a shared subspace that loses at most 1e-4 of their energy, then projected onto each
+/// dictionary, using in each mode only as many atoms as needed to lose at most another 1e-4 of the energy in total;
+/// restVariance includes both losses. The result does not depend on the number of threads. Two passes over the
+/// materials; 0.8 MB of memory per signal; O(materials dictionaries).
 /// @throws Error if there is no material, the grids differ or an option is out of range; Cancelled; whatever `load`
 /// throws.
 DictionaryPrior learnDictionaryPrior(const dictionary::Ensemble& ensemble,

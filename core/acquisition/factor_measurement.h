@@ -11,8 +11,8 @@
 namespace gonio::acquisition {
 
 /// The two curves of a factor measurement in z = ln(1 + rho), per channel, at the coordinates that were read
-/// (Tongbuasirilai 2023, eq. 5.1 to 5.5): z_ij is z at angle i and distance j; j = 1 is the mirror direction, i = m the
-/// fixed angle.
+/// (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 5.1 to 5.5):
+/// z_ij is z at angle i and distance j; j = 1 is the mirror direction, i = m the fixed angle.
 struct FactorMeasurement {
   FactorAxes axes = FactorAxes::projectedDeviation;
   double fixedAngle = 0;                     ///< of the `across` curve, rad

@@ -26,13 +26,14 @@ inline constexpr std::array<std::string_view, 2> factorBoundNames{"readings", "n
 /// @throws Error that lists the names.
 FactorBound factorBoundNamed(std::string_view name);
 
-/// rho = exp(z) - 1 with z_ij = z_mj z_i1 / z_m1 (Tongbuasirilai 2023, eq. 5.6), limited by `bound`. Exact where z is
-/// such a product within the bound. The curves are monotone cubic between the readings and constant beyond them.
-/// Reciprocal with `readings`, and for axes with areReciprocal().
+/// rho = exp(z) - 1 with z_ij = z_mj z_i1 / z_m1 (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance
+/// Modeling and Acquisition", eq. 5.6), limited by `bound`. Exact where z is such a product within the bound. The
+/// curves are monotone cubic between the readings and constant beyond them. Reciprocal with `readings`, and for axes
+/// with areReciprocal().
 std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurement,
                                                FactorBound bound = FactorBound::readings);
 
-/// How far the readings support a prediction. Fractions are of all pairs of directions, weighted by cos theta_i cos
+/// How far the readings support a prediction. Fractions refer to all pairs of directions, weighted by cos theta_i cos
 /// theta_o and the solid angles.
 struct FactorSupport {
   double contradicted = 0;  ///< exchanging light and viewer changes the unbounded prediction by more than a factor of 2

@@ -34,7 +34,7 @@ struct MeasurableDirections {
 
   bool operator==(const MeasurableDirections&) const = default;
 
-  /// @throws Error that names a limit which is not a number or out of range, or a range whose ends are swapped.
+  /// @throws Error that names a limit that is not a number or out of range, or a range with its ends swapped.
   void check() const;
   /// Whether the pair can be measured. If a direction is the normal, its azimuth is undefined: a region then forbids
   /// the pair only if it spans all azimuth differences. O(regions).

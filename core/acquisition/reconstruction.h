@@ -58,13 +58,13 @@ struct Reconstruction {
   /// `sparse`.
   double leaveOneOutError = 0;
   /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells (`ridge` only), under the
-  /// Gaussian model whose most likely coefficients are those of the ridge. In this model all coefficients, also of
-  /// components that are not used and of what the basis leaves out, have variance v, and a sample has additional noise
-  /// of variance eta v. v is noise^2 / eta if `noise` was given (and eta > 0, finite). Otherwise v is the most likely
-  /// value given the samples of all channels and one more value with the training set's own variance 1/t; each sample
-  /// counts by the fraction of its noise that is not known, so that very large known noise gives the deviation of the
-  /// training set. Components that are not used are independent from cell to cell: samples carry no information about
-  /// them. A change of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
+  /// Gaussian model in which the coefficients of the ridge are the most likely ones. In this model all coefficients,
+  /// also of components that are not used and of what the basis leaves out, have variance v, and a sample has
+  /// additional noise of variance eta v. v is noise^2 / eta if `noise` was given (and eta > 0, finite). Otherwise v is
+  /// the most likely value given the samples of all channels and one more value with the training set's own variance
+  /// 1/t; each sample counts by the fraction of its noise that is not known, so that very large known noise gives the
+  /// deviation of the training set. Components that are not used are independent from cell to cell: samples carry no
+  /// information about them. A change of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
   std::vector<float> deviation;
 };
 

@@ -85,7 +85,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
       if (values.noise.empty()) continue;
       const double deviation = values.noise[std::size_t(s)][channel];
       // d y / d rho = w / (rho w + e).
-      const double mapped = deviation * m.weights[i] / (rho * m.weights[i] + logRelativeEpsilon);
+      const double mapped = deviation * m.weights[i] / (rho * m.weights[i] + logRelativeOffset);
       result.knownNoise[s] += mapped * mapped / 3;
     }
     result.variances[s] += result.knownNoise[s];

@@ -15,7 +15,9 @@
 namespace gonio::acquisition {
 
 enum class SelectionMethod {
-  simultaneousPursuit,              ///< over all training signals: FROST (Tongbuasirilai 2023, Algorithm 4)
+  /// Over all training signals: FROST (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
+  /// Acquisition", Algorithm 4).
+  simultaneousPursuit,
   simultaneousPursuitFirstColumns,  ///< over the first p training signals only, like the authors' released code
   conditionNumber,                  ///< the search of Nielsen et al. 2015
   random,                           ///< all measurable cells with equal probability
@@ -35,7 +37,7 @@ struct SampleSelection {
   std::vector<std::uint32_t> cells;  ///< indices into the basis' grid, in the order of choice, distinct
   /// Pursuits only: |R| / |S| before the first choice and after each, in Frobenius norms; never increases.
   std::vector<double> residuals;
-  /// Largest over smallest singular value of the chosen rows of the dictionary U Sigma, in as many components as the
+  /// Largest over smallest singular value of the chosen rows of the scaled basis U Sigma, in as many components as the
   /// method uses (pursuits: p, others: min(m, count())). Infinite if the rows are dependent, 0 without rows or
   /// components.
   double conditionNumber = 0;

@@ -29,9 +29,9 @@ struct SimultaneousPursuitResult {
 ///
 /// The choice equals that of a plain evaluation in double precision, for any number of threads. Bounds avoid most
 /// evaluations: the score of an atom is at most sqrt(t) |S|_2 times the length of its part orthogonal to the chosen
-/// atoms, and from one step to the next it rises at most by what the chosen direction can add. Atoms whose bounds reach
-/// the best score so far are evaluated in single precision with proven error bounds; only those that could be the best
-/// within rounding are evaluated in double. Memory: 4 p bytes per atom. Cost: at most samples x p x t x atoms
+/// atoms, and from one step to the next it rises at most by what the chosen direction can add. Atoms with bounds that
+/// reach the best score so far are evaluated in single precision with proven error bounds; only those that could be the
+/// best within rounding are evaluated in double. Memory: 4 p bytes per atom. Cost: at most samples x p x t x atoms
 /// multiplications in single precision.
 /// @param signals S, p x t, finite. @param chosen called with each atom as it is chosen. @throws Cancelled.
 SimultaneousPursuitResult simultaneousPursuit(const DictionaryAtoms& atoms, const Eigen::MatrixXd& signals, int samples,

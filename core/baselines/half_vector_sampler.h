@@ -30,7 +30,7 @@ class LinearDensity {
 ///   p(h | wo) = sum_l s_l(theta_o) u_l(theta_h) v_l(|phi_h|) / Z(theta_o),   p_w = p(h | wo) / (4 wo . h):
 /// first selects a product in proportion to its integral over the half vectors, then samples theta_h and phi_h from its
 /// curves. Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF Importance Sampling Using a Factored
-/// Representation", section 4. Samples whose reflected direction is below the horizon fail (density 0).
+/// Representation", section 4. Samples with a reflected direction below the horizon fail (density 0).
 ///
 /// Derived here: curves are linear in cos theta_h and in phi_h between their nodes, so that the density is exactly that
 /// of the samples; a tenth of the samples is cosine-weighted, as for PDV factors, so that the density is positive

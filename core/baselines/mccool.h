@@ -13,7 +13,7 @@ namespace gonio::factorization {
 /// A BRDF as one product of positive curves, in each channel
 ///   rho + bias = p(theta_i) q(theta_h) p(theta_o).
 /// McCool, Ang and Ahmad 2001, "Homomorphic Factorization of BRDFs for High-Performance Rendering": linear least
-/// squares of the logarithm. The bias keeps the logarithm finite. Reciprocal. The size is fixed: there are no further
+/// squares of the logarithm. The bias makes the logarithm finite. Reciprocal. The size is fixed: there are no further
 /// terms.
 ///
 /// Differences from the paper: for isotropic materials the least squares have a solution that does not depend on

@@ -14,7 +14,7 @@ namespace gonio::factorization {
 /// coordinates: theta_h by its marginal distribution for theta_o, then |phi_h| by its conditional distribution,
 ///   p(h | wo) = g(theta_h, |phi_h|, theta_o) / (2 Z(theta_o)),   p_w = p(h | wo) / (4 wo . h).
 /// The method of Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor Decomposition", for
-/// isotropic materials. Samples whose reflected direction is below the horizon fail (density 0).
+/// isotropic materials. Samples with a reflected direction below the horizon fail (density 0).
 ///
 /// Derived here: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around theta_o is
 /// chosen at random with the weights of linear interpolation, so that the density is exactly that of the samples; a

@@ -9,8 +9,8 @@
 namespace gonio {
 
 /// A lobe (core/brdf/lobe_mixture.h) with density (n + 1) / (2 pi) max(0, a . w)^n about the axis a, which is scale *
-/// wo normalised: the mirror direction in Phong 1975, other scales in Lafortune et al. 1997. Accurate for exponents
-/// above 1e6.
+/// wo normalised: the mirror direction in Phong 1975, "Illumination for Computer Generated Pictures", other scales in
+/// Lafortune et al. 1997, "Non-Linear Approximation of Reflectance Functions". Accurate for exponents above 1e6.
 struct CosinePowerLobe {
   double exponent;
   Direction scale{-1, -1, 1};

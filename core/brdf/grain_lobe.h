@@ -23,7 +23,9 @@ struct GrainLobe {
 /// Fits the grain: it minimises the second moment of the estimator f cos theta_i / pdf over three polar angles and five
 /// azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`. The fraction is 0 for an
 /// isotropic BRDF, and if the grain does not at least halve the moment. About 20,000 evaluations and a search, under
-/// 0.1 s. @param cosineFraction fraction of cosine-weighted samples.
+/// 0.1 s.
+/// @param azimuthMean the TabulatedLobe of the same BRDF, which is its mean over the azimuths.
+/// @param cosineFraction fraction of cosine-weighted samples.
 GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineFraction);
 
 /// Whether two lobes sample about equally well.

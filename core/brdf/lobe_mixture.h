@@ -15,8 +15,8 @@
 ///   double density(const Direction& w, const Direction& wo) const;     // 1/sr; integrates over the sphere to the
 ///                                                                      // fraction of samples that do not fail
 /// Half-vector and cosine-power lobes reach below the horizon, mostly for grazing viewers. LobeMixture mirrors the
-/// lower hemisphere up (z becomes |z|), so that no sample fails there and the densities integrate to exactly 1 above
-/// the horizon.
+/// lower hemisphere up (z becomes |z|), so that no sample fails because it is below the horizon: above the horizon the
+/// density integrates to the fraction of samples that do not fail, 1 for most lobes.
 namespace gonio {
 
 /// Cosine-weighted directions: for matte materials.

@@ -10,8 +10,9 @@
 
 namespace gonio {
 
-/// e: added to numerator and denominator of the ratio, so that the logarithm of black cells is finite.
-inline constexpr double logRelativeEpsilon = 1e-3;
+/// e of logRelative(): added to numerator and denominator of the ratio, so that the logarithm of black cells is finite.
+/// In metrics also the lower bound of the product of cosines.
+inline constexpr double logRelativeOffset = 1e-3;
 
 /// The log-relative mapping of one cell (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance
 /// Acquisition"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq.
@@ -19,14 +20,14 @@ inline constexpr double logRelativeEpsilon = 1e-3;
 ///   y = ln((rho w + e) / (reference + e)), w = cosineWeight() of the pair, e = 1e-3.
 /// Free of cancellation; exactly 0 at the reference. @param rho 1/sr, >= 0. @param reference of rho w, >= 0, 1/sr.
 inline double logRelative(double rho, double weight, double reference) {
-  const double weighted = rho * weight, excess = (weighted - reference) / (reference + logRelativeEpsilon);
+  const double weighted = rho * weight, excess = (weighted - reference) / (reference + logRelativeOffset);
   return excess > -0.5 ? std::log1p(excess)
-                       : std::log((weighted + logRelativeEpsilon) / (reference + logRelativeEpsilon));
+                       : std::log((weighted + logRelativeOffset) / (reference + logRelativeOffset));
 }
 /// Inverse of logRelative(): the BRDF value, 1/sr, in [0, maxBrdfValue]; 0 if y is NaN.
 inline double inverseLogRelative(double y, double weight, double reference) {
-  const double scale = reference + logRelativeEpsilon;
-  const double weighted = y > -0.5 ? reference + scale * std::expm1(y) : scale * std::exp(y) - logRelativeEpsilon;
+  const double scale = reference + logRelativeOffset;
+  const double weighted = y > -0.5 ? reference + scale * std::expm1(y) : scale * std::exp(y) - logRelativeOffset;
   return weighted > 0 ? std::min(weighted / weight, maxBrdfValue) : 0;
 }
 

@@ -21,8 +21,9 @@ struct TableStatistics {
 };
 TableStatistics tableStatistics(const TabulatedBrdf& table);
 
-/// Directional albedo for a viewer at polar angle `theta` (rad): integral of the BRDF times cos theta_i over the
-/// hemisphere, per channel, by importance-sampled quadrature with a fixed pattern (deterministic). About 20 ms.
+/// Directional albedo for a viewer at polar angle `theta` (rad) and azimuth 0: integral of the BRDF times cos theta_i
+/// over the hemisphere, per channel, by importance-sampled quadrature with a fixed pattern (deterministic). About 20
+/// ms.
 Rgb directionalAlbedo(const Brdf& brdf, double theta);
 /// The same with a given lobe, to call estimateSamplingLobe() once for many angles of one BRDF, and number of samples.
 Rgb directionalAlbedo(const Brdf& brdf, double theta, SamplingLobe lobe, std::uint32_t sampleCount);

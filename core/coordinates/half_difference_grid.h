@@ -39,7 +39,8 @@ struct HalfDifferenceGrid {
   /// Whether both polar angles of the node are at most `maxPolarAngle` (rad).
   bool nodeWithin(std::size_t index, double maxPolarAngle) const;
   /// Solid-angle weight d wi d wo of the cell at a node, sr^2 per radian of phi_h, without cosines: the integral of 4
-  /// cos thetaD sin thetaH sin thetaD dThetaH dThetaD dPhiD over the cell, whose bounds are half a step from the node.
+  /// cos thetaD sin thetaH sin thetaD dThetaH dThetaD dPhiD over the cell, which extends half a step to each side of
+  /// the node.
   double cellMeasure(std::size_t index) const;
 
   /// Continuous grid position of coordinates: thetaHCount sqrt(thetaH / (pi/2)) and so on; phi_d is folded or wrapped.

@@ -7,8 +7,9 @@
 namespace gonio {
 
 /// Projected-deviation-vector (PDV) coordinates: the direction of light relative to the mirror direction R of the
-/// viewer, both projected on the unit disk. Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, "Data-Driven
-/// Approaches for Sparse Reflectance Modeling and Acquisition", algorithms 2 and 3.
+/// viewer, both projected on the unit disk. Tongbuasirilai et al. 2017, "Efficient BRDF Sampling Using Projected
+/// Deviation Vector Parameterization", and 2019, "Compact and Intuitive Data-Driven BRDF Models"; Tongbuasirilai 2023,
+/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", algorithms 2 and 3.
 ///   Dp = wi_xy - R_xy = wi_xy + wo_xy, with the viewer rotated to azimuth 0.
 /// phi_R is omitted: isotropic materials do not depend on it.
 struct ProjectedDeviation {
@@ -19,8 +20,8 @@ struct ProjectedDeviation {
   double phi = 0;
 };
 
-/// Coordinates of any two directions above the horizon. The errors of theta_R and |Dp| are of the order of rounding,
-/// that of phi of rounding / |Dp|. O(1).
+/// Coordinates of any two directions above the horizon. theta_R and |Dp| are accurate to rounding, phi to rounding /
+/// |Dp|. O(1).
 ProjectedDeviation toProjectedDeviation(const Direction& wi, const Direction& wo);
 
 /// Directions of coordinates, with the viewer at azimuth 0. For a fixed viewer the solid angle of the light per unit of

@@ -45,10 +45,11 @@ struct EncodeOptions {
       false;  ///< whether values are rounded as in a quantised file (quantised()), before errors are measured
 };
 
-/// The options of the published method (Tongbuasirilai 2023, eq. 4.37 to 4.39 and section 4.3.2.4): one projection of
-/// the unscaled transformed values, in which invalid cells repeat the last valid value along theta_h (signalsOf()),
-/// without refinement; and an unweighted gamma error. The published number of coefficients, 262 per channel, has the
-/// size of the factors of Bagher et al. 2016 in half precision.
+/// The options of the published method (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling
+/// and Acquisition", eq. 4.37 to 4.39 and section 4.3.2.4): one projection of the unscaled transformed values, in which
+/// invalid cells repeat the last valid value along theta_h (signalsOf()), without refinement; and an unweighted gamma
+/// error. The published number of coefficients, 262 per channel, has the size of the factors of Bagher et al. 2016 in
+/// half precision.
 EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
 /// The code of one transform.

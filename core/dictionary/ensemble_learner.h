@@ -15,11 +15,11 @@ namespace gonio::dictionary {
 
 /// Learns one ensemble of K orthonormal dictionaries at one sparsity (Tongbuasirilai 2023, "Data-Driven Approaches for
 /// Sparse Reflectance Modeling and Acquisition", eq. 4.36). Each round assigns every signal to the dictionary with the
-/// smallest error. Then, in one or more passes with fixed memberships, each signal keeps its largest coefficients (the
-/// exact minimiser, because the dictionaries are orthonormal) and each mode of each dictionary is updated by orthogonal
-/// Procrustes (Schoenemann 1966). No step increases the error. Signals are never reconstructed: the error is the
-/// signal's energy minus that of its coefficients. Passes with fixed memberships are cheaper, as they project each
-/// signal on one dictionary instead of K.
+/// smallest error. Then, in one or more passes with fixed memberships, each signal is represented by its largest
+/// coefficients (the exact minimiser, because the dictionaries are orthonormal) and each mode of each dictionary is
+/// updated by orthogonal Procrustes (Schoenemann 1966). No step increases the error. Signals are never reconstructed:
+/// the error is the signal's energy minus that of its coefficients. Passes with fixed memberships are cheaper, as they
+/// project each signal on one dictionary instead of K.
 ///
 /// Results are bitwise equal for any number of threads.
 template <typename Scalar>

@@ -18,8 +18,8 @@ MappedCells validCells(const TabulatedBrdf& table);
 void appendColumns(const TabulatedBrdf& table, const MappedCells& mapping, TallMatrix& columns,
                    std::vector<char>& missing);
 
-/// Removes the marked cells from the mapping. @return the indices of those that are kept.
-/// @throws Error if none is kept.
+/// Removes the marked cells from the mapping. @return the indices of those that remain.
+/// @throws Error if none remains.
 std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector<char>& missing);
 /// Removes all other rows, in place.
 void keepRows(TallMatrix& columns, std::span<const std::size_t> rows);
@@ -28,7 +28,7 @@ void keepRows(TallMatrix& columns, std::span<const std::size_t> rows);
 std::vector<float> rowMedians(const TallMatrix& columns);
 /// Maps rho w to log-relative values in place and subtracts the mean of each row. @return the means.
 std::vector<float> mapAndCentre(std::span<const float> reference, TallMatrix& columns, const TaskControl& control);
-/// The variance of each row over the columns, whose mean is 0.
+/// The variance of each row over the columns. Precondition: the mean of each row is 0.
 std::vector<float> rowVariance(const TallMatrix& columns);
 /// The part of the variance of each row that the components do not explain.
 std::vector<float> unexplainedVariance(const PrincipalComponents& pca, std::vector<float> variance);

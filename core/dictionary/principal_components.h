@@ -60,8 +60,8 @@ std::vector<float> leftOutVariance(const PrincipalComponents& pca, int component
 
 struct PcaOptions {
   int maxComponents = std::numeric_limits<int>::max();
-  /// Columns that need more memory than this are kept in a temporary file (in TMPDIR of the environment, else /tmp) and
-  /// read by blocks of cells. The components equal those learned in memory to rounding.
+  /// Columns that need more memory than this are stored in a temporary file (in TMPDIR of the environment, else /tmp)
+  /// and read by blocks of cells. The components equal those learned in memory to rounding.
   std::uint64_t maxBytes = 6'000'000'000;
 };
 

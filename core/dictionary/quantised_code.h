@@ -8,8 +8,8 @@
 
 #include "core/dictionary/sparse_code.h"
 
-/// Codes whose values are multiples of a step, compressed by range coding. Coefficients concentrate at low indices, and
-/// the channels of a material resemble each other, so that indices and values together need about 6 bits each.
+/// Codes with values that are multiples of a step, compressed by range coding. Coefficients concentrate at low indices,
+/// and the channels of a material resemble each other, so that indices and values together need about 6 bits each.
 namespace gonio::dictionary {
 
 /// The code with the values of each channel rounded to multiples of ChannelCode::step: 1.4 times the smallest absolute

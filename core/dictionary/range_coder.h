@@ -34,7 +34,7 @@ class AdaptiveBit {
 class RangeEncoder {
  public:
   bool bit(AdaptiveBit& context, bool value);
-  /// A bit whose values are equally probable.
+  /// A bit with equally probable values.
   bool evenBit(bool value);
   /// A number of `bits` even bits.
   std::uint32_t number(std::uint32_t value, int bits);

@@ -10,9 +10,10 @@
 namespace gonio::dictionary {
 
 struct TrainingOptions {
-  int dictionaries = 8;                           ///< K of each ensemble
-  std::vector<int> sparsities{32, 64, 128, 256};  ///< one ensemble each (Tongbuasirilai 2023, section 4.3.2.2: 4
-                                                  ///< ensembles of 8)
+  int dictionaries = 8;  ///< K of each ensemble
+  /// One ensemble each (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition",
+  /// section 4.3.2.2: 4 ensembles of 8).
+  std::vector<int> sparsities{32, 64, 128, 256};
   SignalOptions signals;
   int iterations = 12;         ///< maximum number of rounds per ensemble
   int passes = 4;              ///< per round, with fixed memberships (EnsembleLearner)
@@ -35,8 +36,8 @@ struct TrainingResult {
   Ensemble ensemble;
   TrainingState state;
   bool complete = true;              ///< false if the training was stopped
-  std::vector<double> errorsBefore;  ///< relative squared error of each ensemble in the whole space, before the last
-                                     ///< sweep
+  std::vector<double> errorsBefore;  ///< relative squared error of the dictionaries of each sparsity in the whole
+                                     ///< space, before the last sweep
   std::vector<double> errorsAfter;   ///< the same after it
   double seconds = 0;
 };

@@ -14,7 +14,7 @@ namespace gonio::editing {
 std::string trainingHelp();
 
 /// The files of a training set. Folders in `sources` are replaced by all measured materials in them
-/// (MaterialFormat::isMeasurement), sorted by name; other entries are kept. Materials named in `excluded` are removed.
+/// (MaterialFormat::isMeasurement), sorted by name; other entries remain. Materials named in `excluded` are removed.
 /// @throws Error if a folder has no measured material, an excluded name matches none, or none is left.
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded = {});

@@ -12,7 +12,8 @@ namespace gonio::editing {
 /// How the change of a fitted model from M to M' is applied to a measurement m (all 1/sr). If M' = M, m is bitwise
 /// unchanged. applyEdits() clamps the result at 0.
 enum class Composition {
-  additive,  ///< m + (M' - M): Tongbuasirilai 2023, section 4.4.1, eq. 4.40-4.41
+  additive,  ///< m + (M' - M): Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
+             ///< Acquisition", section 4.4.1, eq. 4.40-4.41
   logPlus,   ///< (rho_0 + m)(rho_0 + M') / (rho_0 + M) - rho_0: a ratio in highlights, a difference in the tails
   lobes      ///< each lobe carries the ratio q = (m + eps) / (M + eps) along as it widens (LobeChange); only for models
              ///< that are sums of lobes (models::Model::hasLobes())

@@ -21,8 +21,8 @@ struct CurveDrag {
 };
 
 /// The curve after the drag: stretched along its axis as the points move (the ends of the axis stay fixed), then
-/// changed by the amounts, interpolated between the points. Detail between the points is kept; negative values become
-/// 0. @param nodes strictly increasing, one per value of the curve.
+/// changed by the amounts, interpolated between the points. Detail between the points is preserved; negative values
+/// become 0. @param nodes strictly increasing, one per value of the curve.
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag);
 
 /// Selects nodes, including the ends, such that a monotone cubic through them approximates the curve to within

@@ -10,10 +10,11 @@
 
 namespace gonio::editing {
 
-/// An edit of the PDV factor curves of a material (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, eq. 4.25).
-/// With keepDetail, the change of the factor model is added to the measurement,
+/// An edit of the PDV factor curves of a material (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023,
+/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 4.25). With keepDetail, the change of
+/// the factor model is added to the measurement,
 ///   edited = max(0, measured + strength (pdv(edited) - pdv(original))),
-/// so that detail which the factors do not explain is kept. Without it, the model replaces the measurement:
+/// so that detail that the factors do not explain is preserved. Without it, the model replaces the measurement:
 ///   edited = (1 - strength) measured + strength pdv(edited).
 /// Copies share the curves, which are immutable.
 struct FactorEdit {
@@ -38,8 +39,9 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 /// {"type": "factors", "original": F, "edited": F, "keepDetail": true}, where F is
 ///   {"form": "2d", "transform": "log-plus", "highest": y, "thetaNodes": [..], "deviationNodes": [..],
 ///    "phiNodes": [..], "channels": [[{"f1": [..], "f2": [..], "f3": [..]}, one per term], one per channel]}.
-/// Both sets of curves are stored (about ten kB per term), so that a document does not depend on how later versions
-/// factorise the measurement. @throws Error if a set of curves is missing or contains a number that is not finite.
+/// "form" is "2d" (two factors, F1 and F2) or "3d" (three factors, F1, F2 and F3). Both sets of curves are stored
+/// (about ten kB per term), so that a document does not depend on how later versions factorise the measurement.
+/// @throws Error if a set of curves is missing or contains a number that is not finite.
 nlohmann::json toJson(const FactorEdit& edit);
 /// @throws Error that states the key, what was found and what was expected.
 FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& where);

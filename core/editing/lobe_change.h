@@ -17,13 +17,14 @@ namespace gonio::editing {
 ///   edited(x) = m(x) + sum over k of M'_k(x) q(w_k(x)) - M_k(x) q(x),
 ///
 /// where w_k scales tan theta_h by alpha_k / alpha'_k, separately along and across the grain (LobeWarp): it maps a
-/// direction to the one at which the fitted lobe has the same point of its profile. A highlight keeps its colour and
-/// shape while it widens, and unchanged lobes add exactly 0. Where w_k(x) has no data, q(x) is used instead.
+/// direction to the one at which the fitted lobe has the same point of its profile. A highlight widens without a change
+/// of colour or shape, and unchanged lobes add exactly 0. Where w_k(x) has no data, q(x) is used instead.
 ///
-/// A lobe of changed colour carries the ratio of each channel only as far as its chromaticity is kept, and the ratio of
-/// the luminances for the rest (recolouredRatio()): a red diffuse term that becomes grey does not inherit the errors of
-/// the channels in which it was dark. The diffuse term, and every other lobe without a width, carries the ratio only
-/// where it dominates the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the highlight.
+/// A lobe of changed colour carries the ratio of each channel only as far as its chromaticity is unchanged, and the
+/// ratio of the luminances for the rest (recolouredRatio()): a red diffuse term that becomes grey does not inherit the
+/// errors of the channels in which it was dark. The diffuse term, and every other lobe without a width, carries the
+/// ratio only where it dominates the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the
+/// highlight.
 /// A lobe that is black in the fit, such as a coat that is added, carries no ratio: it adds M'_k.
 class LobeChange {
  public:

@@ -14,10 +14,10 @@ namespace gonio::editing {
 inline constexpr double minWarpCosine = 0.08715574274765817;
 
 /// Scales the slopes h_x / h_z and h_y / h_z of a pair's half vector by `scale`: rotates both directions by the
-/// shortest rotation from the old half vector to the new one, which keeps theta_d. With equal scales the rotation is in
-/// the plane of the normal and the half vector and keeps phi_d too. A rotation that would move a direction to less
-/// than 5 degrees above the horizon stops there (minWarpCosine). Returns the pair unchanged if the scale is 1 or the
-/// half vector is the normal.
+/// shortest rotation from the old half vector to the new one, which leaves theta_d unchanged. With equal scales the
+/// rotation is in the plane of the normal and the half vector and leaves phi_d unchanged too. A rotation that would
+/// move a direction to less than 5 degrees above the horizon stops there (minWarpCosine). Returns the pair unchanged if
+/// the scale is 1 or the half vector is the normal.
 /// @param pair with both directions above the horizon. @param scale > 0.
 DirectionPair withScaledHalfSlopes(const DirectionPair& pair, const glm::dvec2& scale);
 

@@ -25,7 +25,8 @@ double scatteringCompensation(const GgxAlbedo& albedo, double fresnel);
 /// eq. 2. @param sin2H squared sine of theta_h. @param alpha > 0.
 double charlieDensity(double sin2H, double alpha);
 /// Directional albedo of charlieDensity() / (4 (cos theta_i + cos theta_o - cos theta_i cos theta_o)), the term of
-/// Neubelt and Pettineo 2013; at most 1. Parameters and cost as ggxAlbedo().
+/// Neubelt and Pettineo 2013, "Crafting a Next-Gen Material Pipeline for The Order: 1886"; at most 1. Parameters and
+/// cost as ggxAlbedo().
 double charlieAlbedo(double cosine, double alpha);
 
 }  // namespace gonio::exports

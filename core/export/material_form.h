@@ -33,7 +33,7 @@ std::string azimuthLoss();
 
 /// The bytes of a material's file. An unedited material in its own format gives its file unchanged, byte for byte. For
 /// an edited RGL or UTIA file, the change of the edits is added to the values at the file's nodes; all other content is
-/// kept.
+/// copied.
 /// @param base the material without edits, as it was read.
 /// @param source the same material with edits: `brdf` is `base.brdf` if there are none, and a table if `base` is a
 /// table; `rgl` and `rglFile` are set if `base` is an RGL file.

@@ -17,8 +17,8 @@ struct SpectralBasis {
   std::vector<Rgb> values;        ///< basis values of the three channels per wavelength, >= 0, with sum 1
 };
 
-/// The smoothest basis (least squared second differences) whose colours under D65, for the CIE 1931 observer of
-/// core/math/spectrum.h, are exactly the primaries. Computed once, a few ms.
+/// The smoothest basis (least squared second differences) with exactly the primaries as colours under D65, for the CIE
+/// 1931 observer of core/math/spectrum.h. Computed once, a few ms.
 const SpectralBasis& spectralBasis();
 
 /// The basis at any wavelength, nm: linear between its knots, constant beyond them.

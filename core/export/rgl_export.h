@@ -19,7 +19,7 @@ struct RglExport {
 };
 
 /// A material as the RGB and the spectral RGL file, for Mitsuba and pbrt. If the source is an RGL file, every field
-/// that the edits do not change is kept; without edits, the result of the same kind (RGB or spectral) is the source
+/// that the edits do not change is copied; without edits, the result of the same kind (RGB or spectral) is the source
 /// file byte for byte, provided that it has all fields, as the files of the EPFL database do. Spectra of a `_spec`
 /// source are scaled as the colours change (SpectralEdit). Other materials, and all materials if a size is requested,
 /// are sampled by parameterise(). @throws Error if the source's file is not an RGL file; Cancelled.

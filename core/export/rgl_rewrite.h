@@ -7,8 +7,8 @@
 
 namespace gonio::exports {
 
-/// Rewrites an RGL file with new colours. Other fields are kept (16-bit numbers become 32-bit ones, which pbrt reads),
-/// and fields that a bundled file omits are added.
+/// Rewrites an RGL file with new colours. Other fields are copied (16-bit numbers become 32-bit ones, which pbrt
+/// reads), and fields that a bundled file omits are added.
 class RglRewrite {
  public:
   /// @param file the bytes from which `tables` were read. `file` and `edited` must outlive this object.

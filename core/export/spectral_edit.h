@@ -9,10 +9,10 @@ namespace gonio::exports {
 
 /// Spectra of an RGL file with edited colours. At each node the spectrum is multiplied by a smooth function of the
 /// wavelength: spectralBasis() times three numbers from 0 to 8, fitted by least squares so that its colour under D65,
-/// for the observer of core/math/spectrum.h, is the edited colour. This keeps the shape of the spectrum; equal factors
-/// in all channels scale all wavelengths equally. A remaining difference of colour is added as its spectrum in
-/// spectralBasis(). Nodes with unchanged colour keep their spectrum bitwise. Values do not fall below 0 (negative ones
-/// do not fall), so very dark and saturated colours may not be reached.
+/// for the observer of core/math/spectrum.h, is the edited colour. This preserves the shape of the spectrum; equal
+/// factors in all channels scale all wavelengths equally. A remaining difference of colour is added as its spectrum in
+/// spectralBasis(). Spectra of nodes with unchanged colour are bitwise unchanged. Values do not fall below 0 (negative
+/// ones do not fall), so very dark and saturated colours may not be reached.
 class SpectralEdit {
  public:
   /// @param data with spectra, where `rgb` contains their colours. @param edited other colours at the same nodes.

@@ -105,7 +105,7 @@ PdvFactors PdvFactors::truncated(int count) const {
 }
 
 PdvOptions publishedPdvOptions(PdvForm form, int terms) {
-  return {.form = form, .terms = terms, .weights = PdvWeights::uniform, .deviationNodes = libraryDeviationNodes()};
+  return {.form = form, .terms = terms, .weights = PdvWeights::equal, .deviationNodes = libraryDeviationNodes()};
 }
 
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {

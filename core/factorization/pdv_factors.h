@@ -13,7 +13,8 @@
 
 namespace gonio::factorization {
 
-/// The forms of the separable model over projected-deviation coordinates.
+/// The forms of the separable model over projected-deviation coordinates (Tongbuasirilai 2023, "Data-Driven Approaches
+/// for Sparse Reflectance Modeling and Acquisition").
 enum class PdvForm {
   twoFactors,   ///< F1(theta_R) F2(|Dp|): rotationally symmetric highlights (Tongbuasirilai et al. 2017)
   threeFactors  ///< F1(theta_R) F2(|Dp|) F3(phi) (Tongbuasirilai et al. 2019; Tongbuasirilai 2023, eq. 4.25)
@@ -48,7 +49,7 @@ struct PdvFactors {
 
 /// Weight of the squared error of y in a cell.
 enum class PdvWeights {
-  uniform,  ///< 1 for all cells (Tongbuasirilai et al. 2019); dense nodes at grazing angles dominate
+  equal,  ///< 1 for all cells (Tongbuasirilai et al. 2019); dense nodes at grazing angles dominate
   /// cos theta_i cos theta_o times the projected solid angles of light and viewer times (d rho / d y)^(1/2), plus 2e-5
   /// of the mean weight in all cells. With power 2 instead of 1/2 it would be the squared error of rho cos theta_i cos
   /// theta_o to first order, where highlights dominate; with power 0 highlights overshoot (docs/results/factors.md

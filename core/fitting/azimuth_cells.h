@@ -12,7 +12,7 @@ struct AzimuthStrata {
   int thetaH, thetaD, phiD, phiH;
 };
 
-/// Number of strata that the fit uses, and that it excludes because they are invalid or grazing.
+/// Numbers of strata that the fit uses, and that it excludes as invalid or grazing.
 struct AzimuthCellCounts {
   std::size_t used = 0, invalid = 0, grazing = 0;
   std::size_t negative = 0;  ///< channel values of used cells below 0, which count as 0
@@ -22,7 +22,7 @@ struct AzimuthCellCounts {
 /// root, as in tables), weighted by the solid angle d wi d wo of the stratum there. Quasi-random pairs sample narrow
 /// ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models are
 /// reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
-/// @param maxPolarAngle rad; cells with a direction beyond it are grazing.
+/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. @param census receives the counts.
 FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& census);
 
 }  // namespace gonio::fitting

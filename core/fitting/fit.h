@@ -36,8 +36,9 @@ struct FitResult {
 
 /// Fits a model to a BRDF. Isotropic BRDFs are fitted as a table: parameters along two axes get the same value and the
 /// rotation is 0. Anisotropic ones are fitted by cells over all azimuths of both directions (FitData), with separate
-/// parameters per axis and the direction of the grain, from starts over the half-turn; parameters are returned in
-/// canonical form, with x, the narrower axis, along the grain and a rotation in [-pi/2, pi/2).
+/// parameters per axis and the direction of the grain, from several starting directions of the grain, evenly spread
+/// over 180 degrees; parameters are returned in canonical form, with x, the narrower axis, along the grain and a
+/// rotation in [-pi/2, pi/2).
 /// Variable projection: the linear parameters are solved inside each trial, within their bounds and in the metric's own
 /// domain; the others by a bounded least-squares solver from several starts, first on a stratified subset of the cells,
 /// then refined on a larger one. Parameters are shared or per channel according to the model's specs. Deterministic. A

@@ -26,7 +26,7 @@ std::vector<models::ParameterValues> startingPoints(const models::Model& model, 
                                                     const std::vector<std::size_t>& free);
 
 /// Starting points for anisotropic data around a given one: its parameters along the two axes are separated by several
-/// factors, with grain directions over the half-turn. Empty for a model without a grain.
+/// factors, with several directions of the grain, evenly spread over 180 degrees. Empty for a model without a grain.
 std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, const models::ParameterValues& about);
 
 /// Fits the parameters of several colour channels together: evaluates starts over the soft ranges, refines the best of

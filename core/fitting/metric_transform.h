@@ -93,7 +93,7 @@ class MetricTransform {
   }
   bool isReweighted() const { return power_ != metrics::MetricPower::square; }
   /// The residual of a difference d: d itself for quadratic metrics; for metrics that are means of |d|^p, a smooth
-  /// function whose square is about |d|^p.
+  /// function with a square of about |d|^p.
   double shape(double d) const { return d * reweight(d); }
   double shapeSlope(double d) const {
     double y = 0;
@@ -110,7 +110,7 @@ class MetricTransform {
  private:
   static constexpr double smallest = 1e-6;  ///< lower bound of |x| for the slopes of roots
   static constexpr double kink = 1e-4;      ///< half-width of the rounded minimum of |d|
-  static constexpr double offset = metrics::logRelativeOffset;
+  static constexpr double offset = logRelativeOffset;
 
   const metrics::MetricRecord* record_;
   metrics::MetricDomain domain_;

@@ -13,8 +13,8 @@ namespace gonio {
 
 /// A closed surface of revolution about +y, wound outward. The profile is a polyline of points (distance from the axis,
 /// height) that starts and ends on the axis (distance 0), or is closed (the last point equals the first). Creases
-/// sharper than creaseAngle are kept. @throws Error if the profile is too short, open, crosses the axis or is not
-/// finite, or if there are fewer than 3 segments.
+/// sharper than creaseAngle are not smoothed. @throws Error if the profile is too short, open, crosses the axis or is
+/// not finite, or if there are fewer than 3 segments.
 MeshArrays revolvedArrays(std::span<const glm::dvec2> profile, int segments);
 TriangleMesh revolvedMesh(std::span<const glm::dvec2> profile, int segments);
 

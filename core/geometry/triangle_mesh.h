@@ -101,8 +101,8 @@ class TriangleMesh {
 
 /// The mesh under an affine map (the last row of the matrix is 0 0 0 1). Normals are transformed by the inverse
 /// transpose; a reflection reverses the winding, so that the outside remains outside. isClosed(), isConvex() and
-/// isPlanar() are kept, unless triangles lose their area. O(n). @throws Error if the matrix is singular or not finite,
-/// or moves a vertex beyond the range of float.
+/// isPlanar() do not change, unless triangles lose their area. O(n). @throws Error if the matrix is singular or not
+/// finite, or moves a vertex beyond the range of float.
 TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix);
 
 /// Scales by `scale`, then rotates about +y by `yaw` (rad, from +z toward +x), then moves by `translation`.

@@ -26,7 +26,7 @@ enum class InterpolationSpace {
   parameters,    ///< parameters of a model fitted to each material; detail that the model does not explain is lost
   differential,  ///< BRDF values, after a differential edit has changed the fitted parameters of each material to the
                  ///< blended ones, which preserves its measured detail (Tongbuasirilai and Unger 2016; Tongbuasirilai
-                 ///< 2023, section 4.4.1)
+                 ///< 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section 4.4.1)
   factors,       ///< curves of PDV factors; detail that they do not explain is lost
   dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
                  ///< section 4.4.2); detail outside the codes is lost
@@ -60,7 +60,7 @@ struct InterpolationOptions {
   factorization::PdvOptions pdv = {};
   std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< required for `dictionary`
   dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< for tables
-  std::size_t codeCoefficients = 1024;  ///< per channel, of a blended code: the largest are kept
+  std::size_t codeCoefficients = 1024;  ///< per channel, of a blended code: the largest remain
 };
 
 /// A table of transformed values, which may be negative.

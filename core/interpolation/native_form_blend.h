@@ -12,7 +12,7 @@ namespace gonio::editing {
 /// A blend in the common form of its materials.
 struct NativeFormBlend {
   std::shared_ptr<const Brdf> brdf;  ///< an RglBrdf or UtiaBrdf with IncidentDirection::viewer
-  /// Index of the material whose nodes the result has; 0 for UTIA files, which all have the same nodes.
+  /// Index of the material with the same nodes as the result; 0 for UTIA files, which all have the same nodes.
   std::size_t nodesOf = 0;
   /// -20 log10 d, dB, where d is the mean over viewers of the light that |brdf - blend| would reflect under uniform
   /// illumination, as a fraction of the light that the blend reflects.

@@ -21,8 +21,8 @@ struct FactorReadings {
   acquisition::MeasuredValues values;  ///< one per sample of the plan
 };
 
-/// Angles have six decimals, values are written without loss. @param values without values: the file lists the
-/// directions to measure, and has no columns r, g, b.
+/// Angles have six decimals, values are written without loss. @param values may be empty: the file then lists the
+/// directions to measure and has no columns r, g, b.
 std::string factorReadingsCsv(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values = {});
 /// Writes a file, atomically. @throws Error that names the file.
 void writeFactorReadings(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values,

@@ -35,7 +35,7 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control 
 void addToGram(Eigen::MatrixXd& gram, const TallMatrix& block, const TaskControl& control = {});
 
 /// Singular values and V from the lower triangle of T^T T; `u` remains empty. Components are dropped as in
-/// decomposeGramSvd(), at most `maxComponents` are kept.
+/// decomposeGramSvd(), at most `maxComponents` remain.
 GramSvd decomposeGram(const Eigen::MatrixXd& gram, int maxComponents);
 /// The rows of U that belong to a block of rows of T: T V / Sigma. Parallel over blocks of rows.
 Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const TaskControl& control = {});
@@ -43,7 +43,7 @@ Eigen::MatrixXf leftVectors(const GramSvd& svd, const TallMatrix& block, const T
 /// The thin singular value decomposition by the eigenvectors of the Gram matrix (Sirovich 1987, the method of
 /// snapshots). The Gram matrix squares the condition number, so components with sigma <= 1e-6 of the largest are
 /// dropped, and U is orthonormal to 1e-16 (sigma_1 / sigma)^2 and single precision. U reuses the memory of T.
-/// @param maxComponents maximum number of components; the strongest are kept. @throws Cancelled.
+/// @param maxComponents maximum number of components; the strongest remain. @throws Cancelled.
 GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control = {});
 
 }  // namespace gonio

@@ -21,10 +21,10 @@ enum class BrdfMetric {
   gamma,
   logRelative,
   rms,
-  cosineCubeRoot,
+  cosineCubeRoot,  ///< factor cos theta_i, power 2/3
   projectedRms,
   meanAbsolute,
-  cosinesCubeRoot,
+  cosinesCubeRoot,  ///< factor max(cos theta_i cos theta_o, logRelativeOffset), power 2/3
   meanAbsoluteLogRelative,
   lab
 };
@@ -33,7 +33,7 @@ enum class BrdfMetric {
 enum class MetricFactor {
   one,
   cosI,    ///< cos theta_i
-  cosines  ///< max(cos theta_i cos theta_o, logRelativeOffset)
+  cosines  ///< max(cos theta_i cos theta_o, logRelativeOffset), core/brdf/log_relative.h
 };
 /// The function of x = factor times BRDF value in which the difference d is computed.
 enum class MetricDomain {
@@ -48,9 +48,6 @@ enum class MetricPower { square, absolute, twoThirds };
 /// The factor on the solid angles of a cell.
 enum class MetricWeight { one, cosO, cosines };
 
-/// Lower bound of the product of cosines, and offset of the BRDF value in the logarithm (Nielsen et al. 2015, "On
-/// Optimal, Minimal BRDF Sampling for Reflectance Acquisition").
-inline constexpr double logRelativeOffset = 1e-3;
 /// Default exponent of BrdfMetric::gamma.
 inline constexpr double defaultGamma = 2;
 inline constexpr double minGamma = 1, maxGamma = 3;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/brdf/data_transform.h"
+#include "core/brdf/log_relative.h"
 #include "core/math/fast_roots_logs.h"
 #include "core/math/types.h"
 #include "core/metrics/brdf_metric.h"

@@ -47,7 +47,8 @@ constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
           .role = ParameterRole::normalReflectance};
 }
 
-/// Replaces normalReflectanceParameter() in models whose source fits an index (up to 100).
+/// Replaces normalReflectanceParameter() in models for which the source publishes indices of refraction (fitted ones
+/// have values up to 100).
 constexpr ParameterSpec refractiveIndexParameter(std::string_view reference) {
   return {.id = "index-of-refraction", .label = "Index of refraction", .symbol = "eta", .unit = "",
           .softMin = 1, .softMax = 5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
@@ -111,9 +112,9 @@ inline Fresnel chosenFresnel(const ParameterValues& p, std::size_t term, std::si
 /// cos theta_d at which samplers evaluate the Fresnel term to estimate the brightness of highlights.
 inline constexpr double typicalCosine = 0.7;
 
-/// Model::lobes() for models whose first parameters are k_d and k_s: the diffuse term and the highlight, each evaluated
-/// by the model's formula with the other term set to 0. The highlight depends on all other parameters. @param width of
-/// the highlight. @param ofDiffuse parameters besides k_d on which the diffuse term depends.
+/// Model::lobes() for models with k_d and k_s as the first parameters: the diffuse term and the highlight, each
+/// evaluated by the model's formula with the other term set to 0. The highlight depends on all other parameters.
+/// @param width of the highlight. @param ofDiffuse parameters besides k_d on which the diffuse term depends.
 template <typename Create>
 std::vector<ModelLobe> diffuseAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
                                            std::vector<Rgb> ofDiffuse = {}) {

@@ -32,7 +32,7 @@ inline HeTerms heLargestTerms(double g, double a) {
   return {m, 1 / std::sqrt(curvature)};
 }
 
-/// heSeries() term by term, where the largest term is of a low order.
+/// heSeries() term by term, where the largest term has a low order.
 inline double heSumOfTerms(double g, double a) {
   constexpr int block = 8, blocks = 13;
   static constexpr auto reciprocals = [] {
@@ -58,8 +58,8 @@ inline double heSumOfTerms(double g, double a) {
   return sum;
 }
 
-/// heSeries() as an integral over m, where the largest term is of a high order: n! by Stirling's series (error below
-/// 1e-9 for n >= 10), and the trapezoidal rule, whose error falls exponentially with smaller steps.
+/// heSeries() as an integral over m, where the largest term has a high order: n! by Stirling's series (error below 1e-9
+/// for n >= 10), and the trapezoidal rule, with an error that falls exponentially with smaller steps.
 inline double heIntegralOfTerms(double g, double a) {
   constexpr int nodes = 20;
   constexpr double step = 0.75;  // widths

@@ -16,7 +16,7 @@ nlohmann::json parametersToJson(const ModelSpec& spec, const ParameterValues& pa
 
 /// Inverse of parametersToJson(). A missing parameter has its default, so that documents remain valid if a model gets
 /// new parameters; unknown parameters are errors. A single number means three equal ones; values outside the hard range
-/// are kept (Model::instantiate() clamps them). @param where the object's path in its document for errors, e.g.
+/// are not changed (Model::instantiate() clamps them). @param where the object's path in its document for errors, e.g.
 /// "edits[0].fitted". @throws Error that names the parameter, what was found and what was expected.
 ParameterValues parametersFromJson(const ModelSpec& spec, const nlohmann::json& json, const std::string& where);
 

@@ -131,9 +131,10 @@ void SvgDrawing::polyline(std::span<const glm::dvec2> points, const SvgStroke& s
   body_ += "<polyline points=\"" + pointsText(points) + "\"" + strokeText(stroke) + "/>\n";
 }
 
-void SvgDrawing::frame(const glm::dvec2& low, const glm::dvec2& high, const SvgStroke& stroke) {
-  body_ += "<rect x=\"" + number(low.x) + "\" y=\"" + number(low.y) + "\" width=\"" + number(high.x - low.x) +
-           "\" height=\"" + number(high.y - low.y) + "\"" + strokeText(stroke) + "/>\n";
+void SvgDrawing::frame(const glm::dvec2& topLeft, const glm::dvec2& bottomRight, const SvgStroke& stroke) {
+  const glm::dvec2 size = bottomRight - topLeft;
+  body_ += "<rect x=\"" + number(topLeft.x) + "\" y=\"" + number(topLeft.y) + "\" width=\"" + number(size.x) +
+           "\" height=\"" + number(size.y) + "\"" + strokeText(stroke) + "/>\n";
 }
 
 void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::string_view colour, bool hollow,
@@ -152,10 +153,11 @@ void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::s
     body_ += "><title>" + escaped(title) + "</title></" + (marker == Marker::circle ? "circle" : "polygon") + ">\n";
 }
 
-void SvgDrawing::picture(const glm::dvec2& low, const glm::dvec2& high, std::span<const std::byte> png,
+void SvgDrawing::picture(const glm::dvec2& topLeft, const glm::dvec2& bottomRight, std::span<const std::byte> png,
                          bool exactPixels) {
-  body_ += "<image x=\"" + number(low.x) + "\" y=\"" + number(low.y) + "\" width=\"" + number(high.x - low.x) +
-           "\" height=\"" + number(high.y - low.y) + "\" preserveAspectRatio=\"none\"";
+  const glm::dvec2 size = bottomRight - topLeft;
+  body_ += "<image x=\"" + number(topLeft.x) + "\" y=\"" + number(topLeft.y) + "\" width=\"" + number(size.x) +
+           "\" height=\"" + number(size.y) + "\" preserveAspectRatio=\"none\"";
   if (exactPixels) body_ += " style=\"image-rendering:pixelated\"";
   body_ += " xlink:href=\"data:image/png;base64," + io::base64Text(png) + "\"/>\n";
 }

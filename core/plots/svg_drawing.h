@@ -53,7 +53,7 @@ class SvgDrawing {
 
   void line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke = {});
   void polyline(std::span<const glm::dvec2> points, const SvgStroke& stroke = {});
-  void frame(const glm::dvec2& low, const glm::dvec2& high, const SvgStroke& stroke = {});
+  void frame(const glm::dvec2& topLeft, const glm::dvec2& bottomRight, const SvgStroke& stroke = {});
   /// @param size about half the height and width.
   /// @param title tooltip in SVG viewers; empty: none.
   void marker(Marker marker, const glm::dvec2& at, double size, std::string_view colour, bool hollow,
@@ -61,7 +61,8 @@ class SvgDrawing {
 
   /// An embedded picture, scaled to the rectangle. @param exactPixels whether pixels are drawn as squares instead of
   /// interpolated.
-  void picture(const glm::dvec2& low, const glm::dvec2& high, std::span<const std::byte> png, bool exactPixels);
+  void picture(const glm::dvec2& topLeft, const glm::dvec2& bottomRight, std::span<const std::byte> png,
+               bool exactPixels);
 
   enum class Anchor { start, middle, end };
   struct TextStyle {

@@ -16,13 +16,13 @@ namespace gonio {
 /// Effects of light transport, in the order of lists.
 enum class Effect {
   emittedLight,       ///< light that reaches the camera directly from its source
-  directLight,        ///< light of lamps after one reflection
+  directLight,        ///< light of distant, point and area lights after one reflection
   environmentLight,   ///< light of the environment after one reflection
   castShadows,        ///< shadows of one object on another
   selfShadowing,      ///< shadows of an object on itself
   interreflection,    ///< light after two or more reflections
   anisotropicFrames,  ///< tangent directions on surfaces, for anisotropic materials
-  areaLightSampling,  ///< sampling of points on lamps of finite size
+  areaLightSampling,  ///< sampling of points on area lights
 };
 inline constexpr std::size_t effectCount = 8;
 /// The id in files and on the command line, e.g. "emitted-light".
@@ -76,7 +76,7 @@ EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
 
 /// Updates the plan of a scene for another camera: only the sources that face the camera can change. Tests only the
-/// shapes of lamps.
+/// shapes of area lights.
 void updateForCamera(EffectPlan& plan, const Scene& scene, const EffectOverrides& overrides = {});
 
 /// Attributes of a picture file: samples, scene, effects, reflections, material, seed.

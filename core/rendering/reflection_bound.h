@@ -11,7 +11,8 @@ namespace gonio {
 
 /// Upper bound A(F) of the radiance that a material reflects to a viewer from a light of radiance 1 that covers a
 /// fraction F of the cosine-weighted hemisphere, at the position where the material reflects most:
-///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of integral over W of f cos dw.
+///   A(F) = max over wo and over all regions W of the integral over W of f cos theta_i dw,
+///   where (integral over W of cos theta_i dw) = pi F.
 /// A(1) is the largest directional albedo; for a mirror A is A(1) for all F > 0, for a Lambertian surface A(F) = albedo
 /// F. Uses the channel that reflects most. Estimated from samples of the material's density for viewers from 0 to 89
 /// degrees (anisotropic materials: at four azimuths), so accurate to a few percent, not a strict bound.

@@ -16,9 +16,9 @@ struct GammaTrial {
   double renderedSnr;  ///< in comparisonScene(), dB
 };
 
-/// The two-stage fit of Bieron and Peers 2020: fits the model by the gamma metric for several gammas (1 to 3 in steps
-/// of 1/4) and selects the one with the best picture; here the highest rendered SNR, the first among equals. Nine fits
-/// and pictures.
+/// The two-stage fit of Bieron and Peers 2020, "An Adaptive BRDF Fitting Metric": fits the model by the gamma metric
+/// for several gammas (1 to 3 in steps of 1/4) and selects the one with the best picture; here the highest rendered
+/// SNR, the first among equals. Nine fits and pictures.
 /// @param options metric and gamma are ignored.
 /// @param base BRDF to fit, as for fitting::fit().
 /// @param reference BRDF of the reference picture: the base, or the material that it samples.

@@ -23,7 +23,7 @@ enum class RepresentationFamily {
   publishedNonparametric,  ///< non-parametric factors of the published table (materials/npf_file.h)
   baselines,
   published,     ///< PDV factors and codes as the papers describe them
-  alternatives,  ///< codes by basis pursuit, PDV factors whose terms are fitted together
+  alternatives,  ///< codes by basis pursuit, PDV factors with terms that are fitted together
   neural
 };
 inline constexpr int representationFamilyCount = 11;
@@ -46,7 +46,8 @@ struct Representation {
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
                    ///< "components", "components-separated", "nonparametric", "published-nonparametric", a baseline's
                    ///< id, "factors-2d-published", "factors-3d-published", "code-published", "factors-2d-joint",
-                   ///< "factors-3d-joint", "code-basis-pursuit", "neural"
+                   ///< "factors-3d-joint", "code-basis-pursuit", "neural". 2d: two factors, F1 and F2; 3d: three
+                   ///< factors
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget

@@ -292,9 +292,10 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
     Args:
         samples: Number of pairs of directions.
         basis: Principal components of the training set; None: gonio.bundled_basis().
-        method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Algorithm 4),
-            "somp-first-columns" (the same over the first training signals alone, as in the authors' code),
-            "condition-number" (Nielsen et al. 2015), "random" or "uniform".
+        method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for
+            Sparse Reflectance Modeling and Acquisition, Algorithm 4), "somp-first-columns" (the same over the first
+            training signals alone, as in the authors' code), "condition-number" (Nielsen et al. 2015), "random" or
+            "uniform".
         components: Number of components that the choice uses; 0: the number of samples.
         max_polar_angle: Maximum polar angle of both directions, rad.
         min_separation: Minimum angle between light and viewer, rad; 0: no limit.

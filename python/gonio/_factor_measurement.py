@@ -105,8 +105,8 @@ class FactorPrediction:
 
 def predict_from_factors(plan: FactorPlan, readings: Readings, bound: str = "readings",
                          name: str = "prediction") -> FactorPrediction:
-    """Predicts a whole material from two curves: z_ij = z_mj z_i1 / z_m1 with z = ln(1 + rho) (Tongbuasirilai 2023, eq. 5.6).
-    Exact if z is such a product.
+    """Predicts a whole material from two curves: z_ij = z_mj z_i1 / z_m1 with z = ln(1 + rho) (Tongbuasirilai 2023,
+    Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, eq. 5.6). Exact if z is such a product.
 
     Args:
         plan: The directions, by gonio.plan_factors() or gonio.open_factor_readings().

@@ -154,10 +154,10 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
 
     Args:
         material: The material to represent.
-        representations: Kinds of representations: "table", "fits", "factors", "codes", "components", "nonparametric" (a
-            non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV factors and
-            codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, codes by basis
-            pursuit), "neural" (gonio.train_neural()).
+        representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric"
+            (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
+            factors and codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, codes
+            by basis pursuit), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
         terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv
@@ -175,8 +175,8 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A kind, a model or a baseline is unknown, the basis for "components" is missing or on another grid, or the
-            table `npf` cannot be read.
+        Error: A family, a model or a baseline is unknown, the basis for "components" is missing or on another grid, or
+            the table `npf` cannot be read.
     """
     request = _core.StudyRequest()
     request.families, request.models, request.baselines = list(representations), list(models), list(baselines)

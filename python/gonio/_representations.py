@@ -135,8 +135,8 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
     Args:
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
         terms: Number of terms (products of curves) per channel, 1 to 20. The first terms do not depend on the number.
-        form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019, and 2023, eq.
-            4.25).
+        form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019;
+            Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, eq. 4.25).
         transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
             ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "root", the square root; or "none" (docs/factors.md).
         weights: Weights of the squared errors of cells: "projected-solid-angle" (their contribution to images;
@@ -304,7 +304,8 @@ class Code:
 
     @property
     def scaled(self) -> bool:
-        """Whether the code represents values scaled by the importance of the cells; False if `as_published`."""
+        """Cell scaling: whether the code represents values multiplied by a weight of each cell, so that errors count by
+        the projected solid angle of the cell (docs/dictionaries.md); False if `as_published`."""
         return self._handle.scaled
 
     @property
@@ -381,7 +382,7 @@ def open_code(path: PathLike, dictionary: Optional[Dictionary] = None) -> Code:
         dictionary: The ensemble of dictionaries that it was encoded with; None: the bundled one.
 
     Raises:
-        Error: The file cannot be read, or was encoded with another dictionary.
+        Error: The file cannot be read, or was encoded over another ensemble of dictionaries.
     """
     return Code(_core.read_code(os.fspath(path), dictionary._handle if dictionary else None))
 

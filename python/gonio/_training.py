@@ -17,9 +17,9 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
                      progress: Progress = None) -> Dictionary:
     """Learns an ensemble of orthonormal dictionaries from a training set, writes it to a file and opens it: alternately, each
     signal is assigned to the dictionary that represents it best, and each dictionary is fitted to its signals (Miandji et al.
-    2019; Tongbuasirilai 2023, section 4.3.2). A signal is one channel of a material after one transform. 137 materials take
-    about 20 minutes on two cores; a training that is interrupted writes nothing (`goniotool dictionary train --checkpoint` can
-    resume one).
+    2019; Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, section 4.3.2). A
+    signal is one channel of a material after one transform. 137 materials take about 20 minutes on two cores; a
+    training that is interrupted writes nothing (`goniotool dictionary train --checkpoint` can resume one).
 
     Args:
         sources: Measured materials: files, or folders of them. All tables must have the same grid.

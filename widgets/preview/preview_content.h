@@ -48,7 +48,8 @@ class PreviewContent : public QObject {
   void showScene(const Scene& scene);
   /// Changes the view or the lighting of the scene.
   void setScene(const Scene& scene);
-  /// Changes the view only: cheaper than setScene(), because in the plan only the lamps visible to the camera change.
+  /// Changes the view only: cheaper than setScene(), because in the plan only the area lights visible to the camera
+  /// change.
   void setView(const OrbitCamera& camera, double environmentRotation);
   const Scene& scene() const { return m_scene; }
   /// The scene to which the view is reset.

@@ -30,7 +30,7 @@ class LogRelativeTest : public QObject {
     for (const double reference : {1e-3, 0.25, 4.0}) {
       QCOMPARE(logRelative(reference / 0.5, 0.5, reference), 0.0);
       QCOMPARE(inverseLogRelative(0, 0.5, reference), reference / 0.5);
-      const double near = reference * (1 + 1e-12), expected = (near - reference) / (reference + logRelativeEpsilon);
+      const double near = reference * (1 + 1e-12), expected = (near - reference) / (reference + logRelativeOffset);
       QVERIFY(std::abs(logRelative(near, 1, reference) / expected - 1) < 1e-11);
     }
   }
@@ -43,7 +43,7 @@ class LogRelativeTest : public QObject {
           const double back = inverseLogRelative(logRelative(rho, weight, reference), weight, reference);
           // A rounding of y counts relative to rho w + e.
           const double y = std::abs(logRelative(rho, weight, reference));
-          const double bound = 4 * 2.3e-16 * (1 + y) * (rho * weight + logRelativeEpsilon) / weight;
+          const double bound = 4 * 2.3e-16 * (1 + y) * (rho * weight + logRelativeOffset) / weight;
           QVERIFY2(std::abs(back - rho) <= bound, qPrintable(QString("%1 %2 %3").arg(rho).arg(weight).arg(reference)));
         }
   }
@@ -70,7 +70,7 @@ class LogRelativeTest : public QObject {
     const double weight = cosineWeight(1e-9, 1e-9);
     for (double rho = 1e-6; rho < 1e6; rho *= 10) {
       const double y = logRelative(rho, weight, 0.02), shifted = inverseLogRelative(y + 1e-9, weight, 0.02);
-      const double expected = 1e-9 * (rho + logRelativeEpsilon / weight);
+      const double expected = 1e-9 * (rho + logRelativeOffset / weight);
       QVERIFY(std::abs(shifted - rho) <= 1.001 * expected + 1e-12);
     }
   }

@@ -46,7 +46,7 @@ double difference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
     const double weight = cosineWeight(node.pair.wi.z, node.pair.wo.z);
     for (int c = 0; c < 3; ++c)
       largest = std::max(largest, std::abs(double(a.values()[cell][c]) - b.values()[cell][c]) * weight /
-                                      (b.values()[cell][c] * weight + logRelativeEpsilon));
+                                      (b.values()[cell][c] * weight + logRelativeOffset));
   }
   return largest;
 }

@@ -109,7 +109,7 @@ class PdvFactorsTest : public QObject {
   /// The residual is what the model misses at the nodes, weighted as it is documented.
   void theResidualIsThatOfTheModel() {
     const auto table = glossyTable();
-    for (const PdvWeights weights : {PdvWeights::uniform, PdvWeights::projectedSolidAngle}) {
+    for (const PdvWeights weights : {PdvWeights::equal, PdvWeights::projectedSolidAngle}) {
       const PdvFactorization f = factorizePdv(*table, {.terms = 3, .weights = weights});
       const auto brdf = makePdvBrdf(f.factors);
       const std::vector<double>&thetas = f.factors.thetaNodes, &deviations = f.factors.deviationNodes;

@@ -28,7 +28,7 @@ class PdvResidualsTest : public QObject {
   /// and weight.
   void sumsAreThoseOfTheFactorisation() {
     const auto table = glossyTable();
-    for (const auto& [form, weights] : {std::pair(PdvForm::twoFactors, PdvWeights::uniform),
+    for (const auto& [form, weights] : {std::pair(PdvForm::twoFactors, PdvWeights::equal),
                                         std::pair(PdvForm::threeFactors, PdvWeights::projectedSolidAngle)}) {
       const auto found = factorizePdv(*table, {.form = form, .terms = terms, .weights = weights});
       const auto along = residualsAlong(*table, found.factors, weights);

@@ -88,7 +88,7 @@ class PdvSamplesTest : public QObject {
   void cellsBesideTheDiskAreHeld() {
     const PdvFactors axes = someAxes(PdvForm::threeFactors);
     const float y = std::log1p(3.0f);
-    for (const PdvWeights weights : {PdvWeights::uniform, PdvWeights::projectedSolidAngle}) {
+    for (const PdvWeights weights : {PdvWeights::equal, PdvWeights::projectedSolidAngle}) {
       const PdvSamples samples = samplePdv(constantTable(3), axes, weights);
       const MaskedTensor& t = samples.channels[2];
       std::size_t cells = 0;
@@ -102,8 +102,7 @@ class PdvSamplesTest : public QObject {
             }
             const bool beside = onDisk(axes, i + 1, j - 1, k + 1) || onDisk(axes, i - 1, j - 1, k + 1);
             const bool far = k >= 3 && j >= 3 && !onDisk(axes, i, j - 3, k) && !onDisk(axes, i, j, k - 3);
-            if (beside)
-              QVERIFY(t.weights[at] > 0 && t.weights[at] < 0.02 * (weights == PdvWeights::uniform ? 1 : 0.01));
+            if (beside) QVERIFY(t.weights[at] > 0 && t.weights[at] < 0.02 * (weights == PdvWeights::equal ? 1 : 0.01));
             if (beside) QVERIFY(std::abs(t.values[at] - y) < 1e-5f);
             cells += beside;
             if (far) QCOMPARE(t.weights[at], 0.0f);
@@ -120,7 +119,7 @@ class PdvSamplesTest : public QObject {
         for (int k = 0; k < 42; ++k) expected += onDisk(axes, i, j, k);
     PdvFactors cut = axes;
     cut.thetaNodes.pop_back();
-    QCOMPARE(samplePdv(constantTable(1), cut, PdvWeights::uniform).cells, expected);
+    QCOMPARE(samplePdv(constantTable(1), cut, PdvWeights::equal).cells, expected);
     const TabulatedBrdf nothing(smallGrid, std::vector<glm::vec3>(smallGrid.size()),
                                 std::vector<std::uint8_t>(smallGrid.size(), 0));
     const PdvSamples none = samplePdv(nothing, axes, PdvWeights::projectedSolidAngle);

@@ -19,7 +19,7 @@ glm::vec4 colourOf(const SceneObject& object) {
   return {float(std::get<MaterialSlot>(object.material).number), 0, 0, materialSlot};
 }
 
-/// The shader's numbers of the objects: spheres, meshes, rectangles, lamps.
+/// The shader's numbers of the objects: spheres, meshes, rectangles, area lights.
 std::vector<std::size_t> drawnOrder(const Scene& scene) {
   std::vector<std::size_t> order;
   const auto rank = [&](std::size_t i) {

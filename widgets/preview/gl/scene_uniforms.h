@@ -9,7 +9,7 @@
 
 namespace gonio::widgets {
 
-/// A scene for preview/scene.frag: spheres, meshes, rectangles, and lamps last.
+/// A scene for preview/scene.frag: spheres, meshes, rectangles, and area lights last.
 class SceneUniforms {
  public:
   /// Maximum number of reflections in the shader, limited by compile and frame time.
