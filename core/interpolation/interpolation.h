@@ -25,11 +25,12 @@ enum class InterpolationSpace {
   linear,        ///< BRDF values
   parameters,    ///< parameters of a model fitted to each material; detail that the model does not explain is lost
   differential,  ///< BRDF values, after a differential edit has changed the fitted parameters of each material to the
-                 ///< blended ones, which preserves its measured detail (Tongbuasirilai and Unger 2016; Tongbuasirilai
-                 ///< 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", section 4.4.1)
-  factors,       ///< curves of PDV factors; detail that they do not explain is lost
-  dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
-                 ///< section 4.4.2); detail outside the codes is lost
+                 ///< blended ones, which preserves its measured detail (Tsirikoglou et al. 2016, "Differential
+                 ///< Appearance Editing for Measured BRDFs"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
+                 ///< Reflectance Modeling and Acquisition", section 4.4.1)
+  factors,    ///< curves of PDV factors; detail that they do not explain is lost
+  dictionary  ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
+              ///< section 4.4.2); detail outside the codes is lost
 };
 /// Names in JSON and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear", "parameters", "differential",

@@ -402,7 +402,7 @@ class Interpolation:
 
     A blend is computed in one of five spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" mixes the
     parameters of a fitted model, without the measured detail; "differential" edits each material toward the mixed parameters,
-    so that its detail is preserved (Tongbuasirilai and Unger 2016); "factors" mixes factor curves; "dictionary" mixes sparse
+    so that its detail is preserved (Tsirikoglou et al. 2016, "Differential Appearance Editing for Measured BRDFs"); "factors" mixes factor curves; "dictionary" mixes sparse
     codes.
     """
 

@@ -224,11 +224,10 @@ def outputs(attack, seeds):
         for command in commands:
             out = f"disk/x{suffix[command[0]]}"
             (attack.folder / out).write_bytes(b"old")
-            size = 4096 if command[0] == "encode" else 1
-            code, _, error = attack.run([*command, out, "--force"] if False else ["--force", *command, out])
+            code, _, error = attack.run(["--force", *command, out])
             kept = (attack.folder / out).read_bytes() == b"old"
             left = [p.name for p in disk.iterdir() if p.name not in ("filler", pathlib.Path(out).name)]
-            if code == 0 and (attack.folder / out).stat().st_size < size and command[0] != "encode":
+            if code == 0 and kept:
                 attack.finding([*command, out], "says success on a full disk")
             if code != 0 and (not kept or left):
                 attack.finding([*command, out], f"full disk: old file kept: {kept}, left: {left}")
@@ -239,12 +238,12 @@ def outputs(attack, seeds):
 
 # ---------------------------------------------------------------- signals
 
-LONG = [(["fit", "--all", "library:merl-copy/chrome", "--out", "x.json"], "x.json"),
-        (["factor", "library:merl-copy/nickel", "--terms", "10", "--out", "x.pdv"], "x.pdv"),
-        (["encode", "library:merl-copy/nickel", "--coefficients", "4096", "--out", "x.code"], "x.code"),
-        (["render", "library:merl-copy/nickel", "--size", "256", "--samples", "256", "--out", "x.exr"], "x.exr"),
+LONG = [(["fit", "library:merl-copy/chrome", "--model", "he", "--out", "x.binary"], "x.binary"),
+        (["factor", "library:merl-copy/aluminium", "--terms", "10", "--out", "x.pdv"], "x.pdv"),
+        (["encode", "library:merl-copy/aluminium", "--coefficients", "4096", "--out", "x.code"], "x.code"),
+        (["render", "library:merl-copy/aluminium", "--size", "256", "--samples", "256", "--out", "x.exr"], "x.exr"),
         (["plan", "--samples", "8", "--out", "x.csv"], "x.csv"),
-        (["export", "library:merl-copy/nickel", "--for", "mitsuba", "--out", "x.bsdf"], "x.bsdf")]
+        (["export", "library:merl-copy/aluminium", "--for", "mitsuba", "--out", "x.bsdf"], "x.bsdf")]
 
 
 def signals(attack, _):
@@ -285,20 +284,23 @@ def signals(attack, _):
 
 # ---------------------------------------------------------------- threads
 
-SAME_BITS = [(["fit", "library:merl-copy/nickel", "--model", "cook-torrance", "--out", "x.json"], "x.json"),
-             (["factor", "library:merl-copy/nickel", "--terms", "5", "--out", "x.pdv"], "x.pdv"),
-             (["factor", "library:merl-copy/nickel", "--terms", "3", "--joint", "--out", "x.pdv"], "x.pdv"),
-             (["encode", "library:merl-copy/nickel", "--out", "x.code"], "x.code"),
-             (["dictionary", "train", "library:rgl/paper_blue", "library:merl-copy/nickel", "--dictionaries", "2",
-               "--rounds", "1", "--out", "x.dictionary"], "x.dictionary"),
+SAME_BITS = [(["fit", "library:merl-copy/aluminium", "--model", "cook-torrance", "--out", "x.binary"],
+              "x.binary"),
+             (["factor", "library:merl-copy/aluminium", "--terms", "5", "--out", "x.pdv"], "x.pdv"),
+             (["factor", "library:merl-copy/aluminium", "--terms", "3", "--joint", "--out", "x.pdv"], "x.pdv"),
+             (["encode", "library:merl-copy/aluminium", "--out", "x.code"], "x.code"),
+             (["dictionary", "train", "a.binary", "b.binary", "--dictionaries", "2", "--sparsities", "32", "--iterations", "2",
+               "--out", "x.dictionary"], "x.dictionary"),
              (["plan", "--samples", "10", "--out", "x.csv"], "x.csv"),
              (["convert", "library:rgl/paper_blue", "x.binary"], "x.binary"),
              (["render", "library:rgl/paper_blue", "--size", "64", "--samples", "16", "--out", "x.exr"], "x.exr"),
-             (["interpolate", "library:merl-copy/nickel", "library:merl-copy/chrome", "--weights", "0.5", "0.5",
+             (["interpolate", "library:merl-copy/aluminium", "library:merl-copy/chrome", "--weights", "0.5", "0.5",
                "--space", "dictionary", "--out", "x.binary"], "x.binary")]
 
 
 def threads(attack, _):
+    attack.run(["convert", "library:merl-copy/chrome", "a.binary"])
+    attack.run(["convert", "library:merl-copy/red-fabric", "b.binary"])
     for arguments, out in SAME_BITS:
         digests = {}
         for count in THREADS:

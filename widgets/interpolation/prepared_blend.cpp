@@ -112,7 +112,8 @@ QString spaceExplanation(InterpolationSpace space) {
     case InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
           "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
-          "detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
+          "detail; then the results are mixed. Source: Tsirikoglou et al. 2016, Differential Appearance Editing for "
+          "Measured BRDFs.");
     case InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
           "The curves of the PDV factors are mixed: the strength and width of the highlight "
