@@ -104,7 +104,7 @@ def bundled_basis(progress: Progress = None) -> Basis:
 def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 1024,
                 progress: Progress = None) -> Basis:
     """Computes the principal components of a training set, on the grid of MERL tables. Takes about 1 s and 13 MB of
-    memory per material.
+    memory per material; training sets that need more than 6 GB are stored in a temporary file instead.
 
     Args:
         sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
@@ -120,7 +120,7 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
 
 
 def separate(material: Material, progress: Progress = None) -> tuple[Material, Material]:
-    """Separates a material into a diffuse and a specular part, two tables whose sum is the table of the material
+    """Separates a material into a diffuse and a specular part, two tables that add up to the table of the material
     (docs/dictionaries.md).
 
     Args:

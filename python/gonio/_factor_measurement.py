@@ -75,8 +75,8 @@ def open_factor_readings(path: PathLike, axes: str) -> tuple[FactorPlan, Reading
 
 @dataclass(frozen=True)
 class FactorPrediction:
-    """A material predicted from two curves, see gonio.predict_from_factors(). Fractions are of all pairs of directions, weighted
-    by the cosines and solid angles."""
+    """A material predicted from two curves, see gonio.predict_from_factors(). Fractions refer to all pairs of directions,
+    weighted by the cosines and solid angles."""
 
     material: Material
     """The predicted material."""

@@ -238,8 +238,8 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
         path: Name of the files without the suffixes that the target adds.
         target: Id of the target (gonio.targets()).
         snr: Rendered SNR in dB to reach, for targets that can choose the size of their files.
-        grid: Size of .bsdf files: the number of incident polar angles, and the number of nodes along each side of a slice;
-            None: the smallest size that reaches the SNR.
+        grid: Size of .bsdf files: the number of incident polar angles, and the number of nodes along each side of
+            the grid for each incident direction; None: the smallest size that reaches the SNR.
         scene: Name of a scene to write with the material, for targets with `has_scenes`; "": none.
         environment: Environment of this scene; "": its own.
         overwrite: Whether existing files are replaced.

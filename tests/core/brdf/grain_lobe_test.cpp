@@ -71,12 +71,12 @@ class GrainLobeTest : public QObject {
     QVERIFY2(std::abs(std::remainder(grain.rotation - radians(degrees), pi)) < 0.5 * x / y, found);
   }
 
-  void hardCase41DrawsFollowTheDensity_data() {
+  void hardCase41SamplesFollowTheDensity_data() {
     QTest::addColumn<double>("theta");
     for (const double theta : {0.0, 40.0, 75.0, 88.0}) QTest::addRow("%g", theta) << theta;
   }
   /// A million draws each.
-  void hardCase41DrawsFollowTheDensity() {
+  void hardCase41SamplesFollowTheDensity() {
     QFETCH(double, theta);
     static const Sampled sampled(*test::grainBrdf({"beckmann-anisotropic", 0.1, 0.4, 0.7}));
     QVERIFY(sampled.grain().fraction > 0);

@@ -84,7 +84,7 @@ class SamplingLobeTest : public QObject {
   }
 
   /// Pearson's chi-squared test of independent draws against the density.
-  void drawsFollowTheDensity() {
+  void samplesFollowTheDensity() {
     constexpr int rings = 12, spokes = 24, count = 200000;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -122,7 +122,7 @@ class SamplingLobeTest : public QObject {
       }
   }
 
-  void hardCase41EveryDrawHasADensity() {
+  void hardCase41EverySampleHasADensity() {
     for (const double roughness : {1e-3, 0.01, 1.0})
       for (const double degreesO : {0.0, 1e-6, 45.0, 89.9, 89.99999}) {
         const Direction wo = fromSpherical(radians(degreesO), 1);

@@ -40,14 +40,14 @@ constexpr double tolerance = 1e-5;
 class TabulatedLobeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void drawsFollowTheDensity_data() {
+  void samplesFollowTheDensity_data() {
     QTest::addColumn<QString>("id");
     QTest::addColumn<double>("theta");
     for (const char* id : {"lambert", "ggx", "ward-duer"})
       for (const double theta : {0.0, 25.0, 60.0, 84.0})
         QTest::newRow((std::string(id) + " " + std::to_string(int(theta))).c_str()) << QString(id) << radians(theta);
   }
-  void drawsFollowTheDensity() {
+  void samplesFollowTheDensity() {
     QFETCH(QString, id);
     QFETCH(double, theta);
     const Sampled sampled(*model(id.toLatin1().data()));

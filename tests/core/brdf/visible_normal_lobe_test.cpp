@@ -80,14 +80,14 @@ class VisibleNormalLobeTest : public QObject {
   }
 
   /// A million draws of the narrow grain at 60 degrees.
-  void hardCase41DrawsFollowTheDensity_data() {
+  void hardCase41SamplesFollowTheDensity_data() {
     QTest::addColumn<int>("kind");
     QTest::addColumn<int>("width");
     for (int kind = 0; kind < 2; ++kind)
       for (int width = 0; width < int(std::size(widths)); ++width)
         QTest::addRow("%s %g %g", kind == 0 ? "ggx" : "beckmann", widths[width].x, widths[width].y) << kind << width;
   }
-  void hardCase41DrawsFollowTheDensity() {
+  void hardCase41SamplesFollowTheDensity() {
     QFETCH(int, kind);
     QFETCH(int, width);
     const Widths& at = widths[width];

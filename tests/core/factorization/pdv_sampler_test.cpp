@@ -118,13 +118,13 @@ class PdvSamplerTest : public QObject {
 
   /// Where draws fall, against the integrals of the density, and the promises on each draw. With few nodes the density
   /// falls by much within a bin, and from row to row.
-  void hardCase41DrawsFollowTheDensity_data() {
+  void hardCase41SamplesFollowTheDensity_data() {
     QTest::addColumn<int>("nodes");
     QTest::addColumn<double>("angle");
     for (const int nodes : {90, 12})
       for (const double angle : anglesDegrees) QTest::addRow("%d nodes, %g degrees", nodes, angle) << nodes << angle;
   }
-  void hardCase41DrawsFollowTheDensity() {
+  void hardCase41SamplesFollowTheDensity() {
     QFETCH(int, nodes);
     QFETCH(double, angle);
     const int draws = angle == 60 ? 1 << 20 : 1 << 17;

@@ -32,7 +32,7 @@ class WeightsTest : public QObject {
     QCOMPARE(errorOf({0, 1, 0}, 3), std::string());
   }
 
-  void hardCase30ErrorsTellWhatIsWrong() {
+  void hardCase30ErrorsStateWhatIsWrong() {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(errorOf({0.5, 0.5}, 3).find("found 2 weights, expected 3") != std::string::npos);
     QVERIFY(errorOf({1.5, -0.5}, 2).find("material 1") != std::string::npos);

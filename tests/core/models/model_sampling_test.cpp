@@ -20,13 +20,13 @@ class ModelSamplingTest : public QObject {
   static constexpr double viewerDegrees[] = {0, 30, 60, 75, 85, 89.9};
 
  private Q_SLOTS:
-  void hardCase41DrawsFollowTheDensityAndItIntegratesToOne_data() {
+  void hardCase41SamplesFollowTheDensityAndItIntegratesToOne_data() {
     QTest::addColumn<const Model*>("model");
     QTest::addColumn<int>("draw");
     for (const Model* model : allModels())
       for (int draw = 0; draw < 2; ++draw) QTest::addRow("%s %d", model->spec().id.data(), draw) << model << draw;
   }
-  void hardCase41DrawsFollowTheDensityAndItIntegratesToOne() {
+  void hardCase41SamplesFollowTheDensityAndItIntegratesToOne() {
     QFETCH(const Model*, model);
     QFETCH(int, draw);
     std::mt19937_64 random(11);
@@ -54,7 +54,7 @@ class ModelSamplingTest : public QObject {
   }
 
   /// A million draws pass, and fail where they are 2 % wider than the density.
-  void aMillionDrawsFindLobesTooWide() {
+  void aMillionSamplesDetectLobesTooWide() {
     const auto all = allModels();
     std::vector<gonio::test::SamplingCheck> checks(all.size());
     parallelForBlocks(all.size(), 1, [&](std::size_t i, std::size_t) {

@@ -81,7 +81,7 @@ class RenderMaterialTest : public QObject {
     QCOMPARE(RenderMaterial(good, std::make_shared<const TabulatedLobe>(*good)).pdf(wi, wo), good->pdf(wi, wo));
   }
 
-  void drawsFollowTheDensity_data() {
+  void samplesFollowTheDensity_data() {
     QTest::addColumn<bool>("twoHighlights");
     QTest::addColumn<double>("theta");
     for (const double theta : {0.0, 50.0, 80.0}) {
@@ -90,7 +90,7 @@ class RenderMaterialTest : public QObject {
     }
   }
   /// Pearson's test of a million draws: of a round lobe in place of the table, and of the table.
-  void drawsFollowTheDensity() {
+  void samplesFollowTheDensity() {
     QFETCH(bool, twoHighlights);
     QFETCH(double, theta);
     const auto wide = test::ggx(Rgb(0.2), Rgb(0.8), 0.3, 0.9), narrow = test::ggx(Rgb(0), Rgb(0.8), 0.03, 0.9);
