@@ -404,8 +404,8 @@ class Interpolation:
 
     A blend is computed in one of five spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" mixes the
     parameters of a fitted model, without the measured detail; "differential" edits each material toward the mixed parameters,
-    so that its detail is preserved (Tsirikoglou et al. 2016, "Differential Appearance Editing for Measured BRDFs"); "factors" mixes factor curves; "dictionary" mixes sparse
-    codes.
+    so that its detail is preserved (Tsirikoglou et al. 2016, "Differential Appearance Editing for Measured BRDFs"); "factors"
+    mixes factor curves; "dictionary" mixes sparse codes.
     """
 
     __slots__ = ("_handle", "_names")
