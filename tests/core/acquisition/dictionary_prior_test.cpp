@@ -132,7 +132,7 @@ class DictionaryPriorTest : public QObject {
     QVERIFY(errorOf({.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}}, materials).contains("dictionaries"));
     QVERIFY(errorOf(ensemble, materials, {.transform = DataTransform::root}).contains("found the transform root"));
     QVERIFY(errorOf(ensemble, materials, {.atoms = 0}).contains("found 0 atoms"));
-    QVERIFY(errorOf(ensemble, materials, {.sharing = 0}).contains("found the sharing 0"));
+    QVERIFY(errorOf(ensemble, materials, {.sharing = 0}).contains("found the weight 0 for a dictionary prior"));
     std::stop_source stop;
     stop.request_stop();
     QVERIFY_THROWS_EXCEPTION(Cancelled, learnDictionaryPrior(ensemble, materials, {}, {.stop = stop.get_token()}));

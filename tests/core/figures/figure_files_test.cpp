@@ -194,7 +194,7 @@ class FigureFilesTest : public QObject {
       QCOMPARE(pictures[i].width, items[i].raster.width);
       QVERIFY(pictures[i].rgba == items[i].raster.rgba);
     }
-    for (const char* text : {"50 % & <more>", "Reference", "blue rubber", "SNR", "Insets: 2× the images"})
+    for (const char* text : {"50 % & <more>", "Reference", "blue rubber", "SNR", "Insets: magnified 2×"})
       QVERIFY2(texts.contains(QString::fromUtf8(text)), text);
     QVERIFY(svg == figureSvg(drawing));
   }

@@ -119,7 +119,10 @@ class ImageIoTest : public QObject {
       QVERIFY2(!errorOf([&] { io::readImage(std::span(whole).first(size)); }).empty(), std::to_string(size).c_str());
     for (const auto& [width, height] : std::vector<std::pair<int, int>>{
              {0, 1}, {-4, 4}, {30000, 30000}, {2147483647, 2147483647}, {100000, 1}, {2000, 2000}})
-      QVERIFY(contains(errorOf([&] { io::readImage(flatHdr(width, height, {{1, 2, 3, 4}})); }), "expected"));
+      QVERIFY(contains(errorOf([&, width = width, height = height] {
+                         io::readImage(flatHdr(width, height, {{1, 2, 3, 4}}));
+                       }),
+                       "expected"));
   }
 
   void radianceMapOfTheDevelopmentData() {
