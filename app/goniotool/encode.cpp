@@ -78,11 +78,11 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   }
   const auto precision = options.single ? CodePrecision::single : CodePrecision::quantised;
   const std::vector<std::byte> bytes = materials::encodeCode(encoded.code, dictionary->id, precision);
-  if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
   // Of what the file holds: with the values as they are rounded.
   const auto decoded = decode(dictionary->ensemble, materials::readCode(io::MemorySource(bytes)).code);
   const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
   Json candidates = Json::array(), dictionaries = Json::array();
   std::string text;
   for (const EncodedCandidate& candidate : encoded.candidates) {

@@ -16,6 +16,7 @@ Fixed seed: every run does the same.
 """
 
 import hashlib
+import os
 import pathlib
 import random
 import resource
@@ -28,6 +29,7 @@ import tempfile
 import time
 
 MEMORY = 8 << 30
+SANITIZED = bool({"ASAN_OPTIONS", "TSAN_OPTIONS"} & os.environ.keys())  # sanitizers reserve terabytes of addresses
 TIMEOUT = 300
 DAMAGED_RUNS = 300
 SIGNAL_RUNS = 20
@@ -48,6 +50,7 @@ class Attack:
 
     def run(self, arguments, limit_memory=False):
         self.runs += 1
+        limit_memory = limit_memory and not SANITIZED
         limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))) if limit_memory else None
         process = self.start(arguments, preexec_fn=limit)
         try:
@@ -174,7 +177,7 @@ def extreme_tables(folder):
 EXTREME = [["info"], ["check"], ["fit", "--model", "ggx"], ["fit", "--model", "lambert"],
            ["factor", "--terms", "2", "--out", "x.pdv"], ["factor", "--method", "hosvd"], ["encode", "--out", "x.code"],
            ["encode", "--method", "components"], ["render", "--size", "16", "--samples", "2", "--out", "x.png"],
-           ["export", "--for", "glsl", "--out", "x.glsl"], ["evaluate", "--wi", "0.1", "0", "--wo", "0.2", "0"]]
+           ["export", "x", "--for", "glsl"], ["evaluate", "--wi", "0.1", "0", "--wo", "0.2", "0"]]
 
 
 def extreme(attack, _):
@@ -238,27 +241,24 @@ def outputs(attack, seeds):
 
 # ---------------------------------------------------------------- signals
 
-LONG = [(["fit", "library:merl-copy/chrome", "--model", "he", "--out", "x.binary"], "x.binary"),
-        (["factor", "library:merl-copy/aluminium", "--terms", "10", "--out", "x.pdv"], "x.pdv"),
-        (["encode", "library:merl-copy/aluminium", "--coefficients", "4096", "--out", "x.code"], "x.code"),
-        (["render", "library:merl-copy/aluminium", "--size", "256", "--samples", "256", "--out", "x.exr"], "x.exr"),
-        (["plan", "--samples", "8", "--out", "x.csv"], "x.csv"),
-        (["export", "library:merl-copy/aluminium", "--for", "mitsuba", "--out", "x.bsdf"], "x.bsdf")]
+LONG = [["fit", "library:merl-copy/chrome", "--model", "he", "--out", "x.binary"],
+        ["factor", "library:merl-copy/aluminium", "--terms", "10", "--out", "x.pdv"],
+        ["encode", "library:merl-copy/aluminium", "--coefficients", "4096", "--out", "x.code"],
+        ["render", "library:merl-copy/aluminium", "--size", "256", "--samples", "256", "--out", "x.exr"],
+        ["plan", "--samples", "8", "--out", "x.csv"],
+        ["export", "library:merl-copy/aluminium", "x", "--for", "mitsuba"]]
 
 
 def signals(attack, _):
     rng = random.Random(2)
-    for arguments, out in LONG:
-        whole = None
+    for arguments in LONG:
         started = time.monotonic()
         code, _, error = attack.run(arguments)
         duration = time.monotonic() - started
-        path = attack.folder / out
-        if code != 0 or not path.exists():
+        whole = {p.name: digest(p) for p in attack.folder.iterdir()}
+        if code != 0 or not whole:
             attack.finding(arguments, f"does not run: {error.strip()[:200]}")
-            continue
-        whole = digest(path)
-        for i in range(SIGNAL_RUNS):
+        for i in range(SIGNAL_RUNS if whole else 0):
             for file in attack.folder.iterdir():
                 file.unlink()
             attack.runs += 1
@@ -273,13 +273,16 @@ def signals(attack, _):
                 process.communicate()
                 attack.finding(arguments, "runs on for a minute after SIGINT")
                 continue
-            if path.exists() and digest(path) != whole:
-                attack.finding(arguments, f"{kind.name}: a partial {out}")
-            left = [p.name for p in attack.folder.iterdir() if p != path]
-            if kind == signal.SIGINT and process.returncode != 0 and (left or path.exists()):
-                attack.finding(arguments, f"SIGINT left {left or out}")
-            if kind == signal.SIGINT and process.returncode not in (0, 1, 130, -2):
+            found = {p.name: digest(p) for p in attack.folder.iterdir()}
+            partial = [name for name in found if name in whole and found[name] != whole[name]]
+            if partial:
+                attack.finding(arguments, f"{kind.name}: {partial} partial")
+            if kind == signal.SIGINT and process.returncode != 0 and found:
+                attack.finding(arguments, f"SIGINT left {sorted(found)}")
+            if kind == signal.SIGINT and process.returncode not in (0, 1, 130, -signal.SIGINT):
                 attack.finding(arguments, f"SIGINT: exit code {process.returncode}: {error.strip()[:200]}")
+        for file in attack.folder.iterdir():
+            file.unlink()
 
 
 # ---------------------------------------------------------------- threads
