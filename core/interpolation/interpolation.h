@@ -28,9 +28,9 @@ enum class InterpolationSpace {
                  ///< blended ones, which preserves its measured detail (Tsirikoglou et al. 2016, "Differential
                  ///< Appearance Editing for Measured BRDFs"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
                  ///< Reflectance Modeling and Acquisition", section 4.4.1)
-  factors,    ///< curves of PDV factors; detail that they do not explain is lost
-  dictionary  ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
-              ///< section 4.4.2); detail outside the codes is lost
+  factors,       ///< curves of PDV factors; detail that they do not explain is lost
+  dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
+                 ///< section 4.4.2); detail outside the codes is lost
 };
 /// Names in JSON and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear", "parameters", "differential",

@@ -9,8 +9,8 @@
 
 namespace gonio::widgets {
 
-/// One subject on the graphics card, for shaders/preview/material.glsl and sampling_lobe.glsl. Uploaded data stay until they
-/// are replaced.
+/// One subject on the graphics card, for shaders/preview/material.glsl and sampling_lobe.glsl. Uploaded data stay until
+/// they are replaced.
 class SubjectTextures {
  public:
   /// Adds the definitions and preamble files of the shader variant.
