@@ -22,7 +22,7 @@ Json describe(const materials::Material& material, const TableStatistics& statis
           {"format", material.source.format},
           {"grid", material.source.grid},
           {"channels", channels},
-          {"invalidShare", statistics.invalidFraction},
+          {"invalidFraction", statistics.invalidFraction},
           {"dynamicRange", statistics.dynamicRange},
           {"albedo", albedo},
           {"path", material.source.path.string()},
@@ -43,7 +43,7 @@ std::string text(const Json& json) {
     result += std::string("  ") + names[c] + " " + number(json["channels"][c]["min"]) + " to " +
               number(json["channels"][c]["max"]) + " 1/sr\n";
   result += "  dynamic range " + number(json["dynamicRange"]) + ", invalid cells " +
-            number(100 * json["invalidShare"].get<double>()) + " %\n";
+            number(100 * json["invalidFraction"].get<double>()) + " %\n";
   for (const auto& [angle, value] : json["albedo"].items())
     result += "  albedo at " + angle + " degrees " + rgbText({value[0], value[1], value[2]}) + "\n";
   if (json.contains("tableSnr"))
@@ -51,7 +51,7 @@ std::string text(const Json& json) {
                                          : "  rendered SNR of its table: " + number(json["tableSnr"].get<double>()) +
                                                " dB (used for factors, codes and fits of isotropic materials)\n";
   result += std::string("  shown and edited ") +
-            (json["shownAs"] == "measured" ? "in its native form, without a table\n" : "as a table\n");
+            (json["shownAs"] == "native" ? "in its native form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;
 }
@@ -67,7 +67,7 @@ int info(const InfoArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
-  json["shownAs"] = material.brdf->asTable() ? "table" : "measured";
+  json["shownAs"] = material.brdf->asTable() ? "table" : "native";
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {

@@ -129,7 +129,7 @@ int render(const RenderArguments& options, const Tool& tool) {
                  {"width", size.width},
                  {"height", size.height},
                  {"counters", {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}}},
-                 {"fireflies", {{"brightest", fireflies.brightest}, {"share", fireflies.fraction}}},
+                 {"fireflies", {{"brightest", fireflies.brightest}, {"fraction", fireflies.fraction}}},
                  {"out", options.out}});
     text = options.out + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) + ", " +
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +

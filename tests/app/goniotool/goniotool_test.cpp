@@ -36,7 +36,7 @@ class GoniotoolTest : public QObject {
     QVERIFY(std::abs(result.json["dynamicRange"].get<double>() - 5.0 / 3) < 1e-5);
     const auto table = readTable(matte_);
     const double invalidFraction = 1 - double(table->validCount()) / double(table->grid().size());
-    QVERIFY(std::abs(result.json["invalidShare"].get<double>() - invalidFraction) < 1e-12);
+    QVERIFY(std::abs(result.json["invalidFraction"].get<double>() - invalidFraction) < 1e-12);
     QVERIFY(runTool({"info", matte_}).out.contains("albedo at 80 degrees"));
   }
 
