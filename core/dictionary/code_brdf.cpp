@@ -34,7 +34,7 @@ Place wrapped(double position, int count) {
   return {low, low + 1 == count ? 0 : low + 1, float(position - low)};
 }
 
-/// Four numbers at one node of mode 0, then four at the next one; or the same four twice.
+/// The channels, the fourth unused, at one node of mode 0 and at the next one.
 using Lanes = Eigen::Array<float, 8, 1>;
 
 /// The channels at the corners of a cell, the fourth unused; bits 0, 1 and 2 of the index choose the nodes of the
@@ -91,9 +91,9 @@ class DictionarySum {
     std::array<UsedAtoms, 3> used;
     for (const auto& [index, lanes] : byIndex) {
       const std::uint16_t atom1 = used[1].place(index / n0 % n1), atom2 = used[2].place(index / (n0 * n1));
-      if (slices_.empty() || slices_.back().atom != atom2) slices_.push_back({atom2, std::uint32_t(rows_.size())});
-      if (slices_.back().end == rows_.size() || rows_.back().atom != atom1)
-        rows_.push_back({atom1, std::uint32_t(values_.size())});
+      const bool startsSlice = slices_.empty() || slices_.back().atom != atom2;
+      if (startsSlice) slices_.push_back({atom2, 0});
+      if (startsSlice || rows_.back().atom != atom1) rows_.push_back({atom1, 0});
       slices_.back().end = std::uint32_t(rows_.size());
       atoms0_.push_back(used[0].place(index % n0));
       values_.push_back(lanes);
