@@ -334,7 +334,7 @@ class Code:
 
         Args:
             as_table: True: the code is decoded to a table (50 ms), which is fast to evaluate. False: values are computed from
-                the coefficients when they are evaluated, about 0.3 to 2 µs per pair of directions for 64 to 1,024
+                the coefficients when they are evaluated, about 0.25 to 1 µs per pair of directions for 64 to 1,024
                 coefficients.
             name: Name of the material.
         """
