@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/coordinates/grid_corners.h"
 #include "core/coordinates/half_difference_block.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
@@ -48,39 +49,9 @@ Found sanitize(std::span<TabulatedBrdf::Value> values, std::span<const std::uint
   return found;
 }
 
-/// The two neighbouring nodes on one axis and the weight of the upper one.
-struct Bracket {
-  int low, high;
-  double weight;
-};
-
-Bracket clampedBracket(double x, int count) {
-  x = std::clamp(x, 0.0, count - 1.0);
-  const int low = static_cast<int>(x);
-  return {low, std::min(low + 1, count - 1), x - low};
-}
-
-Bracket wrappedBracket(double x, int count) {
-  const int low = std::min(static_cast<int>(x), count - 1);
-  return {low, low + 1 == count ? 0 : low + 1, x - low};
-}
-
 Rgb mix(const Rgb& low, const Rgb& high, double weight) { return low + weight * (high - low); }
 
 }  // namespace
-
-/// The eight corners about a position: four pairs of neighbours along phi_d, and where these start.
-struct TabulatedBrdf::Corners {
-  Bracket h, d, f;
-  std::size_t rows[4];  ///< first cells of the phi_d rows (low h, low d), (low h, high d), (high h, low d), ..
-
-  Corners(const HalfDifferenceGrid& grid, const HalfDifferenceGrid::Position& p)
-      : h(clampedBracket(p.thetaH, grid.thetaHCount)),
-        d(clampedBracket(p.thetaD, grid.thetaDCount)),
-        f(wrappedBracket(p.phiD, grid.phiDCount)),
-        rows{grid.index(h.low, d.low, 0), grid.index(h.low, d.high, 0), grid.index(h.high, d.low, 0),
-             grid.index(h.high, d.high, 0)} {}
-};
 
 TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid)
     : grid_(grid), values_(std::move(values)), valid_(std::move(valid)) {
@@ -153,13 +124,13 @@ void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<
   for (std::size_t i = 0; i < values.size(); ++i) {
     positions[i] = grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]);
     // The table is larger than the near caches: ask for all cells of the block before using the first.
-    const Corners corners(grid_, positions[i]);
-    for (const std::size_t row : corners.rows) __builtin_prefetch(values_.data() + row + std::size_t(corners.f.low));
-    __builtin_prefetch(interior_.data() + corners.rows[0] + std::size_t(corners.f.low));
+    const GridCorners corners(grid_, positions[i]);
+    for (const std::size_t row : corners.rows) __builtin_prefetch(values_.data() + row + std::size_t(corners.phiD.low));
+    __builtin_prefetch(interior_.data() + corners.cell(0));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     bool valid = false;
-    values[i] = block.valid[i] ? interpolate(Corners(grid_, positions[i]), valid) : Rgb(0);
+    values[i] = block.valid[i] ? interpolate(GridCorners(grid_, positions[i]), valid) : Rgb(0);
     if (!measured.empty()) measured[i] = valid;
   }
 }
@@ -172,7 +143,7 @@ Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* vali
     found = valid_[cell] != 0;
     value = Rgb(values_[cell]);
   } else if (at.valid) {
-    value = interpolate(Corners(grid_, grid_.position(at)), found);
+    value = interpolate(GridCorners(grid_, grid_.position(at)), found);
   }
   if (valid) *valid = found;
   return value;
@@ -184,22 +155,19 @@ bool TabulatedBrdf::hasData(const DirectionPair& pair) const {
   return valid;
 }
 
-Rgb TabulatedBrdf::interpolate(const Corners& at, bool& valid) const {
-  const auto low = std::size_t(at.f.low), high = std::size_t(at.f.high);
+Rgb TabulatedBrdf::interpolate(const GridCorners& at, bool& valid) const {
   valid = true;
-  if (interior_[at.rows[0] + low]) {
+  if (interior_[at.cell(0)]) {
     const auto row = [&](int r) {
-      return mix(Rgb(values_[at.rows[r] + low]), Rgb(values_[at.rows[r] + high]), at.f.weight);
+      return mix(Rgb(values_[at.cell(2 * r)]), Rgb(values_[at.cell(2 * r + 1)]), at.phiD.weight);
     };
-    return mix(mix(row(0), row(1), at.d.weight), mix(row(2), row(3), at.d.weight), at.h.weight);
+    return mix(mix(row(0), row(1), at.thetaD.weight), mix(row(2), row(3), at.thetaD.weight), at.thetaH.weight);
   }
   Rgb sum(0);
   double weightSum = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const bool upperH = corner & 4, upperD = corner & 2, upperF = corner & 1;
-    const std::size_t cell = at.rows[corner / 2] + (upperF ? high : low);
-    const double weight = (upperH ? at.h.weight : 1 - at.h.weight) * (upperD ? at.d.weight : 1 - at.d.weight) *
-                          (upperF ? at.f.weight : 1 - at.f.weight) * (valid_[cell] ? 1 : 0);
+    const std::size_t cell = at.cell(corner);
+    const double weight = valid_[cell] ? at.weight(corner) : 0;
     sum += weight * Rgb(values_[cell]);
     weightSum += weight;
   }

@@ -12,6 +12,7 @@
 
 namespace gonio {
 
+struct GridCorners;
 struct HalfDifferenceBlock;
 
 /// Interpolation between the nodes of a table.
@@ -56,10 +57,9 @@ class TabulatedBrdf final : public Brdf {
   std::size_t bytes() const { return values_.size() * sizeof(Value) + valid_.size() + interior_.size(); }
 
  private:
-  struct Corners;
   void markInterior();
   void lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values, std::span<std::uint8_t> measured) const;
-  Rgb interpolate(const Corners& corners, bool& valid) const;
+  Rgb interpolate(const GridCorners& corners, bool& valid) const;
 
   HalfDifferenceGrid grid_;
   std::vector<Value> values_;

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "core/coordinates/grid_corners.h"
 #include "core/coordinates/half_difference_block.h"
 #include "core/dictionary/decode.h"
 
@@ -15,30 +16,10 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// Between two nodes of an axis: the first, the second, and how far.
-struct Place {
-  int low = 0, high = 0;
-  float fraction = 0;
-};
-
-/// At an open end values stay.
-Place clamped(double position, int count) {
-  const double x = std::clamp(position, 0.0, double(count - 1));
-  const int low = std::min(int(x), count - 1);
-  return {low, std::min(low + 1, count - 1), float(x - low)};
-}
-
-/// @param position in [0, count].
-Place wrapped(double position, int count) {
-  const int low = std::min(int(position), count - 1);
-  return {low, low + 1 == count ? 0 : low + 1, float(position - low)};
-}
-
 /// The channels, the fourth unused, at one node of mode 0 and at the next one.
 using Lanes = Eigen::Array<float, 8, 1>;
 
-/// The channels at the corners of a cell, the fourth unused; bits 0, 1 and 2 of the index choose the nodes of the
-/// modes.
+/// The channels, the fourth unused, at the corners of a cell in the order of GridCorners: its bits belong to the modes.
 using CornerValues = Eigen::Array<float, 4, 8>;
 
 /// The atoms of one mode that are used, those of a node side by side.
@@ -103,13 +84,13 @@ class DictionarySum {
   }
 
   /// @param scratch for the atoms of mode 0 at both nodes.
-  void addTo(CornerValues& corners, const std::array<Place, 3>& places, std::vector<Lanes>& scratch) const {
+  void addTo(CornerValues& corners, const GridCorners& at, std::vector<Lanes>& scratch) const {
     scratch.resize(atoms_[0].count());
-    const float *const low0 = atoms_[0].at(places[0].low), *const high0 = atoms_[0].at(places[0].high);
+    const float *const low0 = atoms_[0].at(at.phiD.low), *const high0 = atoms_[0].at(at.phiD.high);
     for (std::size_t a = 0; a < scratch.size(); ++a)
       scratch[a] << low0[a], low0[a], low0[a], low0[a], high0[a], high0[a], high0[a], high0[a];
-    const float *const low1 = atoms_[1].at(places[1].low), *const high1 = atoms_[1].at(places[1].high);
-    const float *const low2 = atoms_[2].at(places[2].low), *const high2 = atoms_[2].at(places[2].high);
+    const float *const low1 = atoms_[1].at(at.thetaD.low), *const high1 = atoms_[1].at(at.thetaD.high);
+    const float *const low2 = atoms_[2].at(at.thetaH.low), *const high2 = atoms_[2].at(at.thetaH.high);
     std::array<Lanes, 4> sums{Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};  // by modes 1 and 2
     std::uint32_t row = 0, coefficient = 0;
     for (const Range& slice : slices_) {
@@ -173,50 +154,25 @@ class CodeBrdf final : public Brdf {
   bool isReciprocal() const override { return grid_.reciprocal; }
 
  private:
-  /// The corners of a cell and their weights, 0 below the horizon.
-  struct Corners {
-    std::array<Place, 3> places;
-    std::array<std::size_t, 8> cells;
-    std::array<double, 8> weights;
-  };
-
   static bool isAboveHorizon(const DirectionPair& pair) { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
 
-  Corners corners(const HalfDifferenceGrid::Position& position) const {
-    Corners corners{{wrapped(position.phiD, grid_.phiDCount), clamped(position.thetaD, grid_.thetaDCount),
-                     clamped(position.thetaH, grid_.thetaHCount)},
-                    {},
-                    {}};
-    const auto& [phiD, thetaD, thetaH] = corners.places;
-    double sum = 0;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const bool isHigh[]{(corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0};
-      double weight = 1;
-      for (std::size_t mode = 0; mode < 3; ++mode)
-        weight *= isHigh[mode] ? double(corners.places[mode].fraction) : 1 - double(corners.places[mode].fraction);
-      const std::size_t cell = grid_.index(isHigh[2] ? thetaH.high : thetaH.low, isHigh[1] ? thetaD.high : thetaD.low,
-                                           isHigh[0] ? phiD.high : phiD.low);
-      corners.cells[corner] = cell;
-      corners.weights[corner] = geometry_->aboveHorizon[cell] != 0 ? weight : 0;
-      sum += corners.weights[corner];
-    }
-    for (double& weight : corners.weights) weight = sum > 0 ? weight / sum : 0;
-    return corners;
-  }
-
   Rgb valueAt(const HalfDifferenceBlock& block, std::size_t i, std::vector<Lanes>& scratch) const {
-    const Corners at = corners(grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]));
+    const GridCorners at(grid_, grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]));
     CornerValues values = CornerValues::Zero(), cosines = CornerValues::Ones();
-    for (const DictionarySum& sum : sums_) sum.addTo(values, at.places, scratch);
+    for (const DictionarySum& sum : sums_) sum.addTo(values, at, scratch);
     values = values.min(highest_.replicate<1, 8>());
     if (transform_ == DataTransform::cosineLog)
-      for (int k = 0; k < 8; ++k)
-        cosines.col(k).setConstant(geometry_->weights[Eigen::Index(at.cells[std::size_t(k)])]);
+      for (int corner = 0; corner < 8; ++corner)
+        cosines.col(corner).setConstant(geometry_->weights[Eigen::Index(at.cell(corner))]);
     invertTransform(values.reshaped(), transform_, cosines.reshaped());
     Rgb sum(0);
-    for (int k = 0; k < 8; ++k)
-      for (int c = 0; c < 3; ++c) sum[c] += at.weights[std::size_t(k)] * double(values(c, k));
-    return sum;
+    double weightSum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const double weight = geometry_->aboveHorizon[at.cell(corner)] != 0 ? at.weight(corner) : 0;
+      for (int c = 0; c < 3; ++c) sum[c] += weight * double(values(c, corner));
+      weightSum += weight;
+    }
+    return weightSum > 0 ? sum / weightSum : Rgb(0);
   }
 
   HalfDifferenceGrid grid_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include <QOpenGLFramebufferObject>
 #include <QTest>
 #include <cmath>
 #include <glm/vec4.hpp>
@@ -8,13 +7,13 @@
 
 #include "core/models/registry.h"
 #include "offscreen_context.h"
+#include "shader_pass.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/rounded.h"
 #include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/gl/blend_textures.h"
-#include "widgets/preview/gl/shader_library.h"
 
 namespace blend_shader_test {
 using namespace gonio;
@@ -138,26 +137,16 @@ void main() {
   value = vec4(evaluateBlend(texelFetch(wiTexture, at, 0).xyz, texelFetch(woTexture, at, 0).xyz), 1.0);
 }
 )";
-    QOpenGLShaderProgram program;
-    if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, widgets::assembleShader("preview/fullscreen.vert")) ||
-        !program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program.link())
-      qFatal("%s", qPrintable(program.log()));
-    QOpenGLFramebufferObject target({width, height}, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA32F);
-    target.bind();
-    glViewport(0, 0, width, height);
-    glDisable(GL_BLEND);
-    program.bind();
     widgets::BlendTextures textures;
-    textures.bind(*this, program, m_resources, blend);
-    const GLuint wi = directions(pairs, &DirectionPair::wi, 0), wo = directions(pairs, &DirectionPair::wo, 1);
-    program.setUniformValue("wiTexture", 0);
-    program.setUniformValue("woTexture", 1);
-    m_resources.drawFullscreen();
-    std::vector<glm::vec4> values(std::size_t(width * height));
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, values.data());
-    glDeleteTextures(1, &wi);
-    glDeleteTextures(1, &wo);
-    target.release();
+    GLuint inputs[2]{};
+    auto values = test::shaderPass(m_resources, fragment, width, height, [&](QOpenGLShaderProgram& program) {
+      textures.bind(*this, program, m_resources, blend);
+      inputs[0] = directions(pairs, &DirectionPair::wi, 0);
+      inputs[1] = directions(pairs, &DirectionPair::wo, 1);
+      program.setUniformValue("wiTexture", 0);
+      program.setUniformValue("woTexture", 1);
+    });
+    glDeleteTextures(2, inputs);
     values.resize(pairs.size());
     return values;
   }

@@ -2,14 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLFunctions_4_1_Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "widgets/preview/gl/preview_resources.h"
-#include "widgets/preview/gl/shader_library.h"
+#include "tests/widgets/shader_pass.h"
 
 namespace gonio::test {
 
@@ -19,37 +16,27 @@ inline double filterStep(widgets::PreviewResources& resources) {
   constexpr int count = 4096;
   QOpenGLFunctions_4_1_Core gl;
   gl.initializeOpenGLFunctions();
-  QOpenGLFramebufferObject target({count, 1}, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA32F);
   GLuint texture = 0;
-  const std::array<float, 2> ends{0, 1};
-  gl.glGenTextures(1, &texture);
-  gl.glActiveTexture(GL_TEXTURE0);
-  gl.glBindTexture(GL_TEXTURE_2D, texture);
-  gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 2, 1, 0, GL_RED, GL_FLOAT, ends.data());
-  gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-
-  QOpenGLShaderProgram program;
-  const QByteArray fragment = "#version 410 core\nuniform sampler2D ends;\nout vec4 value;\nvoid main() {\n  value = " +
-                              QByteArray("texture(ends, vec2(0.25 + 0.5 * gl_FragCoord.x / ") +
-                              QByteArray::number(count) + ".0, 0.5));\n}\n";
-  if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, widgets::assembleShader("preview/fullscreen.vert")) ||
-      !program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program.link())
-    qFatal("%s", qPrintable(program.log()));
-  target.bind();
-  gl.glViewport(0, 0, count, 1);
-  gl.glDisable(GL_BLEND);
-  program.bind();
-  program.setUniformValue("ends", 0);
-  resources.drawFullscreen();
-  std::array<float, count> values{};
-  gl.glReadPixels(0, 0, count, 1, GL_RED, GL_FLOAT, values.data());
-  target.release();
+  const QByteArray fragment =
+      "#version 410 core\nuniform sampler2D ends;\nout vec4 value;\nvoid main() {\n"
+      "  value = texture(ends, vec2(0.25 + 0.5 * gl_FragCoord.x / " +
+      QByteArray::number(count) + ".0, 0.5));\n}\n";
+  const auto values = shaderPass(resources, fragment, count, 1, [&](QOpenGLShaderProgram& program) {
+    const std::array<float, 2> ends{0, 1};
+    gl.glGenTextures(1, &texture);
+    gl.glActiveTexture(GL_TEXTURE0);
+    gl.glBindTexture(GL_TEXTURE_2D, texture);
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, 2, 1, 0, GL_RED, GL_FLOAT, ends.data());
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    program.setUniformValue("ends", 0);
+  });
   gl.glDeleteTextures(1, &texture);
 
   double error = 0;
-  for (int i = 0; i < count; ++i) error = std::max(error, std::abs(double(values[std::size_t(i)]) - (i + 0.5) / count));
+  for (int i = 0; i < count; ++i)
+    error = std::max(error, std::abs(double(values[std::size_t(i)].r) - (i + 0.5) / count));
   return 2 * error;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include <QOpenGLFramebufferObject>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@
 #include "tests/support/rounded.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
-#include "widgets/preview/gl/shader_library.h"
+#include "tests/widgets/shader_pass.h"
 #include "widgets/preview/gl/subject_textures.h"
 
 namespace lobe_shader_test {
@@ -60,25 +59,15 @@ void main() {
   drawn = vec4(wi, lobeDensity(wi, wo));
 }
 )";
-    QOpenGLShaderProgram program;
-    if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, widgets::assembleShader("preview/fullscreen.vert")) ||
-        !program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program.link())
-      qFatal("%s", qPrintable(program.log()));
-    QOpenGLFramebufferObject target({side, side}, QOpenGLFramebufferObject::NoAttachment, GL_TEXTURE_2D, GL_RGBA32F);
-    target.bind();
-    glViewport(0, 0, side, side);
-    glDisable(GL_BLEND);
-    program.bind();
     widgets::SubjectTextures subject;
-    subject.bind(*this, program, resources_, widgets::measuredSubject(table_, lobe_), true);
     widgets::TextureSet inputs;
-    upload(inputs, 0, widgets::environmentUnit, viewers);
-    upload(inputs, 1, widgets::lightPoolUnit, numbers);
-    program.setUniformValue("viewers", widgets::environmentUnit);
-    program.setUniformValue("numbers", widgets::lightPoolUnit);
-    resources_.drawFullscreen();
-    std::vector<glm::vec4> values(count);
-    glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, values.data());
+    const auto values = test::shaderPass(resources_, fragment, side, side, [&](QOpenGLShaderProgram& program) {
+      subject.bind(*this, program, resources_, widgets::measuredSubject(table_, lobe_), true);
+      upload(inputs, 0, widgets::environmentUnit, viewers);
+      upload(inputs, 1, widgets::lightPoolUnit, numbers);
+      program.setUniformValue("viewers", widgets::environmentUnit);
+      program.setUniformValue("numbers", widgets::lightPoolUnit);
+    });
     subject.release(this);
     std::vector<Drawn> result;
     for (const glm::vec4& value : values) result.push_back({Direction(value), double(value.w)});
@@ -129,7 +118,7 @@ void main() {
     std::mt19937_64 random(4);
     std::uniform_real_distribution<float> uniform(0, 1);
     std::vector<glm::vec3> viewers, numbers;
-    for (int i = 0; i < count; ++i) {
+    while (viewers.size() < count) {
       viewers.emplace_back(test::rounded(test::randomUpper(random)));
       numbers.emplace_back(uniform(random), uniform(random), uniform(random));
     }
