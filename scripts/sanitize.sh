@@ -5,11 +5,12 @@
 #   address   addresses and undefined behaviour: all tests; leaks: the tests without the editor, whose OpenGL driver keeps
 #             memory and is unloaded before the leaks are counted, so that nothing says it was the driver
 #   threads   data races: the tests of core and goniotool
-# A finding fails its test, and its text stands in build/PRESET/sanitizer.log.*.
+# A finding fails its test, and its text stands in build/PRESET/sanitizer.log.*. Needs clang.
 set -eu
 # shellcheck source=scripts/setup.sh
 . "$(dirname "$0")/setup.sh"
 install_packages
+command -v clang++ >/dev/null 2>&1 || fail "clang++ is missing: apt-get install clang"
 cd "$root"
 
 suppressions=$root/tests/sanitizers
@@ -38,7 +39,7 @@ for kind in "$@"; do
       build asan
       options="detect_stack_use_after_return=1:log_path=$root/build/asan/sanitizer.log"
       export LSAN_OPTIONS="suppressions=$suppressions/leaks.txt:print_suppressions=0"
-      export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1"
+      export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1:suppressions=$suppressions/undefined.txt"
       ASAN_OPTIONS="detect_leaks=1:$options" test_with asan ctest -LE "$editor"
       ASAN_OPTIONS="detect_leaks=0:$options" test_with asan "${display[@]}" ctest -L "$editor"
       ;;

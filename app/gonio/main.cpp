@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/material_files.h"
@@ -254,6 +255,24 @@ void printWithoutDisplay([[maybe_unused]] int argc, [[maybe_unused]] char** argv
 #endif
 }
 
+/// Opens recovered work and the given files, each in a window of its own. A file whose unsaved work is recovered is not
+/// opened again.
+void openFiles(MainWindow& first, const QStringList& files, const QList<RecoverableWork>& recovered) {
+  MainWindow* unused = &first;
+  const auto nextWindow = [&unused]() -> DocumentFiles& {
+    auto* window = unused ? std::exchange(unused, nullptr) : new MainWindow;
+    window->show();
+    return window->files();
+  };
+  QStringList open;
+  for (const RecoverableWork& work : recovered) {
+    nextWindow().recover(work);
+    open << work.originalPath;
+  }
+  for (const QString& file : files)
+    if (const QString path = asGiven(file); !open.contains(path)) nextWindow().open(path);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -277,15 +296,9 @@ int main(int argc, char** argv) {
     new OpeningTimes(window->parts(), options.files, window);
     return QApplication::exec();
   }
-  if (!options.screenshot.isEmpty())
-    takeScreenshot(*window, options);
-  else
-    window->files().offerRecovery();
-  for (qsizetype i = 0; i < options.files.size(); ++i) {
-    auto* target = i == 0 ? window : new MainWindow;
-    target->show();
-    target->files().open(asGiven(options.files[i]));
-  }
+  if (!options.screenshot.isEmpty()) takeScreenshot(*window, options);
+  openFiles(*window, options.files,
+            options.screenshot.isEmpty() ? window->files().askForRecovery() : QList<RecoverableWork>());
   if (!options.eventTimes) return QApplication::exec();
   application.startTiming();
   const int result = QApplication::exec();

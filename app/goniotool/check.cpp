@@ -32,7 +32,7 @@ int check(const std::string& file, const Tool& tool) {
 void addCheck(CLI::App& app, Tool& tool) {
   const auto file = std::make_shared<std::string>();
   CLI::App* command =
-      app.add_subcommand("check", "Checks plausibility: reciprocity, energy, negative and non-finite values");
+      app.add_subcommand("check", "Checks plausibility: reciprocity, energy, negative, non-finite and missing values");
   command->add_option("MATERIAL", *file, materialHelp)->required();
   command->callback([file, &tool] { tool.run = [file, &tool] { return check(*file, tool); }; });
 }

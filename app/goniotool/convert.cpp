@@ -29,10 +29,10 @@ int convert(const ConvertArguments& options, const Tool& tool) {
   checkFormSuffix(options.out);
   std::string from, format;
   std::vector<std::string> losses;
-  if (isNativeForm(options.out)) {
+  if (isRglOrUtia(options.out)) {
     if (options.wholeCircle) throw UsageError("convert: --whole-circle is for .binary, found " + options.out);
     const OpenedSource source = openForExport(options.material, tool.control("reading"));
-    losses = writeNativeForm(source.material, source.base, options.out, tool.control("converting"));
+    losses = writeRglOrUtia(source.material, source.base, options.out, tool.control("converting"));
     from = source.base.source.format;
     format = materials::formatOf(exports::formatOf(exports::formBySuffix(options.out, *source.base.brdf))).name;
   } else {

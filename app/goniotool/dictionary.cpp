@@ -79,8 +79,8 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     if (e < result.errorsAfter.size()) {
       entry["errorBeforeSweep"] = result.errorsBefore[e];
       entry["errorAfterSweep"] = result.errorsAfter[e];
-      text += "; on the complete tables " + number(result.errorsBefore[e]) + " before and " +
-              number(result.errorsAfter[e]) + " after the last update, which uses them";
+      text += "; relative squared error on the complete tables " + number(result.errorsBefore[e]) + " before and " +
+              number(result.errorsAfter[e]) + " after the last update, which learns from the complete tables";
     }
     ensembles.push_back(entry);
     text += "\n";

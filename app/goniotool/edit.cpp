@@ -92,11 +92,11 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
     return 0;
   }
   std::size_t capped = 0;
-  if (isNativeForm(options.out)) {
+  if (isRglOrUtia(options.out)) {
     const editing::EditList edits{edit};
     const auto shown = editing::isIdentity(edits) ? material.brdf : editing::applyEdits(material.brdf, edits);
-    writeNativeForm(exports::exportSource(material.name, material, shown, edits), material, options.out,
-                    tool.control("writing"));
+    writeRglOrUtia(exports::exportSource(material.name, material, shown, edits), material, options.out,
+                   tool.control("writing"));
     return capped;
   }
   const TabulatedBrdf* table = base->asTable();
@@ -120,14 +120,14 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
                      " is a document, which contains its own edits: leave out --model, --set and --control");
-  if (isNativeForm(options.out)) {
+  if (isRglOrUtia(options.out)) {
     const OpenedSource source = openForExport(options.material, tool.control("applying the edits"));
-    writeNativeForm(source.material, source.base, options.out, tool.control("writing"));
+    writeRglOrUtia(source.material, source.base, options.out, tool.control("writing"));
   } else {
     materials::writeMaterial(openMaterial(options.material, tool.control("applying the edits")), options.out);
   }
   const auto edits = editing::readDocument(options.material).edits;
-  const bool averaged = !isNativeForm(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
+  const bool averaged = !isRglOrUtia(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
     return editing::isAnisotropic(edit);
   });
   print(tool,
@@ -146,7 +146,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
-  const bool averaged = !writesDocument(options) && !isNativeForm(options.out) && editing::isAnisotropic(edit);
+  const bool averaged = !writesDocument(options) && !isRglOrUtia(options.out) && editing::isAnisotropic(edit);
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},

@@ -53,7 +53,7 @@ EncodeOptions encodeOptions(const EncodeArguments& options) {
 }
 
 std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const EncodeArguments& options) {
-  return options.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(options.dictionary);
+  return options.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(options.dictionary);
 }
 
 int encode(const EncodeArguments& options, const Tool& tool) {

@@ -23,8 +23,8 @@ struct OpenedSource {
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
 using exports::checkFormSuffix;
-using exports::isNativeForm;
-using exports::writeNativeForm;
+using exports::isRglOrUtia;
+using exports::writeRglOrUtia;
 
 /// The help of an option that names a material to write in any form.
 inline std::string nativeFormHelp(const std::string& what) {

@@ -102,8 +102,8 @@ void checkOptions(const FactorArguments& options) {
     throw UsageError("factor: --as-published sets --transform, --weights and --deviations; leave these out");
   if (options.joint && options.swaps())
     throw UsageError(
-        "factor: --joint cannot be used with --swap-f1 or --swap-f2: it fits all terms together, they replace curves "
-        "of the first");
+        "factor: --joint cannot be used with --swap-f1 or --swap-f2: --joint refines all terms together, but --swap-f1 "
+        "and --swap-f2 replace curves of the first term");
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
   if (!options.decode.empty()) materials::writableFormat(options.decode);
@@ -208,7 +208,7 @@ void addFactor(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(methods));
   auto* bytes = command->add_option("--bytes", options->bytes, "Max. size of the factors of a baseline, bytes (44680)");
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
-  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +

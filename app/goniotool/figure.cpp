@@ -173,7 +173,7 @@ std::optional<FigureMeasurement> makeFigure(const FigureArguments& options, cons
                                             FigureFiles& files, const Tool& tool) {
   if (options.out.empty() && options.csv.empty() && options.latex.empty()) return std::nullopt;
   const StopOnInterrupt interrupt;
-  TaskControl control = tool.control("measuring the figure");
+  TaskControl control = tool.control("measuring the cells of the figure");
   control.stop = interrupt.token();
   FigureMeasurement measurement = measureFigure(figure, control);
   for (const std::string& name : options.out)

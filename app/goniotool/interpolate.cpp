@@ -152,7 +152,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
-  if (isNativeForm(out))
+  if (isRglOrUtia(out))
     json.update(writeBlendInOwnForm(interpolation, space, weights, names, out, tool));
   else if (hasSuffixOf(FormatId::pdv, out))
     materials::writePdv(factors.value(), out);
@@ -185,7 +185,7 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   const bool isGiven = !options.dictionary.empty();
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
   if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
-    dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledDictionary();
+    dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledEnsemble();
   std::vector<InterpolationMaterial> ends;
   for (const std::string& material : options.materials)
     ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));

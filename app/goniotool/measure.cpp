@@ -43,7 +43,7 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command
       .add_option(
           "--factors", options->axes,
-          "Instead of a plan, measure two curves in these coordinates and predict the material: projected-deviation, "
+          "Instead of a plan, measure two curves over these axes and predict the material: projected-deviation, "
           "symmetric-deviation, half-difference or half-out")
       ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
   command
@@ -64,7 +64,7 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command
       .add_option(
           "--bound", options->bound,
-          "Upper limit of the prediction: readings (the larger of the nearest readings, and the prediction with light "
+          "Upper bound of the prediction: readings (the larger of the nearest readings, and the prediction with light "
           "and viewer exchanged), or none (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }

@@ -145,7 +145,8 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 4096));
   command
       ->add_option("--out", options->out,
-                   "CSV file to write; the basis is written to the same path with the suffix " +
+                   "CSV file to write; the basis (principal components of the training set) is written to the same "
+                   "path with the suffix " +
                        std::string(materials::basisSuffix))
       ->required();
   command

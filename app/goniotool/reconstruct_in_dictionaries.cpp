@@ -27,7 +27,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const acquisition::SamplingPlan plan = materials::readPlan(request.plan);
   const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
   const auto dictionary =
-      request.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(request.dictionary);
+      request.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(request.dictionary);
   const auto materials =
       editing::trainingMaterials(editing::trainingFiles(request.train, request.excluded), dictionary->ensemble.grid);
   auto start = std::chrono::steady_clock::now();

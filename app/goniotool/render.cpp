@@ -88,8 +88,8 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
     text += std::string("  sampling ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; error at the time of 'both' " + number(100 * cost.equalTimeError) +
-            " %; time to the error of 'both' " + number(cost.equalErrorTime) + " s\n";
+            number(100 * cost.error) + " %; equal-time error (time of 'both') " + number(100 * cost.equalTimeError) +
+            " %; equal-error time (error of 'both') " + number(cost.equalErrorTime) + " s\n";
   }
   json["strategies"] = list;
 }

@@ -83,7 +83,7 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
                           "File of published weights to use instead of training: rows of 675 float32 values");
   for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
   command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
-  command->add_option("--samples", options->samples, "Samples per pixel of the images that measure the SNR (32)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: the network (" + suffixOf(materials::FormatId::neural) + "), or " +

@@ -76,7 +76,7 @@ struct AtomScores::BlockScan {
       const float value = products.col(Eigen::Index(k)).lpNorm<1>();
       block.score[atom] = bound[atom] = value;
       block.growth[atom] = 0;
-      block.normAtScore[atom] = block.squaredNorm[atom];
+      block.squaredNormAtScore[atom] = block.squaredNorm[atom];
       found.emplace_back(value, atom);
       raise(scan.best, value);
     }
@@ -107,7 +107,7 @@ AtomScores::AtomScores(const DictionaryAtoms& atoms, double gain)
     block.squaredNorm.setOnes(count);
     block.score.setConstant(count, huge);
     block.growth.setZero(count);
-    block.normAtScore.setOnes(count);
+    block.squaredNormAtScore.setOnes(count);
     block.highest = huge;
     measureDistances(block);
   });
@@ -141,7 +141,7 @@ void AtomScores::update(Block& block, const Scan& scan) const {
 /// What the atoms' scores are at most.
 Eigen::ArrayXf AtomScores::bounds(const Block& block, const Scan& scan) const {
   const Eigen::ArrayXf byLength = scan.gain * (block.squaredNorm + scan.normError).sqrt();
-  const Eigen::ArrayXf lost = (block.normAtScore - block.squaredNorm).max(0) + 2 * scan.normError;
+  const Eigen::ArrayXf lost = (block.squaredNormAtScore - block.squaredNorm).max(0) + 2 * scan.normError;
   const Eigen::ArrayXf byHistory = block.score + block.growth.min(scan.gain * lost.sqrt());
   return byLength.min(byHistory);
 }

@@ -30,12 +30,12 @@ class AtomScores {
   /// Neighbouring atoms, in coordinates of `basis_`, and bounds on their scores.
   struct Block {
     Eigen::MatrixXf atoms;
-    Eigen::ArrayXf squaredNorm;  ///< of the atom's part orthogonal to the chosen atoms
-    Eigen::ArrayXf score;        ///< at its last evaluation; +huge before the first, -huge if excluded
-    Eigen::ArrayXf growth;       ///< bound of its increase since then: sum of |<removed, a>| reach
-    Eigen::ArrayXf normAtScore;  ///< squaredNorm at that evaluation
-    Eigen::ArrayXf distance;     ///< upper bound of the distance to the middle atom of its group
-    float highest;               ///< largest score bound of the block at the last scan
+    Eigen::ArrayXf squaredNorm;         ///< of the atom's part orthogonal to the chosen atoms
+    Eigen::ArrayXf score;               ///< at its last evaluation; +huge before the first, -huge if excluded
+    Eigen::ArrayXf growth;              ///< bound of its increase since then: sum of |<removed, a>| reach
+    Eigen::ArrayXf squaredNormAtScore;  ///< squaredNorm at that evaluation
+    Eigen::ArrayXf distance;            ///< upper bound of the distance to the middle atom of its group
+    float highest;                      ///< largest score bound of the block at the last scan
   };
   struct Scan;
   struct BlockScan;

@@ -64,8 +64,8 @@ double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
   for (const Reading& reading : across)
     if (const double angle = angleOf(reading); std::abs(angle - fixed) > placeTolerance)
       throw Error(sampleText(reading) + "found the angle " + io::decimalText(degrees(angle), 2) +
-                  " degrees on the curve across, expected " + io::decimalText(degrees(fixed), 2) + ", as in sample " +
-                  std::to_string(across.front().index));
+                  " degrees on the curve across the mirror direction, expected " + io::decimalText(degrees(fixed), 2) +
+                  ", as in sample " + std::to_string(across.front().index));
   return fixed;
 }
 

@@ -52,8 +52,9 @@ FactorPlan planFactors(const FactorPlanOptions& options = {});
 std::string factorMethod(FactorAxes axes);
 std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 
-/// The number of `along` readings that planFactors() needs for these angles: if they are evenly spaced, also those that
-/// it left out between 0 and the first angle. @param angles increasing, rad.
+/// The value of FactorPlanOptions::angles for which planFactors() gives these `along` angles: their number plus, if
+/// they are evenly spaced, the readings between 0 and the first angle that it leaves out. @param angles increasing,
+/// rad.
 int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

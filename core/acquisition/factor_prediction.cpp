@@ -130,9 +130,10 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
   constexpr std::array names{"red", "green", "blue"};
   for (std::size_t c = 0; c < 3; ++c)
     if (m.unscaled[c] && m.highest[c] > 0)
-      support.warnings.push_back(std::string("Unreliable in ") + names[c] +
-                                 ": the mirror direction is black at the fixed angle, so the curve across is used for "
-                                 "all angles. Use another fixed angle.");
+      support.warnings.push_back(
+          std::string("Unreliable in ") + names[c] +
+          ": the mirror direction is black at the fixed angle, so the curve across the mirror direction is used for "
+          "all angles. Use another fixed angle.");
 }
 
 /// Curves from 0: the first value is constant down to there.

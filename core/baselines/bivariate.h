@@ -13,7 +13,7 @@ namespace gonio::factorization {
 
 /// A BRDF of two angles only, rho(theta_h, theta_d): the mean over the measured azimuths phi_d. Romeiro, Vasilyev and
 /// Zickler 2008, "Passive Reflectometry". Exact if rho does not depend on phi_d; variation with the azimuth
-/// (off-specular shadowing, retro-reflection outside the plane of incidence) is lost.
+/// (masking and shadowing, retro-reflection outside the plane of incidence) is lost.
 ///
 /// Differences from the paper: the number of nodes per axis is variable (90 in the paper), so that tables of equal size
 /// in bytes can be compared; the nodes are those of a MERL table of that side.

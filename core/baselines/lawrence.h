@@ -36,7 +36,8 @@ struct LawrenceFactors {
 
 /// The axes used in comparisons: 90 x 24 x 30 nodes.
 HalfOutAxes lawrenceAxes();
-/// The number of terms of four products that fits in the budget; for small budgets three or two products, else one.
+/// The ranks that fit in the budget: the largest number of products K in {4, 3, 2} with which more than K terms fit;
+/// otherwise K = 1 with at least one term.
 LawrenceRanks lawrenceRanks(const HalfOutAxes& axes, std::size_t byteBudget);
 
 /// Takes a few seconds for 20 terms. @throws Cancelled.

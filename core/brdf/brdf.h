@@ -18,9 +18,9 @@ class Brdf {
   virtual ~Brdf() = default;
 
   /// Evaluates pairs.size() pairs into `values` (same size). Pairs with a direction below the horizon or without a half
-  /// vector give 0. Values are finite. A channel is negative only where a measurement contains a colour outside the
-  /// sRGB gamut (RglBrdf), and in the results of models::Model::instantiateUnclamped() and
-  /// editing::applyEditsUnclamped(): set it to 0 before a logarithm or root.
+  /// vector give 0 in BRDFs over half-vector coordinates. Values are finite. A channel is negative only where a
+  /// measurement contains a colour outside the sRGB gamut (RglBrdf), and in the results of
+  /// models::Model::instantiateUnclamped() and editing::applyEditsUnclamped(): set it to 0 before a logarithm or root.
   virtual void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const = 0;
 
   /// One pair. For many pairs the batch form is faster.

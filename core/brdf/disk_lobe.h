@@ -40,7 +40,7 @@ struct DiskLobe {
 template <typename Radial>
 DiskLobe(Radial) -> DiskLobe<Radial>;
 
-/// The largest distance of two points of the unit disk: the radial densities end there.
+/// The largest distance between two points of the unit disk: the radial densities end there.
 inline constexpr double diskReach = 2;
 
 /// Proportional to exp(-r^2 / s^2) for r <= diskReach, s = `width`.

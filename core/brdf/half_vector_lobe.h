@@ -36,7 +36,7 @@ template <typename Normals>
 HalfVectorLobe(Normals) -> HalfVectorLobe<Normals>;
 
 /// D(h) cos theta_h of Beckmann's distribution of slope roughness alphaX, alphaY (Ward 1992, eq. 6, 7; Walter et al.
-/// 2007, eq. 28, 35): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
+/// 2007, eq. 25, 28, 29): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
 struct BeckmannNormals {
   double alphaX, alphaY;
 

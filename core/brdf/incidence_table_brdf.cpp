@@ -125,7 +125,7 @@ struct IncidenceTableBrdf::Weighted {
 
 IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(table)) {
   checkIncidences(table_);
-  negativeCount_ = cutNegative(table_.values);
+  clampedCount_ = cutNegative(table_.values);
   uniteAxis(table_);
   aboveHorizon_ = nodesAboveHorizon(table_);
 }

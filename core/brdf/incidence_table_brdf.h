@@ -34,7 +34,7 @@ struct IncidenceTable {
 /// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
-  /// Negative values become 0 (negativeCount()). @throws Error if angles are out of range or not ascending, the number
+  /// Negative values become 0 (clampedCount()). @throws Error if angles are out of range or not ascending, the number
   /// of values differs from that of the nodes, or a value is not finite (the message names it).
   explicit IncidenceTableBrdf(IncidenceTable table);
 
@@ -48,7 +48,7 @@ class IncidenceTableBrdf final : public Brdf {
   /// values.
   bool isAboveHorizon(std::size_t node) const { return aboveHorizon_[node] != 0; }
   /// Number of channel values that were below 0 and were set to 0.
-  std::size_t negativeCount() const { return negativeCount_; }
+  std::size_t clampedCount() const { return clampedCount_; }
 
  private:
   struct Weighted;
@@ -57,7 +57,7 @@ class IncidenceTableBrdf final : public Brdf {
 
   IncidenceTable table_;
   std::vector<std::uint8_t> aboveHorizon_;  ///< of each node
-  std::size_t negativeCount_ = 0;
+  std::size_t clampedCount_ = 0;
 };
 
 }  // namespace gonio

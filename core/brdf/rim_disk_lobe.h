@@ -9,7 +9,7 @@
 
 namespace gonio {
 
-/// For a point of the unit disk: its distance from the viewer's mirror point -wo_xy, as a fraction of the distance of
+/// For a point of the unit disk: its distance from the viewer's mirror point -wo_xy, as a fraction of the distance to
 /// the rim in the same direction, squared; 0 at the mirror point, 1 on the rim. @param deviation Dp = wi_xy + wo_xy of
 /// the point.
 inline double squaredRimFraction(const glm::dvec2& deviation, const Direction& wo) {

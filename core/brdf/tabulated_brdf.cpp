@@ -138,7 +138,7 @@ void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<
 Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* valid) const {
   bool found = false;
   Rgb value(0);
-  if (at.valid && mode == TableLookup::nearest) {
+  if (at.valid && mode == TableLookup::cell) {
     const std::size_t cell = grid_.cellIndex(at);
     found = valid_[cell] != 0;
     value = Rgb(values_[cell]);

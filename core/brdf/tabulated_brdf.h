@@ -17,7 +17,7 @@ struct HalfDifferenceBlock;
 
 /// Interpolation between the nodes of a table.
 enum class TableLookup {
-  nearest,   ///< the node at or below the coordinates (floor), as the MERL reference code does; not the nearest node
+  cell,      ///< without interpolation: the node at or below the coordinates (floor), as the MERL reference code does
   trilinear  ///< linear in (sqrt theta_h, theta_d, phi_d); invalid corners are dropped and the weights renormalised
 };
 

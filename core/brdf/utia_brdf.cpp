@@ -68,7 +68,7 @@ UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident) : 
   checkUtia(values);
   for (glm::vec3& value : values)
     for (int channel = 0; channel < 3; ++channel) {
-      negativeCount_ += value[channel] < 0;
+      clampedCount_ += value[channel] < 0;
       value[channel] = std::max(value[channel], 0.0f);
     }
   for (std::size_t other = 0; other < directions; ++other) unitePole(values, other, directions);

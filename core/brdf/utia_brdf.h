@@ -25,7 +25,7 @@ class UtiaBrdf final : public Brdf {
   static constexpr double maxPolarAngle = polarStep * double(polarCount - 1);
 
   /// @param values [incident direction][viewing direction], where a direction has the index polar angle * 48 + azimuth;
-  /// linear RGB, 1/sr, without the cosine. Negative values become 0 (negativeCount()).
+  /// linear RGB, 1/sr, without the cosine. Negative values become 0 (clampedCount()).
   /// @throws Error if there are not 288 x 288 values or one is not finite (the message names it).
   explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident = IncidentDirection::viewer);
   /// The same file read with another incident direction; shares the values.
@@ -44,14 +44,14 @@ class UtiaBrdf final : public Brdf {
   using Values = std::vector<glm::vec3>;
   const std::shared_ptr<const Values>& values() const { return values_; }
   /// Number of channel values that were below 0 and were set to 0.
-  std::size_t negativeCount() const { return negativeCount_; }
+  std::size_t clampedCount() const { return clampedCount_; }
 
  private:
   UtiaBrdf(const UtiaBrdf& other, IncidentDirection incident)
-      : values_(other.values_), negativeCount_(other.negativeCount_), incident_(incident) {}
+      : values_(other.values_), clampedCount_(other.clampedCount_), incident_(incident) {}
 
   std::shared_ptr<const Values> values_;
-  std::size_t negativeCount_ = 0;
+  std::size_t clampedCount_ = 0;
   IncidentDirection incident_;
 };
 

@@ -17,7 +17,8 @@ struct VisibleNormalLobe {
   VisibleNormalLobe(double x, double y) : alphaX(x), alphaY(y) {}
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const;
-  /// D(h) G1(wo) / (4 cos theta_o), without a division by the cosine.
+  /// D(h) G1(wo) / (4 cos theta_o), 1/sr, computed as D(h) / (4 ggxCosineOverG1(wo)), so that it is finite for a viewer
+  /// on the horizon.
   double density(const Direction& w, const Direction& wo) const;
 };
 

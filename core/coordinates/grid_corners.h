@@ -44,7 +44,7 @@ struct GridCorners {
   std::size_t cell(int corner) const {
     return rows[corner >> 1] + static_cast<std::size_t>((corner & 1) != 0 ? phiD.high : phiD.low);
   }
-  /// The weights of all corners have the sum 1.
+  /// The weights of all corners sum to 1.
   double weight(int corner) const {
     return ((corner & 4) != 0 ? thetaH.weight : 1 - thetaH.weight) *
            ((corner & 2) != 0 ? thetaD.weight : 1 - thetaD.weight) *

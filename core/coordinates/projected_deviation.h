@@ -7,7 +7,7 @@
 namespace gonio {
 
 /// Projected-deviation-vector (PDV) coordinates: the direction of light relative to the mirror direction R of the
-/// viewer, both projected on the unit disk. Tongbuasirilai et al. 2017, "Efficient BRDF Sampling Using Projected
+/// viewer, both projected onto the unit disk. Tongbuasirilai et al. 2017, "Efficient BRDF Sampling Using Projected
 /// Deviation Vector Parameterization", and 2019, "Compact and Intuitive Data-Driven BRDF Models"; Tongbuasirilai 2023,
 /// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", algorithms 2 and 3.
 ///   Dp = wi_xy - R_xy = wi_xy + wo_xy, with the viewer rotated to azimuth 0.

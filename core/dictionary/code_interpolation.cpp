@@ -105,7 +105,7 @@ std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dicti
 SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t coefficients) {
   check(ensemble, codes, weights);
-  if (const auto whole = wholeWeight(weights)) return codes[*whole];
+  if (const auto whole = indexOfFullWeight(weights)) return codes[*whole];
   SparseCode result = codes.front();
   parallelForBlocks(3, 1, [&](std::size_t channel, std::size_t) {
     result.channels[channel] = interpolateChannel(ensemble, codes, weights, channel, coefficients);

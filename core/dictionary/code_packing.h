@@ -30,7 +30,7 @@ std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precis
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code);
 
 /// The code truncated to as many coefficients per channel as fit in `bytes` quantised; without coefficients if none
-/// fits. Precondition: it has no step.
+/// fits. Precondition: `code` is not quantised (ChannelCode::step is 0).
 SparseCode truncatedToBytes(const SparseCode& code, std::size_t bytes);
 
 }  // namespace gonio::dictionary

@@ -33,7 +33,7 @@ struct EncodeOptions {
   /// If set, maximum size of the packed code, quantised (truncatedToBytes()).
   std::optional<std::size_t> bytes;
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
-  double gamma = 2;          ///< exponent of the error that selects the transform, in [1, 3]
+  double gamma = 2;          ///< g of the gamma error (exponent 1/g) that selects the transform, [1, 3]
   int refinements = 15;      ///< rounds that update the invalid cells, see encode()
   int trialRefinements = 3;  ///< rounds before the transform is selected; the others refine the selected one
   CodingMethod method = CodingMethod::orthogonalMatchingPursuit;

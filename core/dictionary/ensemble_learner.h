@@ -19,7 +19,7 @@ namespace gonio::dictionary {
 /// coefficients (the exact minimiser, because the dictionaries are orthonormal) and each mode of each dictionary is
 /// updated by orthogonal Procrustes (Schoenemann 1966). No step increases the error. Signals are never reconstructed:
 /// the error is the signal's energy minus that of its coefficients. Passes with fixed memberships are cheaper, as they
-/// project each signal on one dictionary instead of K.
+/// project each signal onto one dictionary instead of K.
 ///
 /// Results are bitwise equal for any number of threads.
 template <typename Scalar>

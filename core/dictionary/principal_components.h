@@ -60,8 +60,8 @@ std::vector<float> leftOutVariance(const PrincipalComponents& pca, int component
 
 struct PcaOptions {
   int maxComponents = std::numeric_limits<int>::max();
-  /// Columns that need more memory than this are stored in a temporary file (in TMPDIR of the environment, else /tmp)
-  /// and read by blocks of cells. The components equal those learned in memory to rounding.
+  /// Columns that need more memory than this are stored in a temporary file (in the folder of the environment variable
+  /// TMPDIR, else /tmp) and read by blocks of cells. The components equal those learned in memory to rounding.
   std::uint64_t maxBytes = 6'000'000'000;
 };
 
@@ -75,8 +75,8 @@ PrincipalComponents learnPrincipalComponents(
     std::size_t materials, const std::function<std::shared_ptr<const TabulatedBrdf>(std::size_t material)>& load,
     const PcaOptions& options = {}, const TaskControl& control = {});
 
-/// Projects the mapped values of a material on the first components. Invalid cells count as the mean. @param components
-/// limited to count(). @throws Error if the grids differ; Cancelled.
+/// Projects the mapped values of a material onto the first components. Invalid cells count as the mean. @param
+/// components limited to count(). @throws Error if the grids differ; Cancelled.
 ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table, int components,
                      const TaskControl& control = {});
 

@@ -86,7 +86,7 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
 InterpolationOptions blendOptions(const models::Model* model) {
   InterpolationOptions options;
   options.model = model;
-  const auto dictionary = materials::bundledDictionary();
+  const auto dictionary = materials::bundledEnsemble();
   options.ensemble = {dictionary, &dictionary->ensemble};
   options.pdv.terms = 3;  // what a frame costs grows with them, twice as fast as with the terms of one material
   return options;

@@ -14,7 +14,7 @@ namespace gonio::editing {
 /// Composition::lobes. For a model M = sum over k of M_k that is fitted to a measurement m, the ratio q(x) = (m(x) +
 /// eps) / (M(x) + eps) is what the fit does not explain. Each edited lobe M'_k carries it along:
 ///
-///   edited(x) = m(x) + sum over k of M'_k(x) q(w_k(x)) - M_k(x) q(x),
+///   edited(x) = m(x) + sum over k of (M'_k(x) q(w_k(x)) - M_k(x) q(x)),
 ///
 /// where w_k scales tan theta_h by alpha_k / alpha'_k, separately along and across the grain (LobeWarp): it maps a
 /// direction to the one at which the fitted lobe has the same point of its profile. A highlight widens without a change

@@ -65,7 +65,8 @@ ExportResult makeExport(const ExportTarget& target, const ExportSource& source, 
   std::vector<std::string> warnings = exportWarnings(*source.brdf);
   ExportResult made = target.make(source, options, control.between(warned, 1));
   if (made.snr < poorSnr)
-    made.warnings.push_back("this target cannot represent the material: the exported image looks clearly different");
+    made.warnings.push_back(
+        "this target cannot represent the material: renderings of the export look clearly different");
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;

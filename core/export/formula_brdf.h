@@ -62,7 +62,8 @@ struct GgxWidths {
 };
 
 /// D G_2 / (4 cos theta_i cos theta_o), 1/sr, with the height-correlated Smith term (Heitz 2014, "Understanding the
-/// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99), without Fresnel term. Finite at the horizon. O(1).
+/// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99), without the Fresnel term. Finite at the horizon.
+/// O(1).
 /// @param masking alpha of G_2, where it differs from that of D.
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha, const GgxWidths& masking) {
   const double i = ggxCosineOverG1(g.wi, masking.x, masking.y), o = ggxCosineOverG1(g.wo, masking.x, masking.y);

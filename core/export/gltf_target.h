@@ -7,7 +7,7 @@
 
 namespace gonio::exports {
 
-/// NAME.gltf: a sphere with the material of gltfShader(), with embedded buffer.
+/// NAME.gltf: a sphere with the material of gltfShader() and an embedded buffer.
 ExportTarget gltfTarget();
 
 /// The document, UTF-8. Contains only extensions that have an effect. @param origin text of asset.extras.

@@ -127,19 +127,19 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
 }
 
 void checkFormSuffix(const std::filesystem::path& path, std::string_view other) {
-  if (isNativeForm(path) || materials::hasSuffixOf(materials::FormatId::merl, path)) return;
+  if (isRglOrUtia(path) || materials::hasSuffixOf(materials::FormatId::merl, path)) return;
   const std::string suffixes = other.empty() ? ".binary or .bsdf" : ".binary, .bsdf or " + std::string(other);
   throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " + suffixes +
               " (for UTIA files also .bin)");
 }
 
-bool isNativeForm(const std::filesystem::path& path) {
+bool isRglOrUtia(const std::filesystem::path& path) {
   return path.extension() == materials::formatOf(materials::FormatId::rgl).suffix() ||
          path.extension() == materials::formatOf(materials::FormatId::utia).suffix();
 }
 
-std::vector<std::string> writeNativeForm(const ExportSource& source, const materials::Material& base,
-                                         const std::filesystem::path& path, const TaskControl& control) {
+std::vector<std::string> writeRglOrUtia(const ExportSource& source, const materials::Material& base,
+                                        const std::filesystem::path& path, const TaskControl& control) {
   FormFile file = encodeMaterial(source, base, formBySuffix(path, *base.brdf), control);
   io::writeFileAtomically(path, file.bytes);
   return std::move(file.losses);

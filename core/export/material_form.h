@@ -46,11 +46,11 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
 /// suffixes.
 void checkFormSuffix(const std::filesystem::path& path, std::string_view other = {});
 /// Whether the suffix of a name is that of a form other than a table (`.bsdf`, `.bin`).
-bool isNativeForm(const std::filesystem::path& path);
+bool isRglOrUtia(const std::filesystem::path& path);
 /// Writes a material in such a form, atomically. @return FormFile::losses. @throws Error that names the file; as
 /// encodeMaterial().
-std::vector<std::string> writeNativeForm(const ExportSource& source, const materials::Material& base,
-                                         const std::filesystem::path& path, const TaskControl& control = {});
+std::vector<std::string> writeRglOrUtia(const ExportSource& source, const materials::Material& base,
+                                        const std::filesystem::path& path, const TaskControl& control = {});
 
 /// Rendered SNR of a file from encodeMaterial() against the material in comparisonScene(), dB, larger is better;
 /// +infinity for equal pictures. Takes a few seconds. @throws Cancelled.

@@ -150,7 +150,7 @@ ExportTarget materialXTarget() {
 ExportTarget openPbrTarget() {
   return {.id = "openpbr",
           .label = "OpenPBR (MaterialX)",
-          .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists edit further.",
+          .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists can edit further.",
           .holds =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
               "direction.",

@@ -98,7 +98,8 @@ ExportTarget principledTarget() {
   return {.id = "principled",
           .label = "Blender (Principled BSDF)",
           .description =
-              "A Python script that sets one Principled BSDF, which artists edit further and other programs import: "
+              "A Python script that creates a material from one Principled BSDF node, which artists can edit further "
+              "and other programs can import: "
               "run it in Blender, or with blender --background --python.",
           .holds =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "

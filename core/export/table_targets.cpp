@@ -143,7 +143,7 @@ ExportTarget utiaTarget() {
 ExportTarget csvTarget() {
   return {
       .id = "csv",
-      .label = "Table of values (CSV)",
+      .label = "BRDF values (CSV)",
       .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
       .holds =
           "Polar angle of the light 0 to 75 degrees in steps of 15, of the viewer 0 to 85 in steps of 5, azimuth in "

@@ -122,7 +122,7 @@ ExportResult makeValues(const ExportSource& source, const ExportOptions& options
 
 ExportTarget valuesTarget() {
   return {.id = "values",
-          .label = "Values (Unreal, Unity, Arnold)",
+          .label = "Shader inputs (Unreal, Unity, Arnold)",
           .description =
               "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
               "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",

@@ -20,7 +20,8 @@ inline const double maxDeviation = 2 * std::sin(maxPolarAngle);
 /// Nodes of |Dp|, dense where BRDF values are large: quantiles of the energy ln(1 + rho) over 2,000 uniform steps of
 /// |Dp| (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance
 /// Modeling and Acquisition", eq. 4.24). A third of the energy is distributed uniformly: otherwise a mirror-like
-/// highlight would take nearly all nodes. The first node is 0, the last maxDeviation; distances are at least 1e-6.
+/// highlight would take nearly all nodes. The first node is 0, the last maxDeviation; adjacent nodes are at least 1e-6
+/// apart.
 /// @param tables one material, or several that share the nodes; black ones give uniform nodes. About 0.1 s per table.
 /// @throws Cancelled.
 std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables,
@@ -32,8 +33,8 @@ std::vector<double> deviationNodes(std::span<const std::shared_ptr<const Tabulat
 std::vector<double> publishedDeviationEnergy(const Brdf& brdf, const TaskControl& control = {});
 
 /// The published choice, one grid for all materials: the quantiles of the mean of publishedDeviationEnergy() over the
-/// 137 measured and near-measured bundled materials, without uniformly spaced nodes (`gonio_studies deviation_nodes`
-/// prints them).
+/// 137 measured and near-measured bundled materials, without the uniformly distributed third of the energy
+/// (`gonio_studies deviation_nodes` prints them).
 std::vector<double> libraryDeviationNodes();
 
 /// The quantiles of a given energy. @param energy of uniform steps up to maxDeviation, >= 0.

@@ -85,7 +85,7 @@ void checkBlendable(std::span<const PdvFactors* const> ends) {
 PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
   assert(!ends.empty() && ends.size() == weights.size());
   checkBlendable(ends);
-  if (const auto whole = wholeWeight(weights)) return *ends[*whole];
+  if (const auto whole = indexOfFullWeight(weights)) return *ends[*whole];
   PdvFactors result = *ends[0];
   result.highest = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) result.highest += weights[i] * ends[i]->highest;

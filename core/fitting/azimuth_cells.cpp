@@ -65,7 +65,7 @@ void evaluateBothOrders(const Brdf& brdf, std::span<const Place> places, std::sp
 
 }  // namespace
 
-FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& census) {
+FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& counts) {
   const std::size_t count =
       std::size_t(strata.thetaH) * std::size_t(strata.thetaD) * std::size_t(strata.phiD) * std::size_t(strata.phiH);
   std::vector<Place> places(count);
@@ -77,17 +77,17 @@ FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrat
                        std::span(values).subspan(begin, end - begin), std::span(measured).subspan(begin, end - begin));
   });
   const double minCosine = std::cos(maxPolarAngle);
-  census = {};
+  counts = {};
   FitCells cells;
   cells.symmetry = DataSymmetry::anisotropic;
   for (std::size_t i = 0; i < count; ++i) {
     if (!places[i].aboveHorizon || !measured[i]) {
-      ++census.invalid;
+      ++counts.invalid;
     } else if (std::min(places[i].pair.wi.z, places[i].pair.wo.z) < minCosine) {
-      ++census.grazing;
+      ++counts.grazing;
     } else {
-      ++census.used;
-      for (int channel = 0; channel < 3; ++channel) census.negative += values[i][channel] < 0;
+      ++counts.used;
+      for (int channel = 0; channel < 3; ++channel) counts.negative += values[i][channel] < 0;
       cells.append(places[i].pair, glm::max(values[i], Rgb(0)), places[i].measure);
     }
   }

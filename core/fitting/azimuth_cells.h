@@ -22,7 +22,7 @@ struct AzimuthCellCounts {
 /// root, as in tables), weighted by the solid angle d wi d wo of the stratum there. Quasi-random pairs sample narrow
 /// ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models are
 /// reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
-/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. @param census receives the counts.
-FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& census);
+/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. @param counts receives the counts.
+FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& counts);
 
 }  // namespace gonio::fitting

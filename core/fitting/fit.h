@@ -16,7 +16,7 @@ namespace gonio::fitting {
 struct FitOptions {
   /// The metric to minimise; must be minimisable (metrics::MetricRecord).
   metrics::BrdfMetric metric = metrics::BrdfMetric::log;
-  /// Exponent, for BrdfMetric::gamma only: minGamma to maxGamma.
+  /// g of BrdfMetric::gamma (exponent 1/g), minGamma to maxGamma; other metrics do not use it.
   double gamma = metrics::defaultGamma;
   /// Cells with a larger polar angle (rad) are excluded as grazing.
   double maxPolarAngle = metrics::defaultMaxPolarAngle;

@@ -30,14 +30,14 @@ struct Patch {
   std::vector<std::size_t> cells;
   double measure = 0;
 
-  void collect(const HalfDifferenceGrid& grid, const CellSelection& census, int row, Range thetaD, Range phiD) {
+  void collect(const HalfDifferenceGrid& grid, const CellSelection& selection, int row, Range thetaD, Range phiD) {
     cells.clear();
     measure = 0;
     for (int j = thetaD.begin; j < thetaD.end; ++j) {
       const double cellMeasure = grid.cellMeasure(grid.index(row, j, 0));
       for (int k = phiD.begin; k < phiD.end; ++k) {
         const std::size_t cell = grid.index(row, j, k);
-        if (!census.isUsed[cell]) continue;
+        if (!selection.isUsed[cell]) continue;
         cells.push_back(cell);
         measure += cellMeasure;
       }
@@ -64,8 +64,8 @@ void FitCells::normaliseWeights() {
 CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   constexpr std::size_t block = 4096;
   const std::size_t size = table.grid().size();
-  CellSelection census;
-  census.isUsed.assign(size, 0);
+  CellSelection selection;
+  selection.isUsed.assign(size, 0);
   std::vector<std::size_t> used((size + block - 1) / block, 0);
   // Angles cost more than cosines: they decide only what rounding could turn.
   constexpr double rounding = 1e-9;
@@ -79,17 +79,17 @@ CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       if (!table.valid()[cell] || !isWithin(cell)) continue;
-      census.isUsed[cell] = 1;
+      selection.isUsed[cell] = 1;
       ++used[begin / block];
     }
   });
-  for (const std::size_t count : used) census.used += count;
-  census.invalid = size - table.validCount();
-  census.grazing = table.validCount() - census.used;
-  return census;
+  for (const std::size_t count : used) selection.used += count;
+  selection.invalid = size - table.validCount();
+  selection.grazing = table.validCount() - selection.used;
+  return selection;
 }
 
-FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& census, int thetaDStrata, int phiDStrata) {
+FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& selection, int thetaDStrata, int phiDStrata) {
   const HalfDifferenceGrid& grid = table.grid();
   const int strataD = std::min(thetaDStrata, grid.thetaDCount), strataF = std::min(phiDStrata, grid.phiDCount);
   FitCells result;
@@ -97,7 +97,7 @@ FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& census
   for (int i = 0; i < grid.thetaHCount; ++i)
     for (int d = 0; d < strataD; ++d)
       for (int f = 0; f < strataF; ++f) {
-        patch.collect(grid, census, i, stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount));
+        patch.collect(grid, selection, i, stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount));
         if (!(patch.measure > 0)) continue;
         const std::uint64_t seed = (std::uint64_t(i) * std::uint64_t(strataD) + std::uint64_t(d)) * strataF + f;
         const std::size_t cell = patch.cells[scramble(seed) % patch.cells.size()];

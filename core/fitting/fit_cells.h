@@ -36,6 +36,6 @@ struct FitCells {
 /// A stratified subset of the used cells: each theta_h row is divided into about `thetaDStrata` x `phiDStrata` patches,
 /// and one cell represents its patch with the measure of all its cells. No row is left out, so the highlight remains
 /// resolved. Deterministic.
-FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& census, int thetaDStrata, int phiDStrata);
+FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& selection, int thetaDStrata, int phiDStrata);
 
 }  // namespace gonio::fitting

@@ -29,8 +29,8 @@ std::shared_ptr<const TabulatedBrdf> tableOf(const Brdf& base) {
 FitData::FitData(const Brdf& base, const FitOptions& options)
     : base_(base), options_(options), baked_(tableOf(base)), table_(baked_ ? baked_.get() : base.asTable()) {
   if (table_) {
-    census_ = selectCells(*table_, options.maxPolarAngle);
-    warnings_ = measurementWarnings(*table_, census_);
+    selection_ = selectCells(*table_, options.maxPolarAngle);
+    warnings_ = measurementWarnings(*table_, selection_);
   } else {
     allCells_ = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
     warnings_ = measurementWarnings(allCells_, azimuths_.negative);
@@ -52,13 +52,13 @@ FitTarget FitData::makeTarget(Part part, double costTolerance) const {
   const MetricTransform metric(options_.metric, options_.gamma);
   if (table_) {
     const Strata strata = part == Part::search ? searchStrata : part == Part::fine ? fineStrata : coarseStrata;
-    return {stratifiedCells(*table_, census_, strata.thetaD, strata.phiD), metric, costTolerance};
+    return {stratifiedCells(*table_, selection_, strata.thetaD, strata.phiD), metric, costTolerance};
   }
-  AzimuthCellCounts census;
+  AzimuthCellCounts counts;
   const AzimuthStrata strata = part == Part::search ? searchAzimuths
                                : part == Part::fine ? fineAzimuths
                                                     : coarseAzimuths;
-  return {azimuthCells(base_, options_.maxPolarAngle, strata, census), metric, costTolerance};
+  return {azimuthCells(base_, options_.maxPolarAngle, strata, counts), metric, costTolerance};
 }
 
 const FitTarget& FitData::search() const {

@@ -22,9 +22,9 @@ class FitData {
   /// isotropic for a table, anisotropic for cells over all azimuths. Models without parameters along two axes can be
   /// fitted to both.
   DataSymmetry symmetry() const { return table_ ? DataSymmetry::isotropic : DataSymmetry::anisotropic; }
-  std::size_t usedCells() const { return table_ ? census_.used : azimuths_.used; }
-  std::size_t invalidCells() const { return table_ ? census_.invalid : azimuths_.invalid; }
-  std::size_t grazingCells() const { return table_ ? census_.grazing : azimuths_.grazing; }
+  std::size_t usedCells() const { return table_ ? selection_.used : azimuths_.used; }
+  std::size_t invalidCells() const { return table_ ? selection_.invalid : azimuths_.invalid; }
+  std::size_t grazingCells() const { return table_ ? selection_.grazing : azimuths_.grazing; }
   /// Errors over all used cells, in the order of metrics::allBrdfMetrics(). Parallel.
   std::vector<double> errors(const Brdf& fitted) const;
   /// Problems of the measurement, for the user; usually empty.
@@ -45,7 +45,7 @@ class FitData {
   FitOptions options_;
   std::shared_ptr<const TabulatedBrdf> baked_;  ///< if the base is isotropic but not a table
   const TabulatedBrdf* table_;                  ///< null for anisotropic data
-  CellSelection census_;                        ///< for a table
+  CellSelection selection_;                     ///< for a table
   AzimuthCellCounts azimuths_;                  ///< for anisotropic data
   FitCells allCells_;                           ///< for anisotropic data
   std::vector<std::string> warnings_;

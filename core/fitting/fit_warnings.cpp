@@ -30,13 +30,13 @@ struct ChannelCensus {
 
 using Channels = std::array<ChannelCensus, 3>;
 
-Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& census) {
+Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& selection) {
   const HalfDifferenceGrid& grid = table.grid();
   Channels channels;
   double measure = 0;
-  for (std::size_t cell = 0; cell < census.isUsed.size(); ++cell) {
+  for (std::size_t cell = 0; cell < selection.isUsed.size(); ++cell) {
     if (cell % std::size_t(grid.phiDCount) == 0) measure = grid.cellMeasure(cell);  // the same for all phi_d
-    if (!census.isUsed[cell]) continue;
+    if (!selection.isUsed[cell]) continue;
     for (int c = 0; c < 3; ++c) channels[std::size_t(c)].add(table.values()[cell][c], measure);
   }
   return channels;
@@ -76,8 +76,8 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
 
 }  // namespace
 
-std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& census) {
-  return warningsOf(takeChannelCensus(table, census), census.used, table.clampedCount(), table.validCount());
+std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& selection) {
+  return warningsOf(takeChannelCensus(table, selection), selection.used, table.clampedCount(), table.validCount());
 }
 
 std::vector<std::string> measurementWarnings(const FitCells& cells, std::size_t negative) {

@@ -16,7 +16,7 @@ namespace gonio {
 struct MeshArrays {
   std::vector<glm::vec3> positions;
   std::vector<TriangleIndices> triangles;
-  /// Shading normals, 3 per triangle, of any length; empty: computed from the faces. Normals of length 0 or that are
+  /// Shading normals, 3 per triangle, of any length; empty: computed from the faces. Normals that have length 0 or are
   /// not finite count as missing.
   std::vector<glm::vec3> normals;
 };

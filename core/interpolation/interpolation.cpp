@@ -15,13 +15,13 @@ Interpolation::Interpolation(std::span<const InterpolationMaterial> ends)
 
 std::shared_ptr<const Brdf> Interpolation::brdf(std::span<const double> weights) const {
   checkWeights(weights, materials());
-  if (const auto end = wholeWeight(weights)) return ends_[*end].material();
+  if (const auto end = indexOfFullWeight(weights)) return ends_[*end].material();
   return blendedBrdf(weights);
 }
 
 Interpolation::Table Interpolation::table(std::span<const double> weights, const TaskControl& control) const {
   checkWeights(weights, materials());
-  if (const auto end = wholeWeight(weights)) return tables_[*end];
+  if (const auto end = indexOfFullWeight(weights)) return tables_[*end];
   return blendedTable(weights, control);
 }
 

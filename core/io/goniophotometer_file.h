@@ -26,7 +26,8 @@ namespace gonio::io {
 /// header's first 64 KiB.
 void expectGoniophotometer(const ByteSource& source);
 
-/// @throws FormatMismatch if the file contains transmission (BTDF); Error that names the line, for angles or values
+/// @throws FormatMismatch if `format:` has a quantity other than BSDF, BRDF or DSF, such as BTDF; Error that names the
+/// line, for an incident direction at 90 degrees, angles or values
 /// that are not finite numbers and rows of different length; Error if there is no row of reflection.
 ScatteredSamples readGoniophotometer(const ByteSource& source);
 

@@ -16,7 +16,7 @@ struct ScatteredSamples {
   std::vector<DirectionPair> directions;  ///< both above the horizon
   std::vector<Rgb> values;                ///< linear RGB, 1/sr, without the cosine, finite and >= 0; one per pair
   std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty if unknown
-  std::size_t negativeCount = 0;          ///< number of channel values that were below 0 and were set to 0
+  std::size_t clampedCount = 0;           ///< number of channel values that were below 0 and were set to 0
   std::size_t belowHorizonCount = 0;      ///< number of rows that were ignored because a direction is at or below the
                                           ///< horizon
   std::string description;                ///< of the sample, from the file; may be empty
@@ -32,7 +32,7 @@ struct ScatteredSamples {
     for (int channel = 0; channel < 3; ++channel)
       if (kept[channel] < 0) {
         kept[channel] = 0;
-        ++negativeCount;
+        ++clampedCount;
       }
     directions.push_back(pair);
     values.push_back(kept);

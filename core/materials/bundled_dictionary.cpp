@@ -10,7 +10,7 @@ extern const std::byte gonioBundledDictionaryEnd[];
 
 namespace gonio::materials {
 
-std::shared_ptr<const NamedEnsemble> bundledDictionary() {
+std::shared_ptr<const NamedEnsemble> bundledEnsemble() {
   static const std::shared_ptr<const NamedEnsemble> dictionary = readDictionary(
       io::MemorySource({gonioBundledDictionary, std::size_t(gonioBundledDictionaryEnd - gonioBundledDictionary)}));
   return dictionary;

@@ -89,7 +89,7 @@ void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary) {
 }
 
 void setCode(const CodeFile& file, Material& material) {
-  const auto dictionary = bundledDictionary();
+  const auto dictionary = bundledEnsemble();
   checkDictionary(file, *dictionary);
   const dictionary::SparseCode& code = file.code;
   material.code = std::make_shared<const dictionary::SparseCode>(code);

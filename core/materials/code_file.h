@@ -41,7 +41,7 @@ void expectCode(const io::ByteSource& source);
 /// @throws Error if the code belongs to another ensemble.
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary);
 
-/// Sets a material to a code over bundledDictionary(): decodes it and sets the description. Under 50 ms. @throws Error
+/// Sets a material to a code over bundledEnsemble(): decodes it and sets the description. Under 50 ms. @throws Error
 /// if the code belongs to another ensemble.
 void setCode(const CodeFile& code, Material& material);
 

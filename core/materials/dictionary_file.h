@@ -28,6 +28,6 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
 std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source);
 
 /// The ensemble bundled with Gonio, read at the first call (about 0.1 s).
-std::shared_ptr<const NamedEnsemble> bundledDictionary();
+std::shared_ptr<const NamedEnsemble> bundledEnsemble();
 
 }  // namespace gonio::materials

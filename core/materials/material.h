@@ -31,7 +31,7 @@ struct Material {
   std::shared_ptr<const Brdf> brdf;            ///< evaluates the file in its own parameterisation
   std::shared_ptr<const TabulatedBrdf> table;  ///< the same object if the file is a table, else null; for a table with
                                                ///< anisotropic edits the mean over the azimuths
-  std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over bundledDictionary(), else null
+  std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over bundledEnsemble(), else null
 
   /// `table`, or the BRDF sampled on the MERL grid (about 1 s for an RGL file or factors). @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;

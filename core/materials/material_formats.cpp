@@ -58,8 +58,8 @@ void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, 
                           int(UtiaBrdf::azimuthCount)};
   material.source.notes.push_back(
       "measured up to 75 degrees from the normal; beyond that, the value at 75 degrees is used");
-  if (utia->negativeCount() > 0)
-    material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
+  if (utia->clampedCount() > 0)
+    material.source.notes.push_back(std::to_string(utia->clampedCount()) + " negative values were set to 0");
 }
 
 /// Of the formats of optical design programs.
@@ -71,8 +71,8 @@ void readIncidenceMaterial(const io::ByteSource& source, const TaskControl& cont
   material.brdf = file.brdf;
   material.source.grid = {int(table.incident.size()), int(table.azimuths.size()), int(table.polars.size())};
   material.source.notes = std::move(file.notes);
-  if (file.brdf->negativeCount() > 0)
-    material.source.notes.push_back(std::to_string(file.brdf->negativeCount()) + " negative values were set to 0");
+  if (file.brdf->clampedCount() > 0)
+    material.source.notes.push_back(std::to_string(file.brdf->clampedCount()) + " negative values were set to 0");
 }
 
 /// Of formats of single pairs of directions.

@@ -93,7 +93,7 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
                     " too close to the horizon, the others to limit the number of nodes");
   if (samples.belowHorizonCount > 0)
     notes.push_back(count(samples.belowHorizonCount) + " samples at or below the horizon were left out");
-  if (samples.negativeCount > 0) notes.push_back(count(samples.negativeCount) + " negative values were set to 0");
+  if (samples.clampedCount > 0) notes.push_back(count(samples.clampedCount) + " negative values were set to 0");
   if (std::isfinite(reconstruction.leaveOneOutError))
     notes.push_back("leave-one-out error: a measured value is predicted from the others within a factor of " +
                     factorText(reconstruction.leaveOneOutError) + " (root mean square)");

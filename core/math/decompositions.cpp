@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <cmath>
 
 namespace gonio {
 
@@ -13,10 +14,11 @@ EigenBasis eigenBasis(const Eigen::MatrixXd& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
   // Eigenvalues ascend.
   EigenBasis basis{eigen.eigenvectors().rowwise().reverse(), eigen.eigenvalues().reverse().cwiseMax(0)};
-  for (Eigen::Index c = 0; c < basis.vectors.cols(); ++c) {
-    Eigen::Index largest = 0;
-    basis.vectors.col(c).cwiseAbs().maxCoeff(&largest);
-    if (basis.vectors(largest, c) < 0) basis.vectors.col(c) = -basis.vectors.col(c);
+  for (auto vector : basis.vectors.colwise()) {
+    const double significant = vector.cwiseAbs().maxCoeff() / 2;
+    Eigen::Index first = 0;
+    while (std::abs(vector[first]) < significant) ++first;
+    if (vector[first] < 0) vector = -vector;
   }
   return basis;
 }

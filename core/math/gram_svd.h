@@ -22,7 +22,7 @@ struct TallMatrix {
 struct GramSvd {
   TallMatrix u;                    ///< orthonormal columns, in single precision
   Eigen::VectorXd singularValues;  ///< descending, > 0
-  Eigen::MatrixXd v;  ///< columns of T x components, orthonormal; the largest entry of a column is positive
+  Eigen::MatrixXd v;               ///< columns of T x components, orthonormal; with the signs of EigenBasis
 };
 
 /// T^T T in double, accumulated over blocks of rows; deterministic for any number of threads. rows x columns^2

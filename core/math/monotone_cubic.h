@@ -19,7 +19,7 @@ struct NodeInterval {
 };
 NodeInterval findInterval(std::span<const double> nodes, double x);
 
-/// Hermite weights of the values and slopes of two nodes; those of the slopes include the distance of the nodes.
+/// Hermite weights of the values and slopes of two nodes; those of the slopes include the distance between the nodes.
 struct HermiteWeights {
   double before, after, slopeBefore, slopeAfter;
 

@@ -16,7 +16,8 @@ std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b);
 double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed);
 
 /// Point `index` of the first two dimensions of Sobol's sequence, scrambled and shuffled as above, in [0, 1)^2: any 2^k
-/// points that start at a multiple of 2^k are stratified over every partition of the square into 2^k congruent cells.
+/// points that start at a multiple of 2^k have exactly one point in each elementary interval (dyadic rectangle) of area
+/// 2^-k.
 /// Different seeds give independent point sets. O(1).
 glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed);
 

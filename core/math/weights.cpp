@@ -25,7 +25,7 @@ void checkWeights(std::span<const double> weights, std::size_t materials) {
   if (std::abs(sum - 1) > slack) throw Error("the weights add up to " + std::to_string(sum) + "; expected 1");
 }
 
-std::optional<std::size_t> wholeWeight(std::span<const double> weights) {
+std::optional<std::size_t> indexOfFullWeight(std::span<const double> weights) {
   const auto whole = std::find(weights.begin(), weights.end(), 1.0);
   if (whole == weights.end()) return {};
   return std::size_t(whole - weights.begin());

@@ -13,6 +13,6 @@ namespace gonio {
 void checkWeights(std::span<const double> weights, std::size_t materials);
 
 /// The index of the material of weight 1, if any.
-std::optional<std::size_t> wholeWeight(std::span<const double> weights);
+std::optional<std::size_t> indexOfFullWeight(std::span<const double> weights);
 
 }  // namespace gonio

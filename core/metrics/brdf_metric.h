@@ -48,7 +48,7 @@ enum class MetricPower { square, absolute, twoThirds };
 /// The factor on the solid angles of a cell.
 enum class MetricWeight { one, cosO, cosines };
 
-/// Default exponent of BrdfMetric::gamma.
+/// Default g of BrdfMetric::gamma (exponent 1/g).
 inline constexpr double defaultGamma = 2;
 inline constexpr double minGamma = 1, maxGamma = 3;
 

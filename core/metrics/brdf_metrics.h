@@ -17,7 +17,7 @@ inline constexpr double defaultMaxPolarAngle = 85 * 3.14159265358979323846 / 180
 /// The error <|d|^p> or its square root, as MetricRecord defines; 0 for equal values and if no cell is used. Negative
 /// BRDF values count as 0. Parallel, deterministic.
 /// @param test evaluated at the nodes of the reference's grid.
-/// @param gamma exponent of BrdfMetric::gamma.
+/// @param gamma g of BrdfMetric::gamma: values are raised to 1/g.
 double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test,
                  double maxPolarAngle = defaultMaxPolarAngle, double gamma = defaultGamma);
 /// All metrics in one pass, in the order of allBrdfMetrics(). About 0.2 s for a MERL table and a fast `test`.

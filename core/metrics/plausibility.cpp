@@ -148,7 +148,7 @@ PlausibilityCheck checkCoverage(const TabulatedBrdf& table) {
   double missing = 0, all = 0;
   for (const DirectionPair& pair : probePairs()) {
     bool valid = false;
-    table.lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::nearest, &valid);
+    table.lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::cell, &valid);
     const double weight = pair.wi.z * pair.wo.z;
     all += weight;
     if (valid) continue;

@@ -15,14 +15,14 @@ namespace gonio::models {
 // clang-format off
 constexpr ParameterSpec roughnessXParameter(std::string_view formula, std::string_view reference) {
   ParameterSpec spec = roughnessParameter(
-      "alpha_x", "Width of the highlight along x, the direction of the brushing; the highlight of brushed metal is narrow along x and wide across it.",
+      "alpha_x", "Width of the highlight along x, the brushing direction; the highlight of brushed metal is narrow along x and wide across it.",
       formula, reference);
   spec.id = "roughness-x";
   spec.label = "Roughness x";
   return spec;
 }
 constexpr ParameterSpec roughnessYParameter(std::string_view formula, std::string_view reference) {
-  ParameterSpec spec = roughnessParameter("alpha_y", "Width of the highlight along y, across the direction of the brushing.", formula, reference);
+  ParameterSpec spec = roughnessParameter("alpha_y", "Width of the highlight along y, across the brushing direction.", formula, reference);
   spec.id = "roughness-y";
   spec.label = "Roughness y";
   spec.isotropicTwin = "roughness-x";
@@ -35,7 +35,7 @@ constexpr ParameterSpec exponentXParameter(std::string_view formula, std::string
   spec.symbol = "n_x";
   spec.softMax = 1e5;
   spec.defaultValue = 100;
-  spec.description = "Sharpness of the highlight along x, the direction of the brushing: large values are glossy.";
+  spec.description = "Sharpness of the highlight along x, the brushing direction: large values are glossy.";
   return spec;
 }
 constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string_view reference) {
@@ -43,7 +43,7 @@ constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string
   spec.id = "exponent-y";
   spec.label = "Shininess y";
   spec.symbol = "n_y";
-  spec.description = "Sharpness of the highlight along y, across the direction of the brushing.";
+  spec.description = "Sharpness of the highlight along y, across the brushing direction.";
   spec.isotropicTwin = "exponent-x";
   return spec;
 }
@@ -52,7 +52,7 @@ constexpr ParameterSpec rotationParameter() {
   return {.id = "rotation", .label = "Rotation", .symbol = "psi", .unit = "rad",
           .softMin = -halfPi, .softMax = halfPi, .hardMin = -pi, .hardMax = pi, .defaultValue = 0,
           .scale = ParameterScale::angle,
-          .description = "Direction of x, the brushing: the angle from the surface tangent to x, counter-clockwise.",
+          .description = "Brushing direction x: the angle from the surface tangent to x, counter-clockwise.",
           .formula = "h_x, h_y: h turned by -psi about the normal",
           .reference = "Ward 1992, Measuring and Modeling Anisotropic Reflection",
           .anisotropicOnly = true};

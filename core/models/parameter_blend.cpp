@@ -29,7 +29,7 @@ double blend(const ParameterSpec& parameter, std::span<const double> values, std
 
 ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> ends, std::span<const double> weights) {
   assert(!ends.empty() && ends.size() == weights.size());
-  if (const auto whole = wholeWeight(weights)) return ends[*whole];
+  if (const auto whole = indexOfFullWeight(weights)) return ends[*whole];
   ParameterValues result = ends[0];
   std::vector<double> values(ends.size());
   for (std::size_t p = 0; p < spec.parameters.size(); ++p) {

@@ -10,7 +10,8 @@ namespace gonio::models {
 /// alpha > 0.
 double sgdLogNormalisation(double alpha, double p);
 
-/// G1 in [0, 1] at the polar angle theta (rad); exactly 1 up to theta0. @param logC ln c, because c is up to 1e109 in
+/// G1 = 1 - lambda (exp(c (theta - theta0)^k) - 1), clamped to [0, 1], at the polar angle theta (rad); exactly 1 for
+/// theta <= theta0 (rad). @param logC ln c, because c is up to 1e109 in
 /// published fits and c (theta - theta0)^k would overflow.
 double sgdMasking(double theta, double lambda, double logC, double k, double theta0);
 

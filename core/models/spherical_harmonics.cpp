@@ -94,7 +94,7 @@ Specs::Specs() {
            .name = "Spherical harmonics",
            .description =
                "A series of real spherical harmonics of both directions, bands 0 to 4, isotropic. Represents any "
-               "smooth shape, rings around sharp ones, and is clamped to 0 where it would be negative. "
+               "smooth shape; sharp highlights cause ringing. Clamped to 0 where it would be negative. "
                "Reciprocal; nothing bounds the energy.",
            .formula = formulaText,
            .reference = westin,

@@ -34,7 +34,8 @@ class WardLobe {
   double inverseX2_, inverseY2_, normaliser_;
 };
 
-/// k_d / pi + k_s WardLobe * fade: the models differ only in `double fade(const SurfaceGeometry&)`.
+/// k_d / pi + k_s WardLobe * fade: the models differ only in `double fade(const SurfaceGeometry&)`,
+/// their factor in the cosines, such as 1 / sqrt(cos theta_i cos theta_o) of Ward 1992.
 template <typename Fade>
 std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, double rotation,
                                          Fade fade) {

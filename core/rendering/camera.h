@@ -11,7 +11,8 @@ struct OrbitCamera {
   double yaw = 0;       ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;     ///< rad, positive moves the camera up, (-pi/2, pi/2)
   double distance = 4;  ///< of the eye from the target, in world units
-  /// Full angle of view along the image's smaller side, rad; 0: an orthographic view that shows |y| <= 1.15.
+  /// Full angle of view along the image's smaller side, rad; 0: an orthographic view with half extent 1.15, in world
+  /// units about the target, along the image's smaller side.
   double fieldOfView = 0.55;
   Direction target{0};  ///< world
   bool operator==(const OrbitCamera&) const = default;

@@ -70,9 +70,9 @@ class EnvironmentMap {
   std::vector<double> solidAngles_;                              ///< of a pixel in each row, sr
 };
 
-/// Rotation of an environment about +y: converts a world direction to a direction of the unrotated environment, and
-/// back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s). Positive angles rotate the
-/// environment from -z toward +x.
+/// Rotation of an environment about the vertical axis, clockwise seen from above (opposite to OrbitCamera::yaw):
+/// converts a world direction to a direction of the unrotated environment, and back. With c, s the cosine and sine of
+/// the angle (rad): (x c + z s, y, z c - x s). Positive angles rotate the environment from -z toward +x.
 class EnvironmentRotation {
  public:
   explicit EnvironmentRotation(double angle);

@@ -56,7 +56,7 @@ class SampleLuminances {
 /// Statistics of fireflies: rare samples that are much brighter than the rest, which cause noise that decreases slowly.
 /// They are reported, not clamped.
 struct Fireflies {
-  /// A sample counts as a firefly from this multiple of the mean luminance on.
+  /// A sample is a firefly if its luminance is at least this multiple of the mean luminance.
   static constexpr double threshold = 100;
   double brightest = 0;  ///< luminance of the brightest sample, relative to the mean of the samples that hit something
   double fraction = 0;   ///< fraction of the image's luminance that comes from samples above `threshold` times the mean

@@ -30,7 +30,7 @@ class NearestBrdf final : public Brdf {
   explicit NearestBrdf(std::shared_ptr<const TabulatedBrdf> table) : table_(std::move(table)) {}
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    table_->evaluate(pairs, values, TableLookup::nearest);
+    table_->evaluate(pairs, values, TableLookup::cell);
   }
 
  private:
@@ -170,7 +170,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const PdvFactorization& all = factorizations_.at(representation.id);
   if (terms > all.factors.terms())
     throw Error(representation.fullLabel() + ": more terms than the " + std::to_string(all.factors.terms()) +
-                " that were factored");
+                " that were computed");
   const PdvFactors factors = all.factors.truncated(terms);
   return {.brdf = makePdvBrdf(factors),
           .nodes = nullptr,
@@ -180,7 +180,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
 
 BuiltRepresentation RepresentationBuilder::code(const Representation& representation, const TaskControl& control) {
   if (!encoder_) {
-    if (!options_.dictionary) options_.dictionary = materials::bundledDictionary();
+    if (!options_.dictionary) options_.dictionary = materials::bundledEnsemble();
     encoder_.emplace(options_.dictionary->ensemble);
     codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
   }

@@ -60,7 +60,7 @@ class RepresentationBuilder {
   /// Deterministic except for times. Fits, factors and most baselines take about a second, codes two, joint factors,
   /// the Gaussian process and non-parametric factors a few seconds, neural BRDFs 12 s. @throws Error for a
   /// representation that was not planned, more components than the basis has, a table with another grid than the
-  /// basis, or published factors without BuildOptions::publishedNonparametric; Cancelled.
+  /// basis, or publishedNonparametric without BuildOptions::publishedNonparametric; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:

@@ -17,7 +17,7 @@ struct StudyRecord {
   /// float32. Excludes data shared by all materials (dictionary, components).
   std::size_t bytes = 0;
   double encodeSeconds = 0;      ///< time to build the representation from the table; 0 for the table itself, NaN for
-                                 ///< published factors, which were fitted elsewhere
+                                 ///< RepresentationFamily::publishedNonparametric, which was fitted elsewhere
   EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
   double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads
   std::vector<double> errors;    ///< against the table, at its nodes, in the order of metrics::allBrdfMetrics()

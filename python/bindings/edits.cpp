@@ -85,7 +85,7 @@ Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& s
   options.encode.coefficients = options.codeCoefficients = coefficients;
   return resultOf(progress, [&](const TaskControl& control) {
     if (chosen == InterpolationSpace::dictionary) {
-      const auto ensemble = dictionary ? dictionary : materials::bundledDictionary();
+      const auto ensemble = dictionary ? dictionary : materials::bundledEnsemble();
       options.ensemble = {ensemble, &ensemble->ensemble};
     }
     std::vector<InterpolationMaterial> ends;

@@ -209,8 +209,7 @@ std::vector<std::string> save(const PyMaterial& material, const std::string& pat
   }
   exports::checkFormSuffix(path, editing::documentSuffix);
   return resultOf(progress, [&](const TaskControl& control) -> std::vector<std::string> {
-    if (exports::isNativeForm(path))
-      return exports::writeNativeForm(material.exported(), material.base(), path, control);
+    if (exports::isRglOrUtia(path)) return exports::writeRglOrUtia(material.exported(), material.base(), path, control);
     // Only an unedited material may be written as a copy of its file.
     if (material.edits().empty())
       materials::writeMaterial(material.shown(), path, control);

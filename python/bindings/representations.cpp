@@ -140,7 +140,7 @@ struct PyCode {
 };
 
 PyDictionaryPtr orBundled(const PyDictionaryPtr& dictionary) {
-  return dictionary ? dictionary : materials::bundledDictionary();
+  return dictionary ? dictionary : materials::bundledEnsemble();
 }
 
 dictionary::CodingMethod codingMethodOf(const std::string& name) {
@@ -291,7 +291,7 @@ void bindRepresentations(py::module_& module) {
   module.def(
       "dictionary",
       [](const std::string& path) {
-        return std::const_pointer_cast<materials::NamedEnsemble>(path.empty() ? materials::bundledDictionary()
+        return std::const_pointer_cast<materials::NamedEnsemble>(path.empty() ? materials::bundledEnsemble()
                                                                               : materials::readDictionary(path));
       },
       py::call_guard<py::gil_scoped_release>());

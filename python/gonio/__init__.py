@@ -25,7 +25,7 @@ Types in the signatures:
   to 1. If it raises an exception, the computation stops and the exception is passed on.
 - `Value`: the value of a model's parameter: a number; three numbers (red, green, blue) for a parameter with a value per
   channel; the name or index of a choice.
-- `Box`: three pairs of angles, ((low, high), (low, high), (low, high)).
+- `Box`: ranges (low, high) of theta_i, theta_o and |phi_i - phi_o| in rad: ((low, high), (low, high), (low, high)).
 - `Optional[X]`: an X or None. `Union[X, Y]`: an X or a Y. `Sequence[X]`: a list or tuple of X. `Iterable[X]`: the same, or a
   generator. `Mapping[str, X]`: a dict with names as keys.
 """

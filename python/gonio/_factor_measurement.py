@@ -64,7 +64,7 @@ def open_factor_readings(path: PathLike, axes: str) -> tuple[FactorPlan, Reading
 
     Args:
         path: The file.
-        axes: The axes, see gonio.plan_factors(). The readings of "projected-deviation" also serve "symmetric-deviation".
+        axes: The axes, see gonio.plan_factors(). The readings of "projected-deviation" also serve "symmetric-deviation" and "half-out".
 
     Raises:
         Error: The file cannot be read; the message states the line.

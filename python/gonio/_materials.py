@@ -135,7 +135,7 @@ class Material:
     def evaluate(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
         """BRDF values of pairs of directions, without the cosine.
 
-        A table takes about 50 ns per pair on one core, edits and codes take longer. Large arrays are evaluated on all cores.
+        A table takes about 50 ns per pair on one core; edits and codes take longer. Large arrays are evaluated on all cores.
 
         Args:
             wi: Directions toward the light, shape (..., 3), unit vectors.
@@ -153,8 +153,8 @@ class Material:
     def sample(self, wo: ArrayLike, u: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Samples directions toward the light with a density about proportional to the BRDF times cos theta_i.
 
-        The density is that of gonio.render(), chosen at the first call (up to 0.1 s): the material's own sampling method (in
-        practice only that of models), or one estimated from the values of the material, whichever has less noise at equal time.
+        The density is that of gonio.render(), chosen at the first call (up to 0.1 s): the material's own sampling method
+        (models, factors, RGL files), or one estimated from the values of the material, whichever has less noise at equal time.
 
         The directional albedo at wo is the integral of the BRDF times cos theta_i over the hemisphere. Its Monte Carlo
         estimate from a million samples:
@@ -261,7 +261,7 @@ def open(path: PathLike, progress: Progress = None) -> Material:
 
     Args:
         path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file; PDV factors (.pdv); a sparse code (.code); a neural BRDF (.nbrdf); a
-            .gonio document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
+            row of a table of non-parametric factors ("npf.bin#chrome"); a .gonio document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:

@@ -40,7 +40,7 @@ class Parameter:
     per_channel: bool
     """Whether it has three values: red, green, blue."""
     linear: bool
-    """Whether the BRDF is linear in this parameter."""
+    """Whether the BRDF, before clamping at 0, is linear in this parameter."""
     description: str
     """What it does, one sentence."""
     formula: str
@@ -71,7 +71,8 @@ class Model:
     is_reciprocal: bool
     """Whether the BRDF is the same after wi and wo are exchanged, for all parameters."""
     conserves_energy: bool
-    """Whether the albedo is at most 1 if the strengths of all lobes add up to at most 1."""
+    """Whether the directional albedo is at most 1 at every angle if the linear parameters are at most 1 with a sum of at
+        most 1, the other parameters are in their soft ranges, and choices have their defaults."""
     parameters: tuple[Parameter, ...] = field(repr=False)
     """Parameters, in the order of docs/models.md."""
 
@@ -142,7 +143,7 @@ class Metric:
 
 
 def metrics() -> dict[str, Metric]:
-    """All metrics, a dict by id ([metrics](command-line.md#metrics))."""
+    """All metrics, a dict by id (docs/command-line.md, section Metrics)."""
     return {row[0]: Metric(*row) for row in _core.metrics()}
 
 
@@ -192,7 +193,7 @@ def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: floa
             fitted over all azimuths.
         model: Id of a model (gonio.models()).
         metric: Id of the metric that is minimised (gonio.metrics()).
-        gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
+        gamma: g of the metric "gamma", 1 to 3: values are raised to the power 1/g; other metrics do not use it.
         max_polar_angle: Maximum polar angle of both directions in rad; cells beyond it are left out.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -212,7 +213,7 @@ def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log",
         material: The material to fit.
         models: Ids of the models; (): all models.
         metric: Id of the metric that is minimised, and by which the fits are sorted.
-        gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
+        gamma: g of the metric "gamma", 1 to 3: values are raised to the power 1/g; other metrics do not use it.
         max_polar_angle: Maximum polar angle of both directions in rad; cells beyond it are left out.
         size: Width and height in pixels of the images for Fit.rendered_snr.
         samples: Samples per pixel of these images.

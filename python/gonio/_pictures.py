@@ -39,7 +39,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         samples: Samples per pixel.
         environment: Name of a bundled environment ("studio", "sky", "sunset", "window", "furnace") or of a latitude-longitude
             image (.hdr, .exr); "": the environment of the scene.
-        rotation: Rotation of the environment about the vertical axis, rad.
+        rotation: Rotation of the environment about the vertical axis, rad; positive angles turn it from -z toward +x, clockwise seen from above.
         seed: Seed of the random numbers.
         alpha: Whether to add the coverage as a fourth channel. The colours are multiplied by it (premultiplied alpha).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.

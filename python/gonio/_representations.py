@@ -358,7 +358,7 @@ def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Di
         coefficients: Maximum number of coefficients per channel.
         dictionary: The ensemble of dictionaries; None: the bundled one.
         transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
-        gamma: Exponent of the gamma error, 1 to 3 (Tongbuasirilai 2023, section 4.3.2.4).
+        gamma: g of the gamma error, 1 to 3: values are raised to the power 1/g (Tongbuasirilai 2023, section 4.3.2.4).
         relative_error: Use fewer coefficients if the squared error of the transformed values is then at most this fraction of
             their energy; None: no such limit.
         max_bytes: Use fewer coefficients if the file would be larger than this; None: no such limit.

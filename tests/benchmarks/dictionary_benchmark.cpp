@@ -15,7 +15,7 @@ namespace {
 using namespace gonio;
 using namespace gonio::dictionary;
 
-const Ensemble& bundled() { return materials::bundledDictionary()->ensemble; }
+const Ensemble& bundled() { return materials::bundledEnsemble()->ensemble; }
 
 SparseCode plasticCode(std::size_t coefficients) {
   static const SparseCode code = Encoder(bundled()).encode(*benchmarks::plasticTable(), {.coefficients = 1024}).code;

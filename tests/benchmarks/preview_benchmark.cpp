@@ -144,7 +144,7 @@ void environmentFactorBlend(benchmark::State& state) {
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code
 /// with so many coefficients per channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
-  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledDictionary();
+  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledEnsemble();
   dictionary::SparseCode code;
   GLuint texture = 0;
 

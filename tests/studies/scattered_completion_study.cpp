@@ -141,7 +141,7 @@ dictionary::TrainingMaterials bundledTraining() {
 
 int run() {
   const auto basis = materials::bundledBasis();
-  const auto dictionary = materials::bundledDictionary();
+  const auto dictionary = materials::bundledEnsemble();
   const DictionaryPrior prior = learnDictionaryPrior(dictionary->ensemble, bundledTraining());
   const std::pair<const char*, Pairs> geometries[] = {
       {"205 pairs", everywhere(205)}, {"four angles", inPlane()}, {"one angle", oneIncidence()}};

@@ -63,9 +63,10 @@ class LibrarySelectionTest : public QObject {
       return result;
     };
     QCOMPARE(texts({"a"}), QStringList({"Open", "Export...", "Favourite"}));
-    QCOMPARE(texts({"a", "b"}),
-             QStringList({"Compare These 2", "Study These 2...", "Export These 2...", "Favourites"}));
-    QCOMPARE(texts({"a", "b", "c"}), QStringList({"Study These 3...", "Export These 3...", "Favourites"}));
+    QCOMPARE(texts({"a", "b"}), QStringList({"Compare These 2", "Measure Representations of These 2...",
+                                             "Export These 2...", "Favourites"}));
+    QCOMPARE(texts({"a", "b", "c"}),
+             QStringList({"Measure Representations of These 3...", "Export These 3...", "Favourites"}));
     QCOMPARE(asked,
              QStringList({"open a", "export a", "pair a b", "study a b", "export a b", "study a b c", "export a b c"}));
   }

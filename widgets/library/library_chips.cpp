@@ -51,7 +51,7 @@ void LibraryChips::rebuild() {
   addChip(tr("Favourites"), tr("Shows only favourites"), m_filter.favourites);
   addChip(tr("Recent"), tr("Shows only materials opened in the last week"), m_filter.recent);
   for (const QString& badge : badges) {
-    const QString toolTip = tr("Shows only materials labelled \"%1\"").arg(badge);
+    const QString toolTip = tr("Shows only materials with the badge \"%1\"").arg(badge);
     addMember(badge, (toolTip + '\n' + meanings[badge]).trimmed(), m_filter.badges)->setText(sentenceCase(badge));
   }
   for (const QString& kind : kinds)

@@ -41,7 +41,7 @@ QMenu* libraryMenu(const QStringList& ids, const CommonNotes& common, const Libr
     menu->addAction(single ? QMenu::tr("&Interpolate with This") : QMenu::tr("&Interpolate These %1").arg(count),
                     Qt::SHIFT | Qt::Key_Return, menu, [=] { actions.interpolate(ids); });
   if (!single && actions.study)
-    menu->addAction(QMenu::tr("&Study These %1...").arg(count), menu, [=] { actions.study(ids); });
+    menu->addAction(QMenu::tr("&Measure Representations of These %1...").arg(count), menu, [=] { actions.study(ids); });
   if (actions.exportAll)
     menu->addAction(single ? QMenu::tr("&Export...") : QMenu::tr("&Export These %1...").arg(count), menu,
                     [=] { actions.exportAll(ids); });

@@ -59,7 +59,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
             PlausibilityText::tr("Values that are not finite: %1").arg(check.worst),
             PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
   return {
-      PlausibilityText::tr("Measured"),
+      PlausibilityText::tr("Complete"),
       PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),
       PlausibilityText::tr("Fraction of directions without data, weighted by both cosines: %1 (limit %2)")
           .arg(percent(check.worst), percent(check.limit)),

@@ -29,7 +29,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_bar->setTextVisible(false);
   m_bar->setFixedSize(fontMetrics().height() * 8, fontMetrics().height() * 2 / 3);
   m_cancel->setText(tr("Cancel"));
-  m_cancel->setToolTip(tr("Cancels this task (Esc)"));
+  m_cancel->setToolTip(tr("Cancels this task (Escape)"));
   m_cancel->setAutoRaise(true);
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
   m_pause->setAutoRaise(true);

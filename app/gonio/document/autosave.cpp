@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QUuid>
+#include <utility>
 
 namespace gonio::app {
 
@@ -15,6 +16,7 @@ namespace {
 
 // Each copy has a record in the data folder: a text file with the copy's path and the document's path, and a lock.
 const QString recordSuffix = QStringLiteral(".record");
+constexpr qsizetype shortIdLength = 8;
 
 QString readLine(QFile& file) { return QString::fromUtf8(file.readLine()).chopped(1); }
 
@@ -43,39 +45,53 @@ QString Autosave::defaultDataFolder() {
 }
 
 void Autosave::setDocumentPath(const QString& path) {
-  discard();
+  Copy previous = std::exchange(m_current, {});
   m_documentPath = path;
+  update();
+  remove(std::move(previous));
+}
+
+Autosave::Copy Autosave::newCopy(Place place) const {
+  const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
+  QDir().mkpath(m_dataFolder);
+  Copy copy;
+  copy.record = m_dataFolder + '/' + id + recordSuffix;
+  copy.path = place == Place::dataFolder ? m_dataFolder + '/' + id + documentSuffix()
+                                         : m_documentPath + '.' + id.left(shortIdLength) + ".autosave";
+  copy.lock = std::make_unique<QLockFile>(copy.record + ".lock");
+  copy.lock->setStaleLockTime(0);
+  copy.lock->tryLock();
+  QFile record(copy.record);
+  if (record.open(QIODevice::WriteOnly)) record.write((copy.path + '\n' + m_documentPath + '\n').toUtf8());
+  return copy;
+}
+
+void Autosave::remove(Copy copy) {
+  if (!copy.lock) return;
+  QFile::remove(copy.path);
+  QFile::remove(copy.record);
 }
 
 void Autosave::update() {
   const auto document = m_snapshot();
   if (!document) return discard();
-  if (m_record.isEmpty()) {
-    const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
-    QDir().mkpath(m_dataFolder);
-    m_record = m_dataFolder + '/' + id + recordSuffix;
-    m_copy = m_documentPath.isEmpty() ? m_dataFolder + '/' + id + documentSuffix() : m_documentPath + ".autosave";
-    m_lock = std::make_unique<QLockFile>(m_record + ".lock");
-    m_lock->setStaleLockTime(0);
-    m_lock->tryLock();
-    QFile record(m_record);
-    if (record.open(QIODevice::WriteOnly)) record.write((m_copy + '\n' + m_documentPath + '\n').toUtf8());
-  }
+  if (!m_current.lock) m_current = newCopy(m_documentPath.isEmpty() ? Place::dataFolder : Place::besideDocument);
+  if (write(*document)) return;
+  // The document's folder may be read-only or gone; saving will say so when the user asks for it.
+  remove(std::exchange(m_current, newCopy(Place::dataFolder)));
+  write(*document);
+}
+
+bool Autosave::write(const editing::EditDocument& document) const {
   try {
-    editing::writeDocument(*document, m_copy.toStdString());
+    editing::writeDocument(document, m_current.path.toStdString());
+    return true;
   } catch (const Error&) {
-    // The folder may be read-only or gone; saving will say so when the user asks for it.
+    return false;
   }
 }
 
-void Autosave::discard() {
-  if (m_record.isEmpty()) return;
-  QFile::remove(m_copy);
-  QFile::remove(m_record);
-  m_lock.reset();
-  m_record.clear();
-  m_copy.clear();
-}
+void Autosave::discard() { remove(std::exchange(m_current, {})); }
 
 QList<RecoverableWork> Autosave::recoverable(const QString& dataFolder) {
   QList<RecoverableWork> found;

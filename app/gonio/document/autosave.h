@@ -19,7 +19,8 @@ struct RecoverableWork {
 };
 
 /// Writes a copy of a modified document every minute, and removes it when the document is saved or closed normally.
-/// Copies are stored beside their document, those of documents without a file in the user's data folder. A lock file
+/// Copies are stored beside their document, those of documents without a file, or in a folder without write permission,
+/// in the user's data folder. Each has a name of its own, so that several editors can edit one document. A lock file
 /// distinguishes copies of running programs from abandoned ones.
 class Autosave : public QObject {
   Q_OBJECT
@@ -32,12 +33,13 @@ class Autosave : public QObject {
   Autosave(QString dataFolder, Snapshot snapshot, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Sets the document's path; empty if it was never saved. Forgets the copy made so far.
+  /// Sets the document's path; empty if it was never saved. Writes the copy of this document first, if it has unsaved
+  /// changes, and then removes the previous one.
   void setDocumentPath(const QString& path);
   /// Writes the copy now, or removes it if everything is saved.
   void update();
   void discard();
-  QString currentCopy() const { return m_copy; }
+  QString currentCopy() const { return m_current.path; }
 
   /// The copies of programs that no longer run.
   static QList<RecoverableWork> recoverable(const QString& dataFolder);
@@ -45,10 +47,20 @@ class Autosave : public QObject {
   static QString defaultDataFolder();
 
  private:
+  struct Copy {
+    QString path, record;
+    std::unique_ptr<QLockFile> lock;  ///< null: there is no copy
+  };
+  enum class Place { besideDocument, dataFolder };
+  Copy newCopy(Place place) const;
+  /// Writes the document to the current copy. @return false if the file cannot be written.
+  bool write(const editing::EditDocument& document) const;
+  static void remove(Copy copy);
+
   QString m_dataFolder;
   Snapshot m_snapshot;
-  QString m_documentPath, m_copy, m_record;
-  std::unique_ptr<QLockFile> m_lock;
+  QString m_documentPath;
+  Copy m_current;
   QTimer m_timer;
 };
 

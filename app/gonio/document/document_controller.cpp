@@ -55,6 +55,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
       [path, documentPath, stored](const TaskControl& control) {
         Opened opened;
         const std::filesystem::path source = path.toStdString();
+        if (!documentPath.isEmpty()) opened.digest = FileVersions::digest(documentPath);
         if (stored) {
           // A recovered copy names its source as the document that it stands for would.
           const std::string document = (documentPath.isEmpty() ? path : documentPath).toStdString();
@@ -88,6 +89,7 @@ void DocumentController::install(const Opened& opened) {
     if (!opened.stored) {
       m_document.setMaterial(opened.material);
     } else {
+      if (!opened.documentPath.isEmpty()) m_versions.remember(opened.documentPath, opened.digest);
       m_document.setMaterial(opened.material, *opened.stored, opened.documentPath);
       if (opened.recovered) {
         m_document.markUnsaved();
@@ -206,6 +208,7 @@ bool DocumentController::save(const QString& path, const nlohmann::json& view) {
     Q_EMIT failed(tr("Cannot save %1").arg(shortName(path)), QString::fromUtf8(error.what()));
     return false;
   }
+  m_versions.remember(path, FileVersions::digest(path));
   m_document.markSaved(path);
   Q_EMIT saved(path);
   return true;

@@ -6,6 +6,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "app/gonio/document/file_versions.h"
 
 namespace gonio::app {
 
@@ -40,6 +41,8 @@ class DocumentController : public QObject {
   void discardProposal() { m_proposal.reset(); }
   bool isFitting() const;
 
+  /// Whether another program has written to this .gonio file since it was opened or saved here.
+  bool hasChangedOnDisk(const QString& path) const { return m_versions.hasChanged(path); }
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
   /// Pastes edits, transferred to the open material, in place of the edits of the same kinds, in one undo step. Factors
@@ -68,6 +71,7 @@ class DocumentController : public QObject {
     LoadedMaterialPtr material;
     std::optional<editing::EditDocument> stored;
     QString path, documentPath;
+    QByteArray digest;  ///< of the document's file, before it was read; empty without one
     bool recovered = false;
   };
   void start(const QString& path, const QString& documentPath, bool recovered);
@@ -89,6 +93,7 @@ class DocumentController : public QObject {
 
   Document& m_document;
   BackgroundTasks& m_tasks;
+  FileVersions m_versions;
   QString m_opening;
   std::shared_ptr<const Opened> m_changedSource;  ///< waits for openChangedSource()
   std::optional<fitting::FitResult> m_proposal;

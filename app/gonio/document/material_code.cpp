@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QStringList>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -25,7 +26,7 @@ QString number(double value) { return QString::number(value, 'g', 3); }
 
 /// Prepared once, in the background; matrices in single precision, a few MB.
 struct Coder {
-  std::shared_ptr<const materials::NamedEnsemble> dictionary = materials::bundledDictionary();
+  std::shared_ptr<const materials::NamedEnsemble> dictionary = materials::bundledEnsemble();
   dictionary::Encoder encoder{dictionary->ensemble};
 };
 
@@ -51,11 +52,12 @@ QString reason(const dictionary::EncodeResult& encoded) {
 }
 
 QString dictionaryText(const MaterialCode& code) {
-  const char* names[] = {QT_TRANSLATE_NOOP("MaterialCode", "red"), QT_TRANSLATE_NOOP("MaterialCode", "green"),
-                         QT_TRANSLATE_NOOP("MaterialCode", "blue")};
+  static constexpr std::array names{QT_TRANSLATE_NOOP("MaterialCode", "red"),
+                                    QT_TRANSLATE_NOOP("MaterialCode", "green"),
+                                    QT_TRANSLATE_NOOP("MaterialCode", "blue")};
   const auto& channels = code.encoded.code.channels;
   QStringList texts;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
     const int sparsity = code.dictionary->ensemble.dictionaries[std::size_t(channels[c].dictionary)].sparsity;
     texts << MaterialCodeText::tr("%1 no. %2 (learned with %3)")
                  .arg(MaterialCodeText::tr(names[c]))
@@ -97,9 +99,9 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->bytes());
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
-                                              : MaterialCodeText::tr("none (identical values)");
+                                              : MaterialCodeText::tr("BRDF SNR ∞ (identical values)");
   return {
-      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
+      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("log error %1, %2").arg(number(code.logError), snr),
        MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
                             "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
                             "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},

@@ -58,7 +58,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .squareRoot = true};
     default:
       return {.title = FactorColumnText::tr("F3: azimuthal variation"),
-              .label = FactorColumnText::tr("|φ|, azimuth about the mirror direction, degrees: 0 toward the viewer"),
+              .label = FactorColumnText::tr("|φ|, azimuth about the mirror direction, degrees: 0 towards the viewer"),
               .symbol = FactorColumnText::tr("|φ|"),
               .suffix = FactorColumnText::tr("°"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),

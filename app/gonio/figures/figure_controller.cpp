@@ -96,7 +96,7 @@ std::function<void(const FigureMeasurement&)> FigureController::collector() {
 void FigureController::measure() {
   if (isMeasuring()) return;
   m_tasks.run<bool>(
-      {tr("Measuring the figure"), m_measureKey},
+      {tr("Measuring the cells of the figure"), m_measureKey},
       [description = m_description, known = m_known, collect = collector()](const TaskControl& control) {
         measureFigure(description, control, {.known = known, .measured = collect});
         return true;

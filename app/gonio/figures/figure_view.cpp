@@ -141,7 +141,7 @@ QString FigureView::status() const { return m_status->text(); }
 bool FigureView::isSettled() const { return !m_resized.isActive() && !m_maker->isDrawing() && !m_maker->isMeasuring(); }
 
 QString FigureView::restText() const {
-  if (!m_failure.isEmpty()) return tr("Cannot measure the figure: %1").arg(m_failure.section('\n', 0, 0));
+  if (!m_failure.isEmpty()) return tr("Cannot measure the cells of the figure: %1").arg(m_failure.section('\n', 0, 0));
   if (!m_notice.isEmpty()) return m_notice;
   if (m_missing > 0)
     return tr("%1 of %2 cells are not measured. Each takes about two seconds at the default size and number of "

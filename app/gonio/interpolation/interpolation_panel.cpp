@@ -39,7 +39,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_modelLabel(new QLabel(tr("Mo&del"))),
       m_modelBox(new widgets::ModelBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
-      m_keep(new QPushButton(tr("Sa&ve as Material"))) {
+      m_keep(new QPushButton(tr("Open as Ma&terial"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height());
@@ -241,7 +241,7 @@ void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m
 
 void InterpolationPanel::keep() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
-  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Choose a material for every slot first."));
+  if (!blend) return Q_EMIT failed(tr("There is no blend to open"), tr("Choose a material for every slot first."));
   auto source = std::make_shared<editing::BlendSource>();
   source->space = m_space;
   source->model = blend->model;
@@ -249,7 +249,7 @@ void InterpolationPanel::keep() {
   source->weights = m_spaces.ordered(weights());
   source->materials.resize(std::size_t(m_ends.count()));
   for (int i = 0; i < m_ends.count(); ++i) source->materials[m_spaces.order()[std::size_t(i)]] = m_ends.at(i)->source;
-  const QString text = tr("Save %1").arg(description());
+  const QString text = tr("Open %1").arg(description());
   m_tasks.run<LoadedMaterialPtr>(
       {text, keepKey},
       [blend, source](const TaskControl& control) {
@@ -258,7 +258,7 @@ void InterpolationPanel::keep() {
         return measuredMaterial(std::move(material), source, control.between(blendFraction, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot save the blend"), error); });
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot open the blend"), error); });
 }
 
 bool InterpolationPanel::isSettled() const {

@@ -26,7 +26,7 @@ class EnvironmentController : public QObject {
   /// Uses the scene's own light in this and all later scenes.
   void useSceneEnvironment();
   bool isFromScene() const;
-  /// Name or path of the current environment, as for open(); empty: the directional light.
+  /// Name or path of the current environment, as for open(); empty: the distant light.
   QString name() const;
   /// Previously opened pictures, newest first, without bundled ones and without missing files.
   const QStringList& recent() const { return m_recent; }

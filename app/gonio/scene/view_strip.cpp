@@ -139,7 +139,7 @@ void ViewStrip::fillLights() {
   m_lights->clear();
   for (const QString& name : wanted) {
     const QString text = name == own           ? tr("From scene")
-                         : name == directional ? tr("Directional")
+                         : name == directional ? tr("Distant light")
                          : name == file        ? tr("Image (HDR, EXR)...")
                          : name.contains('/')  ? name.section('/', -1)
                                                : sceneTitle(name.toStdString());

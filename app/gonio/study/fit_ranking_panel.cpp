@@ -55,7 +55,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   top->addStretch();
   top->addWidget(m_sheet);
   top->addWidget(m_copy);
-  m_copy->setToolTip(tr("Copies the fits, with every error, as comma-separated text"));
+  m_copy->setToolTip(tr("Copies the fits, with their errors in every metric, as comma-separated text"));
   connect(m_sheet, &QPushButton::clicked, this,
           [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.name(), m_document.material(), m_model)); });
   connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model.csv()); });

@@ -22,8 +22,9 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
   const widgets::PreviewSubject subject{
       widgets::StandaloneModel{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
   return {.name = widgets::toQString(fit.model->spec().name),
-          .numbers =
-              sheetText("SNR %1 dB, %2 parameters").arg(comparisonValue(ranked.renderedSnr)).arg(ranked.parameterCount),
+          .numbers = sheetText("Rendered SNR %1 dB, %2 parameters")
+                         .arg(comparisonValue(ranked.renderedSnr))
+                         .arg(ranked.parameterCount),
           .snr = ranked.renderedSnr,
           .brdf = fit.model->instantiate(fit.parameters),
           .subject = [subject](const TaskControl&) { return subject; }};
@@ -32,7 +33,7 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
 SheetEntry studyEntry(const StudyModel::Studied& studied) {
   const study::StudyRecord& record = studied->record;
   return {.name = QString::fromStdString(record.representation.fullLabel()),
-          .numbers = sheetText("SNR %1 dB, %2, %3 per frame")
+          .numbers = sheetText("Rendered SNR %1 dB, %2, %3 per frame")
                          .arg(comparisonValue(record.renderedSnr),
                               QLocale().formattedDataSize(qint64(record.bytes), 1, QLocale::DataSizeSIFormat),
                               QString::fromStdString(study::shortQuantity(1e-3 * record.frameMilliseconds, "s"))),

@@ -67,7 +67,7 @@ QWidget* StudyPanel::buildChoice() {
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
   m_cost->setToolTip(tr("Cost of the horizontal axis of the plot"));
   m_sheet->setToolTip(tr("The measured representations as images side by side, with error maps"));
-  m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
+  m_copy->setToolTip(tr("Copies all measured values, with the errors in every metric, as comma-separated text"));
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));

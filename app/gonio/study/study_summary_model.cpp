@@ -118,9 +118,9 @@ QVariant StudySummaryModel::data(const QModelIndex& index, int role) const {
 QVariant StudySummaryModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::DisplayRole) {
-    const QString titles[] = {tr("Representation"),  tr("Materials"),      tr("Median SNR [dB]"),
-                              tr("Worst SNR [dB]"),  tr("Worst material"), tr("Size [B]"),
-                              tr("Evaluation [ns]"), tr("Frame [ms]"),     tr("Encoding [s]")};
+    const QString titles[] = {tr("Representation"),          tr("Materials"),      tr("Median rendered SNR [dB]"),
+                              tr("Worst rendered SNR [dB]"), tr("Worst material"), tr("Size [B]"),
+                              tr("Evaluation [ns]"),         tr("Frame [ms]"),     tr("Encoding [s]")};
     return titles[section];
   }
   if (role == Qt::ToolTipRole) {

@@ -69,7 +69,7 @@ void StudySummaryWindow::build() {
   const int widths[] = {17, 5, 8, 7, 9, 4, 7, 5, 6};
   for (int column = 0; column < StudySummaryModel::ColumnCount; ++column)
     m_table->header()->resizeSection(column, std::max(m_table->header()->sectionSizeHint(column), widths[column] * em));
-  m_copy->setToolTip(tr("Copies the table, with every error, as comma-separated text"));
+  m_copy->setToolTip(tr("Copies the table, with the errors in every metric, as comma-separated text"));
   for (QPushButton* button : {m_measure, m_copy}) button->setAutoDefault(false);
   m_status->setTextFormat(Qt::PlainText);
   m_status->setWordWrap(true);
@@ -158,7 +158,7 @@ void StudySummaryWindow::start(std::size_t material) {
   };
   const QString name = QString::fromStdString(m_model.materials()[material]);
   m_tasks.run<bool>(
-      {tr("Studying %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size()), m_key},
+      {tr("Measuring %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size()), m_key},
       [id = m_ids[qsizetype(material)], options, missing = m_model.missing(material)](const TaskControl& control) {
         const materials::Material read = libraryMaterial(id, control);
         study::runStudy({read.tabulated(control), read.brdf}, missing, options, control);

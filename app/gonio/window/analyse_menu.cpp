@@ -59,7 +59,7 @@ void AnalyseMenu::addComparison(ComparisonController& comparison) {
          "the second"));
   const auto update = [&comparison, compare] { compare->setChecked(comparison.comparison().mode != CompareMode::off); };
   connect(&comparison, &ComparisonController::comparisonChanged, this, update);
-  addModes(addMenu(tr("Compare &As")), comparison);
+  addModes(addMenu(tr("Comparison M&ode")), comparison);
   addAction(tr("Compare with &Another Material..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), &comparison,
             &ComparisonController::referenceRequested);
 }

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/document_files.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -61,8 +63,10 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
     updateAutosave();
     if (!path.isEmpty()) m_parts.recent.add(path);
   });
-  connect(controller, &DocumentController::recovered, this,
-          [](const QString& autosavePath) { Autosave::forget(Autosave::defaultDataFolder(), autosavePath); });
+  connect(controller, &DocumentController::recovered, this, [this](const QString& autosavePath) {
+    updateAutosave();  // before the recovered copy goes
+    Autosave::forget(Autosave::defaultDataFolder(), autosavePath);
+  });
   connect(controller, &DocumentController::saved, this, [this](const QString& path) {
     m_autosave.setDocumentPath(path);
     m_parts.recent.add(path);
@@ -70,10 +74,7 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
   connect(controller, &DocumentController::sourceChanged, this, &DocumentFiles::askAboutChangedSource);
 }
 
-void DocumentFiles::updateAutosave() {
-  m_autosave.setDocumentPath(m_parts.document.path());
-  m_autosave.update();
-}
+void DocumentFiles::updateAutosave() { m_autosave.setDocumentPath(m_parts.document.path()); }
 
 void DocumentFiles::open(const QString& path) {
   if (mayDiscard()) m_parts.controller.open(path);
@@ -134,7 +135,24 @@ void DocumentFiles::askAboutChangedSource(const QString& text) {
 
 bool DocumentFiles::save() {
   const QString path = m_parts.document.path();
-  return path.isEmpty() ? saveAs() : m_parts.controller.save(path, viewToJson(m_parts.preview));
+  return path.isEmpty() ? saveAs() : saveAgain(path);
+}
+
+bool DocumentFiles::saveAgain(const QString& path) {
+  if (m_parts.controller.hasChangedOnDisk(path)) {
+    QMessageBox box(QMessageBox::Warning, tr("The document has changed on disk"),
+                    tr("Another program has changed %1 since it was opened or last saved here.").arg(path),
+                    QMessageBox::Cancel, m_window);
+    box.setTextFormat(Qt::PlainText);
+    box.setInformativeText(tr("If you replace the file, the changes made by the other program are lost."));
+    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    QPushButton* elsewhere = box.addButton(tr("Save &As..."), QMessageBox::AcceptRole);
+    box.setDefaultButton(elsewhere);
+    box.exec();
+    if (box.clickedButton() == elsewhere) return saveAs();
+    if (box.clickedButton() != replace) return false;
+  }
+  return m_parts.controller.save(path, viewToJson(m_parts.preview));
 }
 
 bool DocumentFiles::saveAs() {
@@ -165,11 +183,12 @@ void DocumentFiles::saveInLibrary() {
   const QDir folder(m_parts.library.ownFolder());
   const QString path =
       folder.filePath(name.replace(QRegularExpression(QStringLiteral(R"([/\\:*?"<>|])")), "-") + documentSuffix());
-  if (QFileInfo::exists(path) && path != m_parts.document.path() &&
+  const bool isOwn = path == m_parts.document.path();
+  if (!isOwn && QFileInfo::exists(path) &&
       QMessageBox::question(m_window, tr("Save in Library"), tr("Replace %1?").arg(name)) != QMessageBox::Yes)
     return;
   folder.mkpath(QStringLiteral("."));
-  if (saveTo(path)) m_parts.library.addOwn(path);
+  if (isOwn ? saveAgain(path) : saveTo(path)) m_parts.library.addOwn(path);
 }
 
 void DocumentFiles::exportBrdf() {
@@ -220,18 +239,24 @@ void DocumentFiles::askAndSave(const FileSave& save) {
   m_parts.exports.save(withSuffix(path, save.suffix), save);
 }
 
-void DocumentFiles::offerRecovery() {
+QList<RecoverableWork> DocumentFiles::askForRecovery() {
   const QString folder = Autosave::defaultDataFolder();
+  QList<RecoverableWork> wanted;
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
     const QString what = work.originalPath.isEmpty() ? tr("an untitled document") : work.originalPath;
-    const auto answer =
-        QMessageBox::question(m_window, tr("Recover unsaved work"),
-                              tr("Gonio did not exit cleanly. Recover the unsaved changes to %1?").arg(what),
-                              QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
+    const QString time = QLocale().toString(QFileInfo(work.autosavePath).lastModified(), QLocale::ShortFormat);
+    const auto answer = QMessageBox::question(
+        m_window, tr("Recover unsaved work"),
+        tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?").arg(what, time),
+        QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
-    if (answer != QMessageBox::Yes) continue;
-    return m_parts.controller.openRecovered(work.autosavePath, work.originalPath);
+    if (answer == QMessageBox::Yes) wanted << work;
   }
+  return wanted;
+}
+
+void DocumentFiles::recover(const RecoverableWork& work) {
+  m_parts.controller.openRecovered(work.autosavePath, work.originalPath);
 }
 
 }  // namespace gonio::app

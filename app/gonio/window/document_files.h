@@ -61,14 +61,20 @@ class DocumentFiles : public QObject {
   void exportImage();
   /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.
   void askAndSave(const FileSave& save);
-  /// Offers to recover unsaved work of an earlier run.
-  void offerRecovery();
+  /// Asks which unsaved work of earlier runs is to be recovered. @return what the user wants back, newest first.
+  QList<RecoverableWork> askForRecovery();
+  /// Opens a copy of unsaved work, without asking about the open document.
+  void recover(const RecoverableWork& work);
+  /// Writes a copy of unsaved work now, which otherwise happens once a minute.
+  void copyUnsavedWork() { m_autosave.update(); }
   /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @return false if the
   /// document should stay open.
   bool close();
 
  private:
   bool saveTo(const QString& path);
+  /// Saves to the document's own path; asks first if another program has written to the file.
+  bool saveAgain(const QString& path);
   bool mayDiscard();
   bool mayStopExports();
   void askAboutChangedSource(const QString& text);

@@ -31,7 +31,7 @@ QString row(const QString& left, const QString& right) {
 
 /// What the mouse and single widgets do: nothing that an action shows.
 QString gestures() {
-  return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (directional light: move the light)")) +
+  return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (distant light: move the light)")) +
          row(HelpPagesText::tr("Right drag in the preview"), HelpPagesText::tr("orbit; a right click opens the menu")) +
          row(HelpPagesText::tr("Middle drag, Shift + drag in the preview"), HelpPagesText::tr("pan")) +
          row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom to the pointer")) +
@@ -42,7 +42,7 @@ QString gestures() {
          row(HelpPagesText::tr("Arrow keys, Page Up, Page Down"), HelpPagesText::tr("step a slider or a number")) +
          row(HelpPagesText::tr("Typing into a number"), HelpPagesText::tr("arithmetic works: 0.3*2")) +
          row(HelpPagesText::tr("Drag a point of a factor curve, Escape"),
-             HelpPagesText::tr("move the curve, cancel the drag")) +
+             HelpPagesText::tr("move the selected points, cancel the drag")) +
          row(HelpPagesText::tr("Enter in the library"), HelpPagesText::tr("open the material")) +
          row(HelpPagesText::tr("Ctrl + Enter, Shift + Enter in the library"),
              HelpPagesText::tr("compare, interpolate with the material")) +

@@ -18,7 +18,7 @@ LightMenu::LightMenu(EnvironmentController& environment, widgets::PreviewContent
   add(tr("&Studio"), QStringLiteral("studio"));
   add(tr("S&ky"), QStringLiteral("sky"));
   add(tr("&Furnace"), QStringLiteral("furnace"));
-  add(tr("&Directional Light"), {}, QKeySequence(Qt::CTRL | Qt::Key_L));
+  add(tr("&Distant Light"), {}, QKeySequence(Qt::CTRL | Qt::Key_L));
   addSeparator();
   m_afterRecent = addAction(tr("&Open Environment..."), this, &LightMenu::askForFile);
   addSeparator();
@@ -59,10 +59,10 @@ void LightMenu::showRecent() {
 }
 
 void LightMenu::addBackground() {
-  QAction* background = addAction(tr("Show &Background"), this, [this](bool shown) {
+  QAction* background = addAction(tr("Show En&vironment"), this, [this](bool shown) {
     m_preview.setBackground(shown, m_preview.scene().blurBackground);
   });
-  QAction* blur = addAction(tr("Bl&ur Background"), this,
+  QAction* blur = addAction(tr("Bl&ur Environment"), this,
                             [this](bool on) { m_preview.setBackground(on || m_preview.scene().showEnvironment, on); });
   for (QAction* action : {background, blur}) action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, background, blur] {

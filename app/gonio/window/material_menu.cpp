@@ -56,7 +56,7 @@ void MaterialMenu::saveFit(const Document& document) {
   const QString suffix = tableSuffix();
   Q_EMIT saveRequested(
       {tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::toQString(model->spec().name)),
-       tr("MERL tables (*%1)").arg(suffix), suffix,
+       tr("MERL file (*%1)").arg(suffix), suffix,
        [model, fitted = edit->fitted](const std::filesystem::path& path, const TaskControl& control) {
          materials::writeMaterial(
              *bakeTable(*model->instantiate(fitted), HalfDifferenceGrid(), control, editing::bakedAzimuths), path);
@@ -70,7 +70,7 @@ void MaterialMenu::addBlends(const Parts& parts) {
                                      interpolation.begin();
                                    });
   interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
-  QAction* keep = addAction(tr("&Save Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+  QAction* keep = addAction(tr("&Open Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                             &parts.interpolation, &InterpolationPanel::keep);
   keep->setToolTip(tr("Opens the blend of the Interpolation panel as a material; Undo restores the previous material"));
 }

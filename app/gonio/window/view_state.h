@@ -23,7 +23,7 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
 void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view);
 /// The scene of a view; the single sphere if it does not name one.
 QString sceneNameOf(const nlohmann::json& view);
-/// The environment of a view: a bundled name, a path, or empty for the directional light; nullopt if the view does not
+/// The environment of a view: a bundled name, a path, or empty for the distant light; nullopt if the view does not
 /// contain it.
 std::optional<QString> environmentOf(const nlohmann::json& view);
 

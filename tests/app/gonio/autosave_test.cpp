@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/autosave.h"
 
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -24,13 +25,17 @@ class AutosaveTest : public QObject {
  private Q_SLOTS:
   void copiesLieBesideTheDocumentAndGoWithTheSave() {
     const QTemporaryDir folder;
-    Autosave autosave(folder.filePath("data"), [] { return std::optional(work()); });
+    bool unsaved = true;
+    Autosave autosave(folder.filePath("data"), [&] { return unsaved ? std::optional(work()) : std::nullopt; });
     const QString path = folder.filePath("mine.gonio");
     autosave.setDocumentPath(path);
-    autosave.update();
-    QVERIFY(QFile::exists(path + ".autosave"));
+    const QString copy = autosave.currentCopy();
+    QVERIFY(QFile::exists(copy));
+    QCOMPARE(QFileInfo(copy).path(), folder.path());
+    QVERIFY(copy.startsWith(path + '.') && copy.endsWith(".autosave"));
+    unsaved = false;
     autosave.setDocumentPath(path);
-    QVERIFY(!QFile::exists(path + ".autosave"));
+    QVERIFY(!QFile::exists(copy));
     QVERIFY(Autosave::recoverable(folder.filePath("data")).isEmpty());
   }
 
@@ -44,6 +49,29 @@ class AutosaveTest : public QObject {
     unsaved = false;
     autosave.update();
     QVERIFY(!QFile::exists(copy));
+  }
+
+  /// Two editors with one document: neither replaces nor removes the copy of the other.
+  void editorsOfOneDocumentHaveACopyEach() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("mine.gonio");
+    const auto snapshot = [] { return std::optional(work()); };
+    Autosave first(folder.filePath("data"), snapshot), second(folder.filePath("data"), snapshot);
+    first.setDocumentPath(path);
+    second.setDocumentPath(path);
+    QVERIFY(first.currentCopy() != second.currentCopy());
+    first.discard();
+    QVERIFY(QFile::exists(second.currentCopy()));
+  }
+
+  /// Where the document's folder takes no copy, the data folder does.
+  void aCopyOfADocumentInALostFolderIsKept() {
+    const QTemporaryDir folder;
+    const QString data = folder.filePath("data"), path = folder.filePath("gone/mine.gonio");
+    Autosave autosave(data, [] { return std::optional(work()); });
+    autosave.setDocumentPath(path);
+    QCOMPARE(QFileInfo(autosave.currentCopy()).path(), data);
+    QCOMPARE(editing::readDocument(autosave.currentCopy().toStdString()).sourcePath, work().sourcePath);
   }
 
   /// A program that dies leaves its copy; the next one finds it, but not while the first still runs.

@@ -245,6 +245,30 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(editing::readDocument(path.toStdString()).sourceSha256, stored.sourceSha256);
   }
 
+  /// Two editors with one document: the second is asked before it replaces what the first has saved.
+  void aDocumentSavedByAnotherEditorIsNoticed() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("shared.gonio");
+    Editor first, second;
+    first.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(first.document), patienceMilliseconds);
+    QVERIFY(!first.controller.hasChangedOnDisk(path));
+    QVERIFY(first.controller.save(path, {}));
+    second.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(second.document), patienceMilliseconds);
+    QVERIFY(!first.controller.hasChangedOnDisk(path) && !second.controller.hasChangedOnDisk(path));
+
+    setParameter(first.document, int(*modelEdit(first.document)->model->spec().find("roughness")), Rgb(0.3));
+    QVERIFY(first.controller.save(path, {}));
+    QVERIFY(!first.controller.hasChangedOnDisk(path));
+    QVERIFY(second.controller.hasChangedOnDisk(path));
+    QVERIFY(second.controller.save(path, {}));
+    QVERIFY(first.controller.hasChangedOnDisk(path) && !second.controller.hasChangedOnDisk(path));
+    // Nothing is lost by saving a document whose file was removed.
+    QVERIFY(QFile::remove(path));
+    QVERIFY(!first.controller.hasChangedOnDisk(path));
+  }
+
   void aFileThatNobodyReadsIsToldAndChangesNothing() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("poem.binary");

@@ -93,7 +93,8 @@ class FigureMakingTest : public QObject {
     dialog->view().measureButton().click();
     QVERIFY(editor.settled(*dialog));
     const QString status = dialog->view().status();
-    QVERIFY2(status.startsWith("Cannot measure the figure: ") && status.contains("absent.binary"), qPrintable(status));
+    QVERIFY2(status.startsWith("Cannot measure the cells of the figure: ") && status.contains("absent.binary"),
+             qPrintable(status));
     // The cells of the first material are measured nevertheless.
     QCOMPARE(dialog->view().maker().known().missingCells(), std::size_t(2));
   }

@@ -56,7 +56,7 @@ class RepresentationPanelTest : public QObject {
     settle();
     const auto code = m_panel->code();
     QVERIFY(code);
-    const auto dictionary = materials::bundledDictionary();
+    const auto dictionary = materials::bundledEnsemble();
     const dictionary::Encoder encoder(dictionary->ensemble);
     const auto expected = encoder.encode(*m_document.material()->table(), {.coefficients = 32, .quantised = true});
     const auto file = materials::encodeCode(expected.code, dictionary->id);

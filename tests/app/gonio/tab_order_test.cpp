@@ -152,7 +152,7 @@ class TabOrderTest : public QObject {
       for (std::size_t i = 0; i < std::size(order); ++i)
         if ((order[i] == stop || order[i]->isAncestorOf(stop)) && (visited.empty() || visited.back() != i))
           visited.push_back(i);
-    std::ranges::rotate(visited, std::ranges::find(visited, std::size_t(0)));
+    std::rotate(visited.begin(), std::ranges::find(visited, std::size_t(0)), visited.end());
     QCOMPARE(visited, std::vector<std::size_t>({0, 1, 2, 3, 4, 5}));
   }
 

@@ -54,9 +54,9 @@ class ViewStripTest : public QObject {
     choose(strip_->lights(), "Window");
     QTRY_COMPARE(environment_->name(), QString("window"));
     QCOMPARE(strip_->lights().currentText(), QString("Window"));
-    choose(strip_->lights(), "Directional");
+    choose(strip_->lights(), "Distant light");
     QTRY_VERIFY(!preview_->content().scene().environment);
-    QCOMPARE(strip_->lights().currentText(), QString("Directional"));
+    QCOMPARE(strip_->lights().currentText(), QString("Distant light"));
     choose(strip_->lights(), "From scene");
     QCOMPARE(environment_->name(), QString("studio"));
     scene_->open("sphere-distant-light");
@@ -94,7 +94,7 @@ class ViewStripTest : public QObject {
     choose(strip_->scenes(), "Bowl");
     QTRY_COMPARE(preview_->content().scene().name, std::string("bowl"));
     QCOMPARE(strip_->backgrounds().currentText(), QString("Environment, blurred"));
-    choose(strip_->lights(), "Directional");
+    choose(strip_->lights(), "Distant light");
     QTRY_COMPARE(strip_->backgrounds().currentText(), QString("Plain"));
   }
 

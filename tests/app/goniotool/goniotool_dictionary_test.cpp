@@ -138,7 +138,7 @@ class GoniotoolDictionaryTest : public QObject {
   }
 
   /// Over the bundled dictionary: budgets, precisions, a target, and the code as a material of every subcommand.
-  void bundledDictionary() {
+  void bundledEnsemble() {
     const QString code = folder_.path("bundled.code"), single = folder_.path("single.code");
     const ToolResult half = runJson({"encode", merl_, "--bytes", "900", "--out", code});
     VERIFY_SUCCESS(half);

@@ -103,7 +103,7 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(test::contains(errorOf(plan), "from the mirror direction on the curve along it, expected 0"));
     plan = good;
     plan.axes = FactorAxes::halfDifference;
-    QVERIFY(test::contains(errorOf(plan), "degrees on the curve across, expected 60"));
+    QVERIFY(test::contains(errorOf(plan), "degrees on the curve across the mirror direction, expected 60"));
     plan = good;
     plan.plan.samples[4].directions = plan.plan.samples[3].directions;
     QVERIFY(test::contains(errorOf(plan), "sample 5: found the same position on the curve as sample 4"));

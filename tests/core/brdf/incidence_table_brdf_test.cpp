@@ -145,7 +145,7 @@ class IncidenceTableBrdfTest : public QObject {
     const IncidenceTableBrdf brdf(tableOf(
         Axis::mirror, true, [](double, double a, double p) { return p > 0 ? -1 : degrees(a); }, {0.5}, steps(0, 90, 3),
         steps(0, 10, 2)));
-    QCOMPARE(brdf.negativeCount(), std::size_t(9));
+    QCOMPARE(brdf.clampedCount(), std::size_t(9));
     QVERIFY(isClose(brdf.evaluate(fromSpherical(0.5, 0), fromSpherical(0.5, pi)).x, 90));
     QVERIFY(brdf.evaluate(fromSpherical(0.5, 0), aboutMirror(0.5, 1, radians(10))).x < 1e-4);
   }

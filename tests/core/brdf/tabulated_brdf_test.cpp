@@ -69,7 +69,7 @@ class TabulatedBrdfTest : public QObject {
       HalfDifference at = grid.node(i);
       at.thetaH += 1e-9, at.thetaD += 1e-9, at.phiD += 1e-9;
       bool valid = false;
-      const Rgb value = table->lookup(at, TableLookup::nearest, &valid);
+      const Rgb value = table->lookup(at, TableLookup::cell, &valid);
       QCOMPARE(value, Rgb(table->values()[i]));
       QCOMPARE(valid, table->valid()[i] != 0);
     }
@@ -132,7 +132,7 @@ class TabulatedBrdfTest : public QObject {
     bool valid = true;
     QCOMPARE(table->lookup({0.3, 0.4, 0.5, true}, TableLookup::trilinear, &valid), Rgb(0));
     QVERIFY(!valid);
-    QCOMPARE(table->lookup({0.3, 0.4, 0.5, true}, TableLookup::nearest, &valid), Rgb(0));
+    QCOMPARE(table->lookup({0.3, 0.4, 0.5, true}, TableLookup::cell, &valid), Rgb(0));
     QVERIFY(!valid);
     QCOMPARE(table->validCount(), std::size_t(0));
   }
@@ -155,7 +155,7 @@ class TabulatedBrdfTest : public QObject {
     for (int n = 0; n < 1001; ++n) pairs.push_back({test::randomUpper(random), test::randomUpper(random)});
     pairs[3].wi.z = -0.5;
     std::vector<Rgb> values(pairs.size());
-    for (const TableLookup mode : {TableLookup::nearest, TableLookup::trilinear}) {
+    for (const TableLookup mode : {TableLookup::cell, TableLookup::trilinear}) {
       table->evaluate(pairs, values, mode);
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         Rgb one(0);

@@ -179,26 +179,30 @@ class ArtistControlsTest : public QObject {
 
   /// The strength head-on, k F_0, stays; the strength of the edge, k, is multiplied.
   void edgeBrightnessKeepsTheHighlightHeadOn() {
-    for (const auto& [id, reflectance, strength] : {std::tuple{"ggx", "f0", "specular"},
-                                                    {"abc", "index-of-refraction", "a"},
-                                                    {"car-paint", "flakes-f0", "flakes"}}) {
-      const models::Model& model = models::findModel(id);
+    struct Parameters {
+      const char *id, *reflectance, *strength;
+    };
+    for (const Parameters& names : {Parameters{"ggx", "f0", "specular"},
+                                    {"abc", "index-of-refraction", "a"},
+                                    {"car-paint", "flakes-f0", "flakes"}}) {
+      const models::Model& model = models::findModel(names.id);
+      const std::size_t reflectance = index(model, names.reflectance), strength = index(model, names.strength);
       const ParameterValues before = coloured(model);
       const auto headOn = [&](const ParameterValues& p) {
-        const double value = p.values[index(model, reflectance)].x;
-        return p.values[index(model, strength)] * (std::string_view(reflectance) == "index-of-refraction"
-                                                       ? models::normalReflectanceFromIndex(value)
-                                                       : value);
+        const double value = p.values[reflectance].x;
+        return p.values[strength] * (std::string_view(names.reflectance) == "index-of-refraction"
+                                         ? models::normalReflectanceFromIndex(value)
+                                         : value);
       };
       for (const double x : {0.5, 2.0}) {
         const ParameterValues after = changed(model, before, ArtistControl::edgeBrightness, Rgb(x));
         QVERIFY(glm::length(headOn(after) - headOn(before)) < 1e-12 * glm::length(headOn(before)));
-        const Rgb edge = after.values[index(model, strength)] / before.values[index(model, strength)];
+        const Rgb edge = after.values[strength] / before.values[strength];
         QVERIFY(std::abs(edge.x - x) < 1e-9 * x);
       }
       // No darker than head-on: then the reflectance is the same everywhere.
       const ParameterValues dark = changed(model, before, ArtistControl::edgeBrightness, Rgb(0));
-      const Rgb flat = headOn(dark) / dark.values[index(model, strength)];
+      const Rgb flat = headOn(dark) / dark.values[strength];
       QVERIFY(flat.x > 0.99 && flat.x <= 1);
     }
     const models::Model& layered = models::layered();

@@ -84,7 +84,7 @@ class ScatteredFilesTest : public QObject {
         "1.5708,0,0.1,0,1,1,1\n0.1,0,0.1,0,0,0,0\n");
     QCOMPARE(samples.values.size(), std::size_t(2));
     QVERIFY(samples.values[0] == Rgb(0, 2, 0));
-    QCOMPARE(samples.negativeCount, std::size_t(2));
+    QCOMPARE(samples.clampedCount, std::size_t(2));
     QCOMPARE(samples.belowHorizonCount, std::size_t(2));
   }
 

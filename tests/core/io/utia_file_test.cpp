@@ -55,7 +55,7 @@ class UtiaFileTest : public QObject {
     io::expectUtia(io::MemorySource(bytes));
     const auto brdf = read(bytes);
     QVERIFY(!brdf->isIsotropic() && !brdf->isReciprocal());
-    QCOMPARE(brdf->negativeCount(), std::size_t(0));
+    QCOMPARE(brdf->clampedCount(), std::size_t(0));
     std::mt19937_64 random(1);
     for (int i = 0; i < 2000; ++i) {
       const Direction wi = randomMeasured(random), wo = randomMeasured(random);
@@ -135,7 +135,7 @@ class UtiaFileTest : public QObject {
     const std::size_t row = 100, column = 77;
     values[row * UtiaBrdf::directionCount + column] = {-0.5, 1, -1e-30};
     const auto brdf = read(utiaFile(values));
-    QCOMPARE(brdf->negativeCount(), std::size_t(2));
+    QCOMPARE(brdf->clampedCount(), std::size_t(2));
     const Rgb value = brdf->evaluate(utiaDirection(row), utiaDirection(column));
     QVERIFY(glm::length(value - Rgb(0, 1, 0)) < 1e-6);
     for (int channel = 0; channel < 3; ++channel) QVERIFY(value[channel] >= 0);

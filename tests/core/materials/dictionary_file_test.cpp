@@ -143,7 +143,7 @@ class DictionaryFileTest : public QObject {
 
   /// The bundled one is over the grid of MERL tables, and codes over it are materials.
   void codesOverTheBundledDictionaryOpen() {
-    const auto dictionary = materials::bundledDictionary();
+    const auto dictionary = materials::bundledEnsemble();
     QVERIFY(dictionary->ensemble.grid == HalfDifferenceGrid());
     QVERIFY(orthonormalityError(dictionary->ensemble) < 1e-10);
     QVERIFY(!dictionary->ensemble.learnedFrom.empty());

@@ -44,7 +44,7 @@ Bytes fileOf(FormatId id) {
   }
   dictionary::SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
   for (dictionary::ChannelCode& channel : code.channels) channel.coefficients = {{0, 30.0f}};
-  return materials::encodeCode(code, materials::bundledDictionary()->id);
+  return materials::encodeCode(code, materials::bundledEnsemble()->id);
 }
 
 std::shared_ptr<const TabulatedBrdf> greyTable(const HalfDifferenceGrid& grid) {

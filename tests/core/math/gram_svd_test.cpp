@@ -52,7 +52,7 @@ class GramSvdTest : public QObject {
     QVERIFY((svd.v.transpose() * svd.v - Eigen::MatrixXd::Identity(12, 12)).norm() < 1e-13);
     const Eigen::MatrixXd product = svd.u.view().cast<double>() * svd.singularValues.asDiagonal() * svd.v.transpose();
     QVERIFY((product - wide).norm() < 1e-6 * wide.norm());
-    for (Eigen::Index c = 0; c < 12; ++c) QVERIFY(svd.v.col(c).maxCoeff() >= -svd.v.col(c).minCoeff());
+    for (Eigen::Index c = 0; c < 12; ++c) QVERIFY(svd.v.col(c).maxCoeff() >= -0.5 * svd.v.col(c).minCoeff());
   }
 
   void strongestComponentsOnly() {

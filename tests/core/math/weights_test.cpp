@@ -42,8 +42,8 @@ class WeightsTest : public QObject {
   }
 
   void theWholeWeightIsFound() {
-    QCOMPARE(wholeWeight(std::vector<double>{0, 0, 1}), std::optional<std::size_t>(2));
-    QVERIFY(!wholeWeight(std::vector<double>{0.5, 0.5}));
+    QCOMPARE(indexOfFullWeight(std::vector<double>{0, 0, 1}), std::optional<std::size_t>(2));
+    QVERIFY(!indexOfFullWeight(std::vector<double>{0.5, 0.5}));
   }
 };
 

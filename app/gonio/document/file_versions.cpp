@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/file_versions.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+namespace gonio::app {
+
+namespace {
+QString keyOf(const QString& path) { return QFileInfo(path).absoluteFilePath(); }
+}  // namespace
+
+QByteArray FileVersions::digest(const QString& path) {
+  QFile file(path);
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();
+}
+
+void FileVersions::remember(const QString& path, const QByteArray& digest) { m_digests[keyOf(path)] = digest; }
+
+bool FileVersions::hasChanged(const QString& path) const {
+  const auto known = m_digests.constFind(keyOf(path));
+  if (known == m_digests.constEnd()) return false;
+  const QByteArray current = digest(path);
+  return !current.isEmpty() && current != *known;
+}
+
+}  // namespace gonio::app
