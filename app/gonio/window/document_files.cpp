@@ -141,10 +141,10 @@ bool DocumentFiles::save() {
 bool DocumentFiles::saveAgain(const QString& path) {
   if (m_parts.controller.hasChangedOnDisk(path)) {
     QMessageBox box(QMessageBox::Warning, tr("The document has changed on disk"),
-                    tr("Another program has changed %1 since it was opened or last saved here.").arg(path),
+                    tr("Another program or window has changed %1 since it was opened or last saved here.").arg(path),
                     QMessageBox::Cancel, m_window);
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("If you replace the file, the changes made by the other program are lost."));
+    box.setInformativeText(tr("If you replace the file, the changes made there are lost."));
     const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
     QPushButton* elsewhere = box.addButton(tr("Save &As..."), QMessageBox::AcceptRole);
     box.setDefaultButton(elsewhere);
