@@ -46,6 +46,18 @@ QString exportFolder(const materials::Material& material) {
   return folder == QDir::homePath() && source.isFile() ? source.absolutePath() : folder;
 }
 
+/// The document's path, or the material of a document that was never saved.
+QString nameOfWork(const RecoverableWork& work) {
+  if (!work.originalPath.isEmpty()) return work.originalPath;
+  try {
+    const editing::EditDocument stored = editing::readDocument(work.autosavePath.toStdString());
+    if (!stored.blend) return materialName(QString::fromStdString(stored.sourcePath));
+  } catch (const Error&) {
+    // Opening the copy will say what is wrong with it.
+  }
+  return DocumentFiles::tr("an untitled document");
+}
+
 }  // namespace
 
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
@@ -243,12 +255,12 @@ QList<RecoverableWork> DocumentFiles::askForRecovery() {
   const QString folder = Autosave::defaultDataFolder();
   QList<RecoverableWork> wanted;
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
-    const QString what = work.originalPath.isEmpty() ? tr("an untitled document") : work.originalPath;
     const QString time = QLocale().toString(QFileInfo(work.autosavePath).lastModified(), QLocale::ShortFormat);
-    const auto answer = QMessageBox::question(
-        m_window, tr("Recover unsaved work"),
-        tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?").arg(what, time),
-        QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
+    const auto answer =
+        QMessageBox::question(m_window, tr("Recover unsaved work"),
+                              tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?")
+                                  .arg(nameOfWork(work), time),
+                              QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
     if (answer == QMessageBox::Yes) wanted << work;
   }
