@@ -31,6 +31,7 @@ test_with() {
   "$@" --test-dir "build/$preset" --output-on-failure --timeout 3000 -j 2 || failed="$failed $preset"
 }
 failed=
+export QTEST_FUNCTION_TIMEOUT=3000000  # ms; five minutes without
 
 [ $# -gt 0 ] || set -- address threads
 for kind in "$@"; do

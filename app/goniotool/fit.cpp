@@ -75,7 +75,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
     json["trials"] = trials;
     heading = "gamma " + number(trials[0]["gamma"].get<double>()) + " gives the highest rendered SNR in " +
               comparisonSceneName + "\n";
-  } else if (options.metric == metricName(metrics::BrdfMetric::gamma)) {
+  } else if (options.metric == metricId(metrics::BrdfMetric::gamma)) {
     json["gamma"] = options.fitOptions().gamma;
   }
   print(tool, json, heading + text(result));
@@ -85,7 +85,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
 std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::BrdfMetric metric) {
   char line[160];
   std::snprintf(line, sizeof line, "%4s  %-34s %14s %17s %11s %9s\n", "", "model",
-                std::string(metrics::metricName(metric)).c_str(), "rendered SNR [dB]", "parameters", "time [s]");
+                std::string(metrics::metricId(metric)).c_str(), "rendered SNR [dB]", "parameters", "time [s]");
   std::string text = line;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
     const study::RankedFit& row = ranking[i];
@@ -117,7 +117,7 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
 
 void checkGamma(const FitArguments& options) {
   if (options.gamma.empty()) return;
-  if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma needs --metric gamma");
+  if (options.metric != metricId(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma needs --metric gamma");
   if (options.gamma == chooseGamma) {
     if (options.all) throw UsageError("fit: --gamma auto works for one model only; give --model");
     return;
@@ -148,8 +148,8 @@ void addFit(CLI::App& app, Tool& tool) {
   command->add_option("--model", options->model, "Model to fit")->check(CLI::IsMember(modelIds()));
   command->add_flag("--all", options->all, "Fit and rank all models");
   std::vector<std::string> metricNames, orders;
-  for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricName(metric));
-  for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricName(metric));
+  for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricId(metric));
+  for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricId(metric));
   orders.emplace_back(bySnr);
   command->add_option("--metric", options->metric, "Metric to minimise, see Metrics in docs/command-line.md (log)")
       ->check(CLI::IsMember(metricNames));

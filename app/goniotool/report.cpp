@@ -75,7 +75,7 @@ Json rgbJson(const Rgb& value) { return {value.x, value.y, value.z}; }
 Json errorsJson(const std::vector<double>& errors) {
   Json json = Json::object();
   const auto metrics = metrics::allBrdfMetrics();
-  for (std::size_t i = 0; i < errors.size(); ++i) json[std::string(metrics::metricName(metrics[i]))] = errors[i];
+  for (std::size_t i = 0; i < errors.size(); ++i) json[std::string(metrics::metricId(metrics[i]))] = errors[i];
   return json;
 }
 

@@ -50,8 +50,8 @@ class Brdf {
   virtual double samplingCost() const { return 1; }
 
   /// Importance sampling: samples a direction of light wi for the viewer wo (z > 0) with the density pdf(), which is
-  /// roughly proportional to the value times cos theta_i. `u`: three numbers in [0, 1), one to select the lobe and two
-  /// for the direction. The result is above the horizon with a positive density, or a failed sample with density 0.
+  /// roughly proportional to the value times cos theta_i. `u` in [0, 1)^3: u.x selects the lobe, u.y and u.z the
+  /// direction. The result is above the horizon with a positive density, or a failed sample with density 0.
   /// Default: cosine-weighted.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of samples that do not fail;

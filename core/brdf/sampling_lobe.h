@@ -13,8 +13,7 @@ struct SamplingLobe {
   double roughness = 0.3;         ///< GGX alpha, [1e-3, 1]
   double specularFraction = 0.5;  ///< fraction of samples taken from the lobe, [0, 0.95]
 
-  /// Samples wi for a viewer wo (z > 0). `u`: three numbers in [0, 1), one to select the part and two for the
-  /// direction.
+  /// Samples wi for a viewer wo (z > 0). `u` in [0, 1)^3: u.x selects the part, u.y and u.z the direction.
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   /// Density of sample() at wi, 1/sr; 0 below the horizon.
   double pdf(const Direction& wi, const Direction& wo) const;

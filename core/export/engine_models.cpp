@@ -46,7 +46,7 @@ struct UnityFormula {
     const double diffuse = renormalised * scattered(g.cosI) * scattered(g.cosO) / pi;
     const Rgb f0 = glm::mix(Rgb(dielectricF0), v.baseColour, v.metalness);
     return (1 - v.metalness) * diffuse * v.baseColour +
-           correlatedGgx(g, GgxWidths(v.roughness * v.roughness)) * glm::mix(f0, Rgb(1), schlickWeight(g.cosD));
+           correlatedGgx(g, GgxAlpha(v.roughness * v.roughness)) * glm::mix(f0, Rgb(1), schlickWeight(g.cosD));
   }
 };
 

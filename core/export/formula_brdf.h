@@ -51,11 +51,11 @@ std::unique_ptr<const Brdf> makeFormulaBrdf(Formula formula, const FormulaTraits
 }
 
 /// GGX alpha along the formula's x and y axis, > 0.
-struct GgxWidths {
+struct GgxAlpha {
   double x, y;
 
-  explicit GgxWidths(double alpha) : x(alpha), y(alpha) {}
-  GgxWidths(double alphaX, double alphaY) : x(alphaX), y(alphaY) {}
+  explicit GgxAlpha(double alpha) : x(alpha), y(alpha) {}
+  GgxAlpha(double alphaX, double alphaY) : x(alphaX), y(alphaY) {}
   bool isotropic() const { return x == y; }
   /// The isotropic alpha with about the same peak.
   double mean() const { return std::sqrt(x * y); }
@@ -65,16 +65,16 @@ struct GgxWidths {
 /// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99), without the Fresnel term. Finite at the horizon.
 /// O(1).
 /// @param masking alpha of G_2, where it differs from that of D.
-inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha, const GgxWidths& masking) {
+inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha, const GgxAlpha& masking) {
   const double i = ggxCosineOverG1(g.wi, masking.x, masking.y), o = ggxCosineOverG1(g.wo, masking.x, masking.y);
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
 }
-inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
+inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha) {
   return correlatedGgx(g, alpha, alpha);
 }
 /// The same with the separable term G_1(i) G_1(o) (Walter et al. 2007, "Microfacet Models for Refraction through Rough
 /// Surfaces", eq. 23 and 34).
-inline double separableGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
+inline double separableGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha) {
   const double i = ggxCosineOverG1(g.wi, alpha.x, alpha.y), o = ggxCosineOverG1(g.wo, alpha.x, alpha.y);
   return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (i * o);
 }

@@ -25,12 +25,12 @@ constexpr SurfaceLimit gltfLimits[] = {
 
 struct GltfFormula {
   SurfaceValues v;
-  GgxWidths alpha, coatAlpha;
+  GgxAlpha alpha, coatAlpha;
 
   explicit GltfFormula(const SurfaceValues& values) : v(values), alpha(1), coatAlpha(1) {
     const double a = std::max(gltfMinAlpha, v.roughness * v.roughness);
-    alpha = GgxWidths(glm::mix(a, 1.0, v.anisotropy * v.anisotropy), a);
-    coatAlpha = GgxWidths(std::max(gltfMinAlpha, v.coatRoughness * v.coatRoughness));
+    alpha = GgxAlpha(glm::mix(a, 1.0, v.anisotropy * v.anisotropy), a);
+    coatAlpha = GgxAlpha(std::max(gltfMinAlpha, v.coatRoughness * v.coatRoughness));
   }
 
   Rgb operator()(const models::SurfaceGeometry& g) const {

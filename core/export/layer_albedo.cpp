@@ -60,7 +60,7 @@ GgxAlbedo integrateGgx(double cosine, double alpha) {
     const Direction wi = lobe.sample(wo, {(column + 0.5) / strata, (row + 0.5) / strata});
     models::SurfaceGeometry g;
     if (!models::surfaceGeometry({wi, wo}, g)) continue;
-    const double weight = correlatedGgx(g, GgxWidths(alpha)) * wi.z / lobe.density(wi, wo), s = schlickWeight(g.cosD);
+    const double weight = correlatedGgx(g, GgxAlpha(alpha)) * wi.z / lobe.density(wi, wo), s = schlickWeight(g.cosD);
     sum.normal += weight * (1 - s);
     sum.edge += weight * s;
   }

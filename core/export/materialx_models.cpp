@@ -27,8 +27,8 @@ struct MtlxLobe {
   double value;
   GgxAlbedo albedo;
 
-  MtlxLobe(const models::SurfaceGeometry& g, const GgxWidths& alpha)
-      : value(correlatedGgx(g, alpha, GgxWidths(alpha.mean()))), albedo(ggxAlbedo(g.cosO, alpha.mean())) {}
+  MtlxLobe(const models::SurfaceGeometry& g, const GgxAlpha& alpha)
+      : value(correlatedGgx(g, alpha, GgxAlpha(alpha.mean()))), albedo(ggxAlbedo(g.cosO, alpha.mean())) {}
   double compensated(double fresnel) const { return value * fresnel * scatteringCompensation(albedo, fresnel); }
   Rgb compensated(const Rgb& f) const { return {compensated(f.x), compensated(f.y), compensated(f.z)}; }
 };
@@ -38,7 +38,7 @@ struct DielectricLayer {
   double value;
   double passed;  ///< what the layer lets through for this viewer
 
-  DielectricLayer(const models::SurfaceGeometry& g, double ior, const GgxWidths& alpha) {
+  DielectricLayer(const models::SurfaceGeometry& g, double ior, const GgxAlpha& alpha) {
     const MtlxLobe lobe(g, alpha);
     const double fresnel = models::fresnelDielectric(g.cosD, ior);
     value = lobe.compensated(fresnel);
@@ -50,7 +50,7 @@ struct DielectricLayer {
 struct OpenPbrFormula {
   static constexpr double coatIor = 1.6;
   SurfaceValues v;
-  GgxWidths alpha, coatAlpha;
+  GgxAlpha alpha, coatAlpha;
   double ior;
   Rgb darkening;
 
@@ -58,8 +58,8 @@ struct OpenPbrFormula {
     const double r4 = std::pow(v.roughness, 4), coat4 = std::pow(v.coatRoughness, 4);
     const double roughness = glm::mix(v.roughness, std::pow(std::min(1.0, r4 + 2 * coat4), 0.25), v.coat);
     const double narrow = 1 - v.anisotropy, wide = roughness * roughness * std::sqrt(2 / (1 + narrow * narrow));
-    alpha = GgxWidths(peakWidth(wide), peakWidth(wide * narrow));
-    coatAlpha = GgxWidths(peakWidth(v.coatRoughness * v.coatRoughness));
+    alpha = GgxAlpha(peakWidth(wide), peakWidth(wide * narrow));
+    coatAlpha = GgxAlpha(peakWidth(v.coatRoughness * v.coatRoughness));
     const double ratio = v.ior / coatIor;
     ior = glm::mix(v.ior, ratio > 1 ? ratio : 1 / ratio, v.coat);
     const double inside = 1 - (1 - models::normalReflectanceFromIndex(coatIor)) / (coatIor * coatIor);
@@ -80,13 +80,13 @@ struct OpenPbrFormula {
 struct StandardSurfaceFormula {
   static constexpr double coatIor = 1.5, maxReflectivity = 0.99;
   SurfaceValues v;
-  GgxWidths alpha, coatAlpha;
+  GgxAlpha alpha, coatAlpha;
   models::ComplexIndex index[3];
 
   explicit StandardSurfaceFormula(const SurfaceValues& values) : v(values), alpha(1), coatAlpha(1) {
     const double squared = v.roughness * v.roughness, aspect = std::sqrt(std::max(1e-4, 1 - v.anisotropy));
-    alpha = GgxWidths(peakWidth(squared / aspect), peakWidth(squared * aspect));
-    coatAlpha = GgxWidths(peakWidth(v.coatRoughness * v.coatRoughness));
+    alpha = GgxAlpha(peakWidth(squared / aspect), peakWidth(squared * aspect));
+    coatAlpha = GgxAlpha(peakWidth(v.coatRoughness * v.coatRoughness));
     for (int c = 0; c < 3; ++c)
       index[c] = models::indexFromEdgeTint(std::min(maxReflectivity, v.baseColour[c]), v.specularColour[c]);
   }

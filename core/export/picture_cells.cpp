@@ -94,7 +94,7 @@ void PictureCells::weighViewer(std::size_t viewer, std::span<const double> value
   }
 }
 
-void PictureCells::weigh(std::span<const double> values, std::span<double> residuals) const {
+void PictureCells::computeResiduals(std::span<const double> values, std::span<double> residuals) const {
   for (std::size_t viewer = 0; viewer < viewers_; ++viewer)
     weighViewer(viewer, values.subspan(viewer * nodes_.size(), nodes_.size()),
                 residuals.subspan(viewer * patches_, patches_));

@@ -32,7 +32,7 @@ class PictureCells {
   std::size_t residualsOfViewer() const { return patches_; }
 
   /// Computes the residuals of one channel. @param values at the pairs, 1/sr, without the cosine.
-  void weigh(std::span<const double> values, std::span<double> residuals) const;
+  void computeResiduals(std::span<const double> values, std::span<double> residuals) const;
   /// The residuals of red, then green, then blue: 3 residualCount(). Parallel.
   std::vector<double> residualsOf(const Brdf& brdf) const;
   /// residualsOf(), but of the mean over 16 azimuths if the cells are isotropic and the material is not.

@@ -21,13 +21,13 @@ constexpr SurfaceLimit principledLimits[] = {
 
 struct PrincipledFormula {
   SurfaceValues v;
-  GgxWidths alpha;
+  GgxAlpha alpha;
   Rgb f0;
   double ior;  ///< of the Fresnel term's rise
 
   explicit PrincipledFormula(const SurfaceValues& values) : v(values), alpha(1) {
     const double aspect = std::sqrt(1 - 0.9 * v.anisotropy), squared = v.roughness * v.roughness;
-    alpha = GgxWidths(squared / aspect, squared * aspect);
+    alpha = GgxAlpha(squared / aspect, squared * aspect);
     const double grey = 0.3 * v.baseColour.x + 0.6 * v.baseColour.y + 0.1 * v.baseColour.z;
     const Rgb hue = grey > 0 ? v.baseColour / grey : Rgb(1);
     f0 = glm::mix(0.08 * v.specular * glm::mix(Rgb(1), hue, v.specularTint), v.baseColour, v.metalness);

@@ -31,7 +31,7 @@ class LobeProblem {
   }
 
   /// Columns of F_0 and F_90.
-  LinearMatrix lobeColumns(const GgxWidths& alpha, double rotation) const {
+  LinearMatrix lobeColumns(const GgxAlpha& alpha, double rotation) const {
     return columns(
         [alpha](const models::SurfaceGeometry& g) {
           const double lobe = correlatedGgx(g, alpha), edge = schlickWeight(g.cosD);
@@ -85,7 +85,7 @@ std::vector<double> greedyWidths(const LobeProblem& problem, std::size_t count, 
   for (std::size_t j = 0; j < widthCandidates; ++j) {
     control.throwIfStopped();
     alphas[j] = widestAlpha * std::pow(sharpestAlpha / widestAlpha, double(j) / double(widthCandidates - 1));
-    lobes.push_back(problem.lobeColumns(GgxWidths(alphas[j]), 0));
+    lobes.push_back(problem.lobeColumns(GgxAlpha(alphas[j]), 0));
   }
   const LinearMatrix all = problem.withLambert(lobes);
   const LinearMatrix normal = all.transpose() * all, right = all.transpose() * problem.target();
@@ -117,8 +117,8 @@ struct WidthCoding {
   std::size_t lobes;
   bool isotropic;
 
-  GgxWidths widths(std::span<const double> x, std::size_t lobe) const {
-    return isotropic ? GgxWidths(std::exp(x[lobe])) : GgxWidths(std::exp(x[2 * lobe]), std::exp(x[2 * lobe + 1]));
+  GgxAlpha widths(std::span<const double> x, std::size_t lobe) const {
+    return isotropic ? GgxAlpha(std::exp(x[lobe])) : GgxAlpha(std::exp(x[2 * lobe]), std::exp(x[2 * lobe + 1]));
   }
   double rotation(std::span<const double> x) const { return isotropic || lobes == 0 ? 0 : x.back(); }
 

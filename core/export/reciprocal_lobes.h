@@ -16,7 +16,7 @@ namespace gonio::exports {
 /// Reciprocal; energy conservation is not enforced.
 struct ReciprocalLobes {
   struct Lobe {
-    GgxWidths alpha{1};
+    GgxAlpha alpha{1};
     Rgb normal{0};  ///< F_0, >= 0
     /// F_90, >= 0; above 1 if the measurement increases more toward grazing angles than a Fresnel term can.
     Rgb edge{0};

@@ -83,7 +83,7 @@ LinearMatrix lobeColumns(const PictureCells& cells, std::span<const double> alph
   LinearMatrix columns(Eigen::Index(cells.residualCount()), Eigen::Index(alphas.size() + 1));
   std::vector<double> values(cells.pairs().size());
   const auto weigh = [&](Eigen::Index column) {
-    cells.weigh(values, {columns.col(column).data(), cells.residualCount()});
+    cells.computeResiduals(values, {columns.col(column).data(), cells.residualCount()});
   };
   std::ranges::fill(values, 1 / pi);
   weigh(0);

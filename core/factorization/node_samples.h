@@ -43,11 +43,11 @@ struct NodeReadings {
   bool valid = true;
 };
 
-/// Samples a table. @param seconds, thirds numbers of nodes of the second and third axis. @param readingsOf callable
-/// with the indices on the three axes (theta_h first), returns NodeReadings. @throws Cancelled.
+/// Samples a table. @param secondCount, thirdCount numbers of nodes of the second and third axis. @param readingsOf
+/// callable with the indices on the three axes (theta_h first), returns NodeReadings. @throws Cancelled.
 template <typename Axes, typename ReadingsOf>
-NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t seconds, std::size_t thirds,
-                              const ReadingsOf& readingsOf, const TaskControl& control) {
+NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t secondCount,
+                              std::size_t thirdCount, const ReadingsOf& readingsOf, const TaskControl& control) {
   // The last nodes lie exactly on the limit.
   const double smallestCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
   NodeSamples<Axes> samples = emptySamples(axes);
@@ -70,8 +70,9 @@ NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std:
   };
   parallelForBlocks(axes.thetaH.size(), 1,
                     [&](std::size_t h, std::size_t) {
-                      for (std::size_t s = 0; s < seconds; ++s)
-                        for (std::size_t t = 0; t < thirds; ++t) sampleNode(axes.index(h, s, t), readingsOf(h, s, t));
+                      for (std::size_t s = 0; s < secondCount; ++s)
+                        for (std::size_t t = 0; t < thirdCount; ++t)
+                          sampleNode(axes.index(h, s, t), readingsOf(h, s, t));
                     },
                     {.stop = control.stop});
   return samples;

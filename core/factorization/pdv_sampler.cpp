@@ -101,7 +101,7 @@ std::size_t DeviationRows::binOf(double deviation) const {
   return std::size_t(above - edges_.begin()) - 1;
 }
 
-std::size_t DeviationRows::draw(double thetaR, double u) const {
+std::size_t DeviationRows::sampleBin(double thetaR, double u) const {
   const NodeInterval at = findInterval(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1), last = double(bins());
   // A black row has nothing to give: only the other one is sampled.
@@ -144,7 +144,7 @@ DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) con
     wi = CosineLobe().sample(wo, {u.y, u.z});
     wi.z = std::max(wi.z, smallestSampledCosine);
   } else {
-    const std::size_t bin = rows_.draw(viewer.theta, (u.x - cosine) / (1 - cosine));
+    const std::size_t bin = rows_.sampleBin(viewer.theta, (u.x - cosine) / (1 - cosine));
     const double deviation = deviationIn(rows_.low(bin), rows_.high(bin, viewer.sine), u.y);
     wi = directionAbove(viewer.pointAt(deviation, azimuthLimit(deviation, viewer.sine) * (2 * u.z - 1)));
   }

@@ -20,7 +20,7 @@ class DeviationRows {
   DeviationRows(const Brdf& brdf, const std::vector<double>& thetaNodes, const std::vector<double>& edges, Ring ring);
 
   /// Samples a bin. @param u in [0, 1); selects the row and the bin.
-  std::size_t draw(double thetaR, double u) const;
+  std::size_t sampleBin(double thetaR, double u) const;
   /// The probability of a bin.
   double probability(double thetaR, std::size_t bin) const;
   /// Total weight of rows without energy (black) in the interpolation for a viewer; 1 if no bin can be sampled.

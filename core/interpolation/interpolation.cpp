@@ -30,9 +30,9 @@ std::optional<models::ParameterValues> Interpolation::parameters(std::span<const
   return blendedParameters(weights);
 }
 
-std::vector<DifferentialEdit> Interpolation::moves(std::span<const double> weights) const {
+std::vector<DifferentialEdit> Interpolation::differentialEdits(std::span<const double> weights) const {
   checkWeights(weights, materials());
-  return movesTo(weights);
+  return blendedEdits(weights);
 }
 
 std::optional<factorization::PdvFactors> Interpolation::factors(std::span<const double> weights) const {

@@ -105,16 +105,16 @@ class Interpolation {
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
   /// One edit per material, which changes its fitted parameters to the blended ones, in `differential`: the blend is
   /// the weighted sum of the edited materials.
-  std::vector<DifferentialEdit> moves(std::span<const double> weights) const;
+  std::vector<DifferentialEdit> differentialEdits(std::span<const double> weights) const;
   /// The blended curves, in `factors`.
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;
   /// The blended code, in `dictionary`. Takes about 100 ms if the codes use different dictionaries.
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
-  /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply moves() to the tables
-  /// before mixing. In `dictionary` they contain all coefficients. About 50 ms and 18 MB per material. Differences from
-  /// brdf(): no limit on the number of coefficients, bounds of the codes per material instead of the blend, single
-  /// precision.
+  /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply differentialEdits() to the
+  /// tables before mixing. In `dictionary` they contain all coefficients. About 50 ms and 18 MB per material.
+  /// Differences from brdf(): no limit on the number of coefficients, bounds of the codes per material instead of the
+  /// blend, single precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
  protected:
@@ -129,7 +129,7 @@ class Interpolation {
 
   // For any weights.
   virtual std::optional<models::ParameterValues> blendedParameters(std::span<const double>) const { return {}; }
-  virtual std::vector<DifferentialEdit> movesTo(std::span<const double>) const { return {}; }
+  virtual std::vector<DifferentialEdit> blendedEdits(std::span<const double>) const { return {}; }
   virtual std::optional<factorization::PdvFactors> blendedFactors(std::span<const double>) const { return {}; }
   virtual std::optional<dictionary::SparseCode> blendedCode(std::span<const double>) const { return {}; }
 

@@ -39,7 +39,7 @@ class DifferentialInterpolation final : public ParameterInterpolation {
       : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
-  std::vector<DifferentialEdit> movesTo(std::span<const double> weights) const override {
+  std::vector<DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
     const ParameterValues target = blendedParameters(weights).value();
     std::vector<DifferentialEdit> edits;
     for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
@@ -47,12 +47,12 @@ class DifferentialInterpolation final : public ParameterInterpolation {
   }
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     std::vector<std::shared_ptr<const Brdf>> moved;
-    for (DifferentialEdit& move : movesTo(weights))
+    for (DifferentialEdit& move : blendedEdits(weights))
       moved.push_back(applyEdits(ends()[moved.size()].material(), EditList{{std::move(move)}}));
     return weightedSum(std::move(moved), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
-    const std::vector<DifferentialEdit> edits = movesTo(weights);
+    const std::vector<DifferentialEdit> edits = blendedEdits(weights);
     std::vector<Table> moved = sameGrid_;
     for (std::size_t i = 0; i < materials(); ++i) {
       if (!(weights[i] > 0)) continue;

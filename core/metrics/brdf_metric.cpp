@@ -132,7 +132,7 @@ std::span<const MetricRecord> metricRecords() { return records; }
 const MetricRecord& metricRecord(BrdfMetric metric) { return records[static_cast<std::size_t>(metric)]; }
 std::span<const BrdfMetric> allBrdfMetrics() { return metrics; }
 std::span<const BrdfMetric> minimisableMetrics() { return std::span(metrics).first(minimisableCount); }
-std::string_view metricName(BrdfMetric metric) { return metricRecord(metric).id; }
+std::string_view metricId(BrdfMetric metric) { return metricRecord(metric).id; }
 
 BrdfMetric metricByName(std::string_view name) {
   std::string known;

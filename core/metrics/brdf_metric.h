@@ -13,20 +13,20 @@ namespace gonio::metrics {
 /// them. Not included: the neural quality metric of Kavoosighafi et al. 2025, which requires the weights of its
 /// network.
 enum class BrdfMetric {
-  log,
-  cosineL2,
-  cubeRoot,
-  meanAbsoluteLog,
-  bieronPeersLog,
-  gamma,
-  logRelative,
-  rms,
-  cosineCubeRoot,  ///< factor cos theta_i, power 2/3
-  projectedRms,
-  meanAbsolute,
-  cosinesCubeRoot,  ///< factor max(cos theta_i cos theta_o, logRelativeOffset), power 2/3
-  meanAbsoluteLogRelative,
-  lab
+  log,                      ///< sqrt mean(d^2), d: difference of ln(1 + rho cos theta_i)
+  cosineL2,                 ///< sqrt mean(d^2), d: difference of rho cos theta_i
+  cubeRoot,                 ///< sqrt mean(d^2), d: difference of (rho cos theta_i)^(1/3)
+  meanAbsoluteLog,          ///< mean(|d|), d as for `log`
+  bieronPeersLog,           ///< sqrt mean(d^2 cos theta_o), d as for `log`
+  gamma,                    ///< sqrt mean(d^2), d: difference of (rho cos theta_i)^(1/g)
+  logRelative,              ///< sqrt mean(d^2), d: difference of ln(rho c + e), c = max(cos theta_i cos theta_o, e)
+  rms,                      ///< sqrt mean(d^2), d: difference of rho
+  cosineCubeRoot,           ///< sqrt mean(|d|^(2/3)), d as for `cosineL2`
+  projectedRms,             ///< sqrt mean(d^2 cos theta_o), d as for `rms`
+  meanAbsolute,             ///< mean(|d|), d as for `rms`
+  cosinesCubeRoot,          ///< mean(|d|^(2/3)), d: difference of rho c
+  meanAbsoluteLogRelative,  ///< mean(|d|), d as for `logRelative`
+  lab                       ///< sqrt mean(Delta E^2 cos theta_i cos theta_o), Delta E of CIE 1976
 };
 
 /// The factor of a BRDF value before the comparison.
@@ -78,7 +78,7 @@ std::span<const BrdfMetric> allBrdfMetrics();
 std::span<const BrdfMetric> minimisableMetrics();
 
 /// MetricRecord::id.
-std::string_view metricName(BrdfMetric metric);
+std::string_view metricId(BrdfMetric metric);
 /// The metric of an id or alias. @throws Error that lists the ids.
 BrdfMetric metricByName(std::string_view name);
 

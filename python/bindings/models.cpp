@@ -15,7 +15,7 @@ py::dict errorsOf(const std::vector<double>& errors) {
   py::dict result;
   const auto metrics = metrics::allBrdfMetrics();
   for (std::size_t i = 0; i < errors.size(); ++i)
-    result[py::str(std::string(metrics::metricName(metrics[i])))] = errors[i];
+    result[py::str(std::string(metrics::metricId(metrics[i])))] = errors[i];
   return result;
 }
 

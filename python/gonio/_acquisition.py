@@ -261,7 +261,8 @@ class Plan:
 
     @property
     def order(self) -> list[int]:
-        """Indices of the samples in an order of measurement along a short path of a goniometer's arms."""
+        """Indices of the samples, from 0, in the order of measurement, along a short path of the goniometer's arms. The column
+        `order` of the CSV file contains the inverse: the rank of each sample, from 1."""
         return self._handle.order
 
     @property

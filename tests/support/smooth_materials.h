@@ -18,8 +18,10 @@ inline constexpr HalfDifferenceGrid smoothGrid{.thetaHCount = 10, .thetaDCount =
 inline std::shared_ptr<const TabulatedBrdf> smoothMaterial(unsigned seed, const HalfDifferenceGrid& grid = smoothGrid) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
-  const Rgb diffuse(uniform(generator), uniform(generator), uniform(generator));
-  const Rgb highlight(10 * uniform(generator), 30 * uniform(generator), 5);
+  // One at a time: compilers evaluate the arguments of a call in different orders.
+  const double blue = uniform(generator), green = uniform(generator), red = uniform(generator);
+  const double highlightGreen = uniform(generator), highlightRed = uniform(generator);
+  const Rgb diffuse(red, green, blue), highlight(10 * highlightRed, 30 * highlightGreen, 5);
   const double width = 0.05 + uniform(generator), tint = uniform(generator);
   std::vector<TabulatedBrdf::Value> values(grid.size());
   std::vector<std::uint8_t> valid(grid.size());

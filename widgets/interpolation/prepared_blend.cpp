@@ -74,7 +74,7 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
   const auto& lobe = blend.lobes[heaviest];
   if (weights[heaviest] == 1) return {end.base ? EditedMaterial{end.base, end.edits} : material, lobe};
   if (blend.mixture) {
-    PreviewBlend shown{blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)};
+    PreviewBlend shown{blend.interpolation, blend.mixture, weights, blend.interpolation->differentialEdits(weights)};
     addOwn(shown, blend, heaviest);
     return {std::move(shown), lobe};
   }

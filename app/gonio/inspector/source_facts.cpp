@@ -120,7 +120,7 @@ QString fitSummary(const fitting::FitResult& fit) {
   QString text;
   const auto metrics = metrics::allBrdfMetrics();
   for (std::size_t i = 0; i < std::min<std::size_t>(fit.errors.size(), 2); ++i) {
-    const std::string_view name = metrics::metricName(metrics[i]);
+    const std::string_view name = metrics::metricId(metrics[i]);
     text += SourceFactsText::tr("%1 error %2")
                 .arg(QString::fromUtf8(name.data(), qsizetype(name.size())), number(fit.errors[i])) +
             ", ";

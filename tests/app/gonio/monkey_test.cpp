@@ -89,7 +89,7 @@ class MonkeyTest : public QObject {
       const bool isMark = marked == 0 && passed >= secondsOfMark, isEnd = passed >= seconds;
       if (!guard || (!isMark && !isEnd && passed / 60 == minute)) continue;
       minute = passed / 60;
-      if (isMark || marked > 0) settle(*window);
+      if (isMark || (isEnd && marked > 0)) settle(*window);
       last = test::residentMegabytes();
       if (isMark) marked = last;
       std::printf("%lld s, %d acts: %zu MB resident\n", passed, monkey.count(), last);

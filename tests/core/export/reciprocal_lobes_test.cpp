@@ -14,13 +14,13 @@
 
 namespace reciprocal_lobes_test {
 using namespace gonio;
-using exports::GgxWidths;
+using exports::GgxAlpha;
 using exports::ReciprocalLobes;
 
 ReciprocalLobes known() {
   return {.diffuse = Rgb(0.3, 0.2, 0.1),
-          .lobes = {{GgxWidths(0.3), Rgb(0.06, 0.05, 0.04), Rgb(0.5), Rgb(1)},
-                    {GgxWidths(0.05), Rgb(0.04), Rgb(0.9, 0.8, 0.7), Rgb(1)}}};
+          .lobes = {{GgxAlpha(0.3), Rgb(0.06, 0.05, 0.04), Rgb(0.5), Rgb(1)},
+                    {GgxAlpha(0.05), Rgb(0.04), Rgb(0.9, 0.8, 0.7), Rgb(1)}}};
 }
 
 void expectColour(const Rgb& found, const Rgb& expected, double tolerance) {
@@ -74,7 +74,7 @@ class ReciprocalLobesTest : public QObject {
     const exports::PictureCells cells(false);
     ReciprocalLobes grain = known();
     grain.lobes.resize(1);
-    grain.lobes[0].alpha = GgxWidths(0.4, 0.15);
+    grain.lobes[0].alpha = GgxAlpha(0.4, 0.15);
     grain.rotation = 0.6;
     const ReciprocalLobes found = exports::fitReciprocalLobes(*exports::reciprocalLobesBrdf(grain), cells, 1);
     QCOMPARE(found.lobes.size(), std::size_t(1));
@@ -89,7 +89,7 @@ class ReciprocalLobesTest : public QObject {
     const exports::PictureCells cells(true);
     ReciprocalLobes lobes = known();
     lobes.lobes.resize(1);
-    lobes.lobes[0] = {GgxWidths(0.6), Rgb(0.7, 0.5, 0.3), Rgb(0.8), Rgb(0.5)};
+    lobes.lobes[0] = {GgxAlpha(0.6), Rgb(0.7, 0.5, 0.3), Rgb(0.8), Rgb(0.5)};
     ReciprocalLobes start = lobes;
     start.lobes[0].normal = start.lobes[0].edge = Rgb(0.5);
     start.lobes[0].tint82 = Rgb(0.9);

@@ -25,7 +25,7 @@
 
 namespace surface_files_test {
 using namespace gonio;
-using exports::GgxWidths;
+using exports::GgxAlpha;
 using exports::ReciprocalLobes;
 using exports::SurfaceValues;
 
@@ -49,8 +49,8 @@ SurfaceValues everything() {
 
 ReciprocalLobes twoLobes(bool grain) {
   return {.diffuse = Rgb(0.1, 0.2, 0.3),
-          .lobes = {{grain ? GgxWidths(0.4, 0.2) : GgxWidths(0.3), Rgb(0.04), Rgb(0.9), Rgb(1)},
-                    {GgxWidths(0.05), Rgb(0.5, 0.4, 0.3), Rgb(1.5), Rgb(0.7)}},
+          .lobes = {{grain ? GgxAlpha(0.4, 0.2) : GgxAlpha(0.3), Rgb(0.04), Rgb(0.9), Rgb(1)},
+                    {GgxAlpha(0.05), Rgb(0.5, 0.4, 0.3), Rgb(1.5), Rgb(0.7)}},
           .rotation = grain ? 0.5 : 0};
 }
 

@@ -119,8 +119,8 @@ class SurfaceShadersTest : public QObject {
   /// of multiple scattering is for.
   void whiteLobesOfMaterialXKeepTheEnergy() {
     for (const double alpha : {0.09, 0.36, 1.0}) {
-      const auto brdf = exports::schlickLobesBrdf(
-          {.diffuse = Rgb(0), .lobes = {{exports::GgxWidths(alpha), Rgb(1), Rgb(1), Rgb(1)}}});
+      const auto brdf =
+          exports::schlickLobesBrdf({.diffuse = Rgb(0), .lobes = {{exports::GgxAlpha(alpha), Rgb(1), Rgb(1), Rgb(1)}}});
       for (const double theta : {0.0, 45.0, 70.0}) {
         const double albedo = directionalAlbedo(*brdf, radians(theta)).x;
         QVERIFY2(std::abs(albedo - 1) < 0.01, qPrintable(QString::number(albedo)));

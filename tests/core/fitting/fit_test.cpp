@@ -118,7 +118,7 @@ class FitTest : public QObject {
       for (std::size_t i = 0; i < known.values.size(); ++i)
         for (int c = 0; c < 3; ++c)
           QVERIFY2(std::abs(result.parameters.values[i][c] - known.values[i][c]) <= 0.01 * known.values[i][c] + 1e-6,
-                   metrics::metricName(metric).data());
+                   metrics::metricId(metric).data());
     }
   }
 

@@ -74,7 +74,7 @@ class LinearSolveTest : public QObject {
   void exactDataAreRecovered_data() {
     QTest::addColumn<metrics::BrdfMetric>("metric");
     for (const metrics::BrdfMetric metric : metrics::minimisableMetrics())
-      QTest::newRow(std::string(metrics::metricName(metric)).c_str()) << metric;
+      QTest::newRow(std::string(metrics::metricId(metric)).c_str()) << metric;
   }
   void exactDataAreRecovered() {
     QFETCH(metrics::BrdfMetric, metric);

@@ -81,7 +81,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
         QVERIFY_EXCEPTION_THROWN(between->brdf(weights), Error);
         QVERIFY_EXCEPTION_THROWN(between->table(weights), Error);
         QVERIFY_EXCEPTION_THROWN(between->parameters(weights), Error);
-        QVERIFY_EXCEPTION_THROWN(between->moves(weights), Error);
+        QVERIFY_EXCEPTION_THROWN(between->differentialEdits(weights), Error);
         QVERIFY_EXCEPTION_THROWN(between->factors(weights), Error);
         QVERIFY_EXCEPTION_THROWN(between->code(weights), Error);
       }
@@ -113,7 +113,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     for (std::size_t i = 0; i < 3; ++i) expected += weights_[i] * tables_[i]->evaluate(wi, wo);
     QVERIFY(glm::length(between->brdf(weights_)->evaluate(wi, wo) - expected) < 1e-14);
     QVERIFY(!between->parameters(weights_) && !between->factors(weights_) && !between->code(weights_));
-    QVERIFY(between->moves(weights_).empty());
+    QVERIFY(between->differentialEdits(weights_).empty());
   }
 
   /// What a preview mixes of the differential space: the materials, each moved, then mixed, are the blend.
@@ -122,7 +122,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     const auto between = prepareInterpolation(InterpolationSpace::differential, endsOf(tables));
     TransformedMixture mixture = between->mixture().value();
     QVERIFY(mixture.transform == DataTransform::none);
-    const std::vector<DifferentialEdit> moves = between->moves(weights_);
+    const std::vector<DifferentialEdit> moves = between->differentialEdits(weights_);
     for (std::size_t i = 0; i < tables.size(); ++i) {
       TransformedTable& one = mixture.tables[i];
       QVERIFY(one.grid == smallGrid);
@@ -169,7 +169,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     const auto between = prepareInterpolation(InterpolationSpace::differential, ends_);
     const auto target = models::ggx().instantiate(between->parameters(weights_).value());
     std::vector<std::unique_ptr<const Brdf>> fitted;
-    for (const DifferentialEdit& edit : between->moves(weights_)) {
+    for (const DifferentialEdit& edit : between->differentialEdits(weights_)) {
       QVERIFY(edit.edited == between->parameters(weights_));
       fitted.push_back(models::ggx().instantiate(edit.fitted));
     }

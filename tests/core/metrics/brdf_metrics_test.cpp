@@ -112,7 +112,7 @@ class BrdfMetricsTest : public QObject {
           if (metric == BrdfMetric::lab && !isGrey) continue;
           const double expected = plainError(metric, *table, *test, radians(angle));
           QVERIFY2(std::abs(error / expected - 1) < 1e-9,
-                   qPrintable(QString("%1: %2, %3").arg(metricName(metric).data()).arg(error).arg(expected)));
+                   qPrintable(QString("%1: %2, %3").arg(metricId(metric).data()).arg(error).arg(expected)));
         }
       }
     }
@@ -124,9 +124,9 @@ class BrdfMetricsTest : public QObject {
     const TabulatedBrdf reference = constantTable(a), test = constantTable(b);
     const std::vector<double> errors = brdfErrors(reference, test, halfPi, 2);
     const auto verify = [&](BrdfMetric metric, double expected, double tolerance) {
-      QVERIFY2(std::abs(errors[std::size_t(metric)] / expected - 1) < tolerance,
-               qPrintable(
-                   QString("%1 %2 %3").arg(metricName(metric).data()).arg(errors[std::size_t(metric)]).arg(expected)));
+      QVERIFY2(
+          std::abs(errors[std::size_t(metric)] / expected - 1) < tolerance,
+          qPrintable(QString("%1 %2 %3").arg(metricId(metric).data()).arg(errors[std::size_t(metric)]).arg(expected)));
     };
     for (const BrdfMetric metric : {BrdfMetric::rms, BrdfMetric::projectedRms, BrdfMetric::meanAbsolute})
       verify(metric, d, 1e-6);
@@ -148,7 +148,7 @@ class BrdfMetricsTest : public QObject {
     const std::vector<double> eight = brdfErrors(scaled(*reference, 8), scaled(*test, 8), defaultMaxPolarAngle, 1.5);
     const auto verify = [&](BrdfMetric metric, double factor) {
       const auto m = std::size_t(metric);
-      QVERIFY2(std::abs(eight[m] / (factor * once[m]) - 1) < 1e-6, metricName(metric).data());
+      QVERIFY2(std::abs(eight[m] / (factor * once[m]) - 1) < 1e-6, metricId(metric).data());
     };
     for (const BrdfMetric metric :
          {BrdfMetric::cosineL2, BrdfMetric::rms, BrdfMetric::projectedRms, BrdfMetric::meanAbsolute})

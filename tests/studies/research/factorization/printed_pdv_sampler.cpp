@@ -15,7 +15,7 @@ PrintedPdvSampler::PrintedPdvSampler(const Brdf& brdf, const std::vector<double>
 
 DirectionSample PrintedPdvSampler::sample(const Direction& wo, const glm::dvec3& u) const {
   const double sine = std::hypot(wo.x, wo.y), thetaR = std::atan2(sine, wo.z);
-  const std::size_t bin = rows_.draw(thetaR, u.x);
+  const std::size_t bin = rows_.sampleBin(thetaR, u.x);
   const double low = rows_.low(bin), high = rows_.high(bin, sine);
   const double deviation = std::sqrt(low * low + u.y * (high - low) * (high + low));
   const ProjectedDirections at = fromProjectedDeviation({thetaR, deviation, 2 * pi * u.z});
