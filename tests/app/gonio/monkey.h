@@ -39,8 +39,11 @@ class Monkey : public QObject {
   /// For so long; also inside the event loops of dialogs, which are closed in the end.
   void play(int milliseconds) {
     m_end.setRemainingTime(milliseconds);
-    next();
-    while (!m_end.hasExpired() || isInDialog()) QTest::qWait(pauseMilliseconds);
+    while (!m_end.hasExpired() || isInDialog()) {
+      // A dialog may open after the last act.
+      if (!m_isScheduled) next();
+      QTest::qWait(pauseMilliseconds);
+    }
   }
   /// What it did at last, for a report.
   QString lastActs() const { return m_acts.join(QStringLiteral("; ")); }
@@ -70,7 +73,9 @@ class Monkey : public QObject {
 
   /// Not by one timer: it would stand still in the loop of a dialog that it has opened.
   void next() {
+    m_isScheduled = true;
     QTimer::singleShot(pauseMilliseconds, this, [this] {
+      m_isScheduled = false;
       if (m_end.hasExpired() && !isInDialog()) return;
       next();
       // Not in the middle of an act, but in the loop of a dialog that the act has opened.
@@ -216,6 +221,7 @@ class Monkey : public QObject {
   QPointer<QWidget> m_lastSurface;
   int m_stuck = 0, m_count = 0, m_level = 0;
   bool m_acting = false;
+  bool m_isScheduled = false;
 };
 
 }  // namespace gonio::app::test_support
