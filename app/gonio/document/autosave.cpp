@@ -78,8 +78,10 @@ void Autosave::update() {
   if (!m_current.lock) m_current = newCopy(m_documentPath.isEmpty() ? Place::dataFolder : Place::besideDocument);
   if (write(*document)) return;
   // The document's folder may be read-only or gone; saving will say so when the user asks for it.
-  remove(std::exchange(m_current, newCopy(Place::dataFolder)));
-  write(*document);
+  Copy previous = std::exchange(m_current, newCopy(Place::dataFolder));
+  // An older copy is better than none.
+  if (!write(*document)) std::swap(previous, m_current);
+  remove(std::move(previous));
 }
 
 bool Autosave::write(const editing::EditDocument& document) const {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/autosave.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
@@ -72,6 +73,20 @@ class AutosaveTest : public QObject {
     autosave.setDocumentPath(path);
     QCOMPARE(QFileInfo(autosave.currentCopy()).path(), data);
     QCOMPARE(editing::readDocument(autosave.currentCopy().toStdString()).sourcePath, work().sourcePath);
+  }
+
+  /// A full disk, or a document that cannot be written: what was copied before stays.
+  void aFailedCopyKeepsTheOneBefore() {
+    const QTemporaryDir folder;
+    editing::EditDocument document = work();
+    Autosave autosave(folder.filePath("data"), [&] { return std::optional(document); });
+    autosave.setDocumentPath(folder.filePath("mine.gonio"));
+    const QString copy = autosave.currentCopy();
+    document.sourcePath = "library:\xff";  // not UTF-8, so it is not JSON either
+    autosave.update();
+    QCOMPARE(autosave.currentCopy(), copy);
+    QCOMPARE(editing::readDocument(copy.toStdString()).sourcePath, work().sourcePath);
+    QCOMPARE(QDir(folder.filePath("data")).entryList({"*.record"}, QDir::Files).size(), qsizetype(1));
   }
 
   /// A program that dies leaves its copy; the next one finds it, but not while the first still runs.
