@@ -35,6 +35,10 @@ endif()
 if(GONIO_SANITIZE)
   target_compile_options(gonio_options INTERFACE -fsanitize=${GONIO_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(gonio_options INTERFACE -fsanitize=${GONIO_SANITIZE})
+  # GCC and clang name it differently.
+  if(GONIO_SANITIZE MATCHES "thread")
+    target_compile_definitions(gonio_options INTERFACE GONIO_THREAD_SANITIZER)
+  endif()
 endif()
 
 # gonio_unity(TARGET): compiles up to GONIO_UNITY_FILES sources of a target at once. Names in the anonymous namespaces of a

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/brdf/mirrored_nodes.h"
 #include "core/brdf/tabulated_brdf.h"
 #include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/grid_directions.h"
@@ -46,11 +47,12 @@ Nodes nodesOfBlock(const GridDirections& directions, std::size_t begin, std::siz
 }
 
 /// Mean over rotations of both directions about the normal, and over both orders of the directions where `exchanged`.
-std::vector<Rgb> evaluateMean(const Brdf& brdf, const std::vector<DirectionPair>& pairs, int rotations,
+std::vector<Rgb> evaluateMean(const Brdf& brdf, const HalfDifferenceGrid& grid, const Nodes& nodes, int rotations,
                               bool exchanged) {
+  const std::vector<DirectionPair>& pairs = nodes.pairs;
   std::vector<Rgb> sums(pairs.size(), Rgb(0)), results(pairs.size());
   const auto add = [&](const std::vector<DirectionPair>& some) {
-    brdf.evaluate(some, results);
+    evaluateNodes(brdf, grid, nodes.cells, some, exchanged || brdf.isReciprocal(), results);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
   };
   for (int rotation = 0; rotation < rotations; ++rotation) {
@@ -82,7 +84,7 @@ std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDiffe
       grid.size(), block,
       [&](std::size_t begin, std::size_t end) {
         const Nodes nodes = nodesOfBlock(directions, begin, end);
-        const std::vector<Rgb> means = evaluateMean(brdf, nodes.pairs, rotations, exchanged);
+        const std::vector<Rgb> means = evaluateMean(brdf, grid, nodes, rotations, exchanged);
         for (std::size_t i = 0; i < nodes.cells.size(); ++i) {
           values[nodes.cells[i]] = toFloat(means[i]);
           valid[nodes.cells[i]] = 1;

@@ -35,6 +35,9 @@ class Brdf {
   virtual bool isIsotropic() const { return true; }
   /// Whether exchanging wi and wo leaves the value unchanged, as physics requires; false if unknown.
   virtual bool isReciprocal() const { return true; }
+  /// Whether mirroring both directions at any plane through the normal leaves the value unchanged (bilateral symmetry
+  /// of an isotropic BRDF); false if unknown.
+  virtual bool isMirrorSymmetric() const { return false; }
 
   /// Whether the value of a pair is known: false below the horizon and where a measurement has no data. There
   /// evaluate() returns 0, or the extrapolation that the class documents.

@@ -23,7 +23,7 @@ namespace gonio {
 
 namespace {
 
-#ifdef __SANITIZE_THREAD__
+#ifdef GONIO_THREAD_SANITIZER
 /// TBB is not built with the thread sanitizer, which would take its ways of passing work on for data races: plain
 /// threads do the work instead.
 void forEachBlock(std::size_t blocks, const std::function<void(std::size_t block)>& work) {

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "core/brdf/mirrored_nodes.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/metrics/decibels.h"
@@ -40,7 +41,7 @@ void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells
   cells.test.assign(cells.pairs.size(), Rgb(0));
   const TabulatedBrdf* table = test.asTable();
   if (!table) {
-    test.evaluate(cells.pairs, cells.test);
+    evaluateNodes(test, reference.grid(), cells.indices, cells.pairs, test.isReciprocal(), cells.test);
     for (Rgb& value : cells.test) value = glm::max(value, Rgb(0));
     return;
   }

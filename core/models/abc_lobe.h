@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 
 /// Common parts of the two ABC models: Löw, Kronander, Ynnerman and Unger 2012, "BRDF Models for Accurate and Efficient
@@ -14,7 +16,7 @@ inline constexpr std::string_view abcReference =
     "Löw, Kronander, Ynnerman and Unger 2012, BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces";
 
 /// (1 + B x)^-C, x >= 0; finite for large B.
-inline double abcLobe(double x, double b, double c) { return std::exp(-c * std::log1p(b * x)); }
+inline double abcLobe(double x, double b, double c) { return fastExp(-c * fastLog1p(b * x)); }
 
 /// The integral of abcLobe() over x in [0, 1].
 inline double abcLobeIntegral(double b, double c) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/math/fast_exp.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {
@@ -13,7 +14,7 @@ namespace gonio::models {
 /// @param inverseM2 1 / m^2, m the root mean square slope.
 inline double beckmannDistribution(const SurfaceGeometry& g, double inverseM2) {
   const double cos2H = g.half.z * g.half.z;
-  return std::exp(-g.sin2H / cos2H * inverseM2) * inverseM2 / (pi * cos2H * cos2H);
+  return fastExp(-g.sin2H / cos2H * inverseM2) * inverseM2 / (pi * cos2H * cos2H);
 }
 
 }  // namespace gonio::models

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/surface_geometry.h"
 
@@ -23,7 +25,7 @@ constexpr ParameterSpec exponentParameter(std::string_view formula, std::string_
 // clang-format on
 
 /// (1 - x)^n for x >= 0; 0 beyond 1.
-inline double powerOfComplement(double x, double n) { return x < 1 ? std::exp(n * std::log1p(-x)) : 0; }
+inline double powerOfComplement(double x, double n) { return x < 1 ? fastExp(n * fastLog1p(-x)) : 0; }
 
 /// max(0, cos alpha)^n, alpha the angle between wi and the mirror direction of wo. O(1).
 inline double reflectionPower(const SurfaceGeometry& g, double n) {
@@ -33,7 +35,7 @@ inline double reflectionPower(const SurfaceGeometry& g, double n) {
 
 /// cos^n theta_h; also accurate for nearly horizontal half vectors. O(1).
 inline double halfVectorPower(const SurfaceGeometry& g, double n) {
-  return std::exp(n * (g.oneMinusCosH < 0.5 ? std::log1p(-g.oneMinusCosH) : std::log(g.half.z)));
+  return fastExp(n * (g.oneMinusCosH < 0.5 ? fastLog1p(-g.oneMinusCosH) : std::log(g.half.z)));
 }
 
 /// Normalisation factor of cos^n theta_h, 1/sr: its directional albedo becomes 1 at normal incidence, where it is

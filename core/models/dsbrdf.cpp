@@ -4,6 +4,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/math/fast_atan2.h"
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/excess_sampler.h"
 #include "core/models/registry.h"
@@ -95,8 +98,8 @@ class Lobe {
     strength_ /= std::expm1(p.values[first + 1].x);
   }
   Rgb operator()(double logCosH, double t) const {
-    const double k = std::min(highestKappa, std::exp(kappa_[0] + t * (kappa_[1] + t * kappa_[2])));
-    return strength_ * std::expm1(k * std::exp(std::exp(gamma_[0] + t * gamma_[1]) * logCosH));
+    const double k = std::min(highestKappa, fastExp(kappa_[0] + t * (kappa_[1] + t * kappa_[2])));
+    return strength_ * std::expm1(k * fastExp(fastExp(gamma_[0] + t * gamma_[1]) * logCosH));
   }
   void addShaderParameters(std::vector<glm::vec3>& result) const {
     result.insert(result.end(), {glm::vec3(strength_), {kappa_[0], kappa_[1], kappa_[2]}, {gamma_[0], gamma_[1], 0}});
@@ -108,14 +111,14 @@ class Lobe {
 };
 
 /// theta_d as a fraction of 90 degrees, by its sine too: acos loses half the digits near 1.
-double fractionOf(const SurfaceGeometry& g) { return std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
+double fractionOf(const SurfaceGeometry& g) { return fastAtan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[0] / pi;
   const Lobe first(p, firstLobe), second(p, secondLobe);
   const auto lobes = [=](double logCosH, double t) { return first(logCosH, t) + second(logCosH, t); };
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) { return kd + lobes(std::log1p(-g.oneMinusCosH), fractionOf(g)); },
+      [=](const SurfaceGeometry& g) { return kd + lobes(fastLog1p(-g.oneMinusCosH), fractionOf(g)); },
       excessSampler(maxChannel(p.values[0]),
                     [&](double thetaH) { return luminance(lobes(std::log(std::cos(thetaH)), 0)); }));
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/fast_atan2.h"
+#include "core/math/fast_exp.h"
 #include "core/math/quadrature.h"
 
 namespace gonio::models {
@@ -92,7 +94,7 @@ ExponentialPowerDistribution::ExponentialPowerDistribution(double beta, double p
 
 double ExponentialPowerDistribution::density(double sin2H, double cosH) const {
   const double cos2H = cosH * cosH;
-  return std::exp(logPeak_ - std::pow(sin2H / cos2H * inverseBeta2_, power_) - 2 * std::log(cos2H));
+  return fastExp(logPeak_ - std::pow(sin2H / cos2H * inverseBeta2_, power_) - 2 * std::log(cos2H));
 }
 
 double ExponentialPowerDistribution::cosLambda(double cosTheta, double sinTheta) const {
@@ -104,7 +106,7 @@ double smithMaskingOverCosines(const SurfaceGeometry& g, const ExponentialPowerD
   const double sinI = std::hypot(g.wi.x, g.wi.y), sinO = std::hypot(g.wo.x, g.wo.y);
   const double lambdaI = facets.cosLambda(g.cosI, sinI) * g.cosO;
   const double lambdaO = facets.cosLambda(g.cosO, sinO) * g.cosI;
-  const double phi = std::atan2(std::abs(g.wi.x * g.wo.y - g.wi.y * g.wo.x), g.wi.x * g.wo.x + g.wi.y * g.wo.y);
+  const double phi = fastAtan2(std::abs(g.wi.x * g.wo.y - g.wi.y * g.wo.x), g.wi.x * g.wo.x + g.wi.y * g.wo.y);
   const double correlation = 4.41 * phi / (4.41 * phi + 1);
   return 1 / (g.cosI * g.cosO + std::max(lambdaI, lambdaO) + correlation * std::min(lambdaI, lambdaO));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
+#include "core/math/fast_exp.h"
 #include "core/models/common_parameters.h"
 #include "core/models/he_series.h"
 #include "core/models/registry.h"
@@ -64,7 +65,7 @@ Shadowing shadowingOf(const Direction& w, double slope) {
   const double sine = std::hypot(w.x, w.y), x = w.z / (2 * slope * sine);
   if (!(x < 27)) return {1 / w.z, 0};
   const double hidden = std::erfc(x), seen = 1 - 0.5 * hidden;
-  return {seen / (seen * w.z + std::exp(-x * x) * sine * slope / std::sqrt(pi)), sine / w.z * hidden};
+  return {seen / (seen * w.z + fastExp(-x * x) * sine * slope / std::sqrt(pi)), sine / w.z * hidden};
 }
 
 /// Slope of the Beckmann distribution that the lobe resembles, for sampling.

@@ -26,7 +26,7 @@ inline HeTerms heLargestTerms(double g, double a) {
   for (int step = 0; step < 8; ++step) {
     curvature = std::max(1 / (m + 0.5) - 1 / (m * m) + 2 * a / (m * m * m), 0.3 / m);
     const double change = heLogSlope(g, a, m) / (m * curvature);
-    m = std::max(1.0, m * std::exp(std::clamp(change, -1.0, 1.0)));
+    m = std::max(1.0, m * fastExp(std::clamp(change, -1.0, 1.0)));
     if (std::abs(change) < 0.02 / (m * std::sqrt(curvature))) break;
   }
   return {m, 1 / std::sqrt(curvature)};
@@ -41,7 +41,7 @@ inline double heSumOfTerms(double g, double a) {
     return values;
   }();
   constexpr double smallest = 1e-12;
-  double power = std::exp(-g), sum = 0;
+  double power = fastExp(-g), sum = 0;
   for (int first = 0; first < block * blocks; first += block) {
     const double* reciprocal = &reciprocals[std::size_t(first)];
     double terms[block];
@@ -91,11 +91,11 @@ inline double heVisibleRoughness(double c) {
   const double right = 2 * std::log(c);
   double y = right > 1 ? std::log(right) : right;  // t^2 = exp(y): y + exp(y) = right
   for (int step = 0; step < 8; ++step) {
-    const double square = std::exp(y), change = (y + square - right) / (1 + square);
+    const double square = fastExp(y), change = (y + square - right) / (1 + square);
     y -= change;
     if (std::abs(change) < 1e-12) break;
   }
-  return 1 / (1 + std::exp(y));
+  return 1 / (1 + fastExp(y));
 }
 
 }  // namespace gonio::models

@@ -4,6 +4,8 @@
 
 #include "core/brdf/half_vector_lobe.h"
 #include "core/brdf/tabulated_normals.h"
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/exponential_power.h"
 #include "core/models/registry.h"
@@ -96,7 +98,7 @@ struct Diffraction {
   double exponent;      ///< (c + 1) / 2
   double strength;      ///< 2 (c - 1) / pi
 
-  double highlightShare(double cosD) const { return std::exp(-phase * cosD * cosD); }
+  double highlightShare(double cosD) const { return fastExp(-phase * cosD * cosD); }
   /// (1 - A) S. @param cosines product of those of the polar angles.
   double glow(double sin2H, double cosH, double cosD, double cosines) const {
     const double cos2D = cosD * cosD;
@@ -105,7 +107,7 @@ struct Diffraction {
     // narrow against them.
     const double flat = spread * v, projected = flat * cosines + (1 - flat) * cos2D * cosH * cosH;
     const double fraction = -std::expm1(-phase * cos2D);
-    return fraction * strength * v * projected * std::exp(-exponent * std::log1p(4 * v * cos2D * sin2H));
+    return fraction * strength * v * projected * fastExp(-exponent * fastLog1p(4 * v * cos2D * sin2H));
   }
 };
 

@@ -24,6 +24,7 @@ class ModelBrdf final : public Brdf {
   }
   bool isIsotropic() const override { return brdf_->isIsotropic(); }
   bool isReciprocal() const override { return brdf_->isReciprocal(); }
+  bool isMirrorSymmetric() const override { return brdf_->isMirrorSymmetric(); }
   bool hasData(const DirectionPair& pair) const override { return brdf_->hasData(pair); }
   bool hasImportanceSampling() const override { return brdf_->hasImportanceSampling(); }
   double samplingCost() const override { return brdf_->samplingCost(); }

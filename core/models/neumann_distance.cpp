@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/brdf/disk_lobe.h"
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -59,12 +61,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * s2);
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
   if (chosen(p.values[falloff].x) == gaussian)
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * std::exp(-squaredDistance(g) / s2); },
+    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * fastExp(-squaredDistance(g) / s2); },
                             diffuseMixture(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        return kd + ks * ((c - 1) * std::exp(-c * std::log1p(squaredDistance(g) / s2)));
-      },
+      [=](const SurfaceGeometry& g) { return kd + ks * ((c - 1) * fastExp(-c * fastLog1p(squaredDistance(g) / s2))); },
       diffuseMixture(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
 }
 

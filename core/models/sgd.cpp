@@ -10,6 +10,7 @@
 #include "core/brdf/half_vector_lobe.h"
 #include "core/brdf/tabulated_normals.h"
 #include "core/math/fast_atan2.h"
+#include "core/math/fast_exp.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -120,7 +121,7 @@ double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles&
   if (c.specular == 0) return c.diffuse;
   const double shifted = c.alpha + a.tan2H * c.inverseAlpha;
   // In log space: exp(-A) underflows where 1 / cos^4 overflows. pi is in Channel::specular.
-  const double distribution = std::exp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);
+  const double distribution = fastExp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);
   const double fresnel = std::max(0.0, c.f0 - c.f1 * g.cosD + (1 - c.f0) * a.oneMinusCosD5);
   return c.diffuse +
          c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
@@ -178,7 +179,7 @@ double sgdMasking(double theta, double lambda, double logC, double k, double the
   if (!(beyond > 0)) return 1;
   const double exponent = logC + k * std::log(beyond);
   if (exponent < -40 && lambda < 10) return 1;  // what is taken away is below half of the last digit
-  const double growth = std::exp(std::min(maxExponent, exponent));
+  const double growth = fastExp(std::min(maxExponent, exponent));
   if (lambda * growth >= 1) return 0;
   return std::clamp(1 - lambda * std::expm1(std::min(maxExponent, growth)), 0.0, 1.0);
 }

@@ -44,6 +44,8 @@ class GeometryBrdf final : public Brdf {
   bool isIsotropic() const override { return isotropic_; }
   bool hasImportanceSampling() const override { return true; }
   bool isReciprocal() const override { return reciprocal_; }
+  /// No model distinguishes a side of the plane of incidence.
+  bool isMirrorSymmetric() const override { return isotropic_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler_.sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler_.pdf(wi, wo); }
 

@@ -6,6 +6,8 @@
 
 #include "core/brdf/half_vector_lobe.h"
 #include "core/brdf/tabulated_normals.h"
+#include "core/math/fast_atan2.h"
+#include "core/math/fast_exp.h"
 #include "core/math/quadrature.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -67,8 +69,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double albedo = maxChannel(p.values[specular]) * density * facetArea(m) * fresnel(typicalCosine);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
-        const double thetaH = std::atan2(std::sqrt(g.sin2H), g.half.z);
-        return kd + ks * (std::exp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
+        const double thetaH = fastAtan2(std::sqrt(g.sin2H), g.half.z);
+        return kd + ks * (fastExp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
       diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
                        return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);

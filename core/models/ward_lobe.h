@@ -6,6 +6,7 @@
 
 #include "core/brdf/half_vector_lobe.h"
 #include "core/brdf/rotated_lobe.h"
+#include "core/math/fast_exp.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {
@@ -26,7 +27,7 @@ class WardLobe {
   double operator()(const SurfaceGeometry& g) const {
     const Direction half = toGrain_(g.half);
     const double slopes = half.x * half.x * inverseX2_ + half.y * half.y * inverseY2_;
-    return normaliser_ * std::exp(-slopes / (half.z * half.z));
+    return normaliser_ * fastExp(-slopes / (half.z * half.z));
   }
 
  private:

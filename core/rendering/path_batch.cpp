@@ -25,6 +25,7 @@ double powerHeuristic(double density, double other) {
 }  // namespace
 
 std::span<const PathTracer::PathBatch::Result> PathTracer::PathBatch::trace(std::span<const Start> starts) {
+  starts_ = starts;
   results_.assign(starts.size(), {});
   paths_.clear();
   for (std::size_t i = 0; i < starts.size(); ++i) enter(starts[i], i);
@@ -91,6 +92,7 @@ void PathTracer::PathBatch::addSurface(Path& path, std::size_t object, const Ray
 void PathTracer::PathBatch::sampleLights(int reflection) {
   const EffectPlan& plan = tracer_.plan_;
   lightQueries_.clear();
+  for (BrdfQueries& queries : queries_) queries.pairs.clear();
   for (std::size_t light = 0; light < plan.lights.size(); ++light) {
     const bool isLamp = plan.lights[light].kind == SceneLight::Kind::rectangle;
     if (isLamp && !plan.simulates(Effect::areaLightSampling)) continue;
@@ -146,7 +148,6 @@ void PathTracer::PathBatch::evaluateQueries() {
     BrdfQueries& queries = queries_[brdf];
     queries.values.resize(queries.pairs.size());
     if (!queries.pairs.empty()) tracer_.brdfs_[brdf]->evaluate(queries.pairs, queries.values);
-    queries.pairs.clear();
   }
 }
 
@@ -154,8 +155,15 @@ void PathTracer::PathBatch::addSampledLights() {
   for (const LightQuery& query : lightQueries_) {
     const Path& path = paths_[query.path];
     const Rgb value = queriesOf(path).values[query.query] * query.weight;
-    if (value != Rgb(0) && !isBlocked(query, path)) results_[path.result].radiance += path.throughput * value;
+    if (value != Rgb(0) && !isBlocked(query, path)) addRadiance(path, query.query, path.throughput * value);
   }
+}
+
+void PathTracer::PathBatch::addRadiance(const Path& path, std::size_t query, const Rgb& radiance) {
+  if (recorded_)
+    recorded_->add(starts_[path.result].column, queriesOf(path).pairs[query], radiance);
+  else
+    results_[path.result].radiance += radiance;
 }
 
 bool PathTracer::PathBatch::isBlocked(const LightQuery& query, const Path& path) {
@@ -190,7 +198,7 @@ bool PathTracer::PathBatch::followOne(Path& path, int reflection, PathSamples& s
   distances_.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i)
     distances_[i] = nearestDistance(objects()[candidates[i]].shape, ray, 0, infinity);
-  if (tracer_.findsLights_[path.object]) results_[path.result].radiance += path.throughput * foundLights(path);
+  if (tracer_.findsLights_[path.object]) addRadiance(path, path.query, path.throughput * foundLights(path));
   if (!goesOn(path, reflection)) return false;
 
   if (reflection > certainReflections) {

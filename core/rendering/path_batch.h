@@ -5,6 +5,7 @@
 #include "core/rendering/light_sampling.h"
 #include "core/rendering/path_samples.h"
 #include "core/rendering/path_tracer.h"
+#include "core/rendering/recorded_paths.h"
 #include "core/rendering/shading_frame.h"
 
 namespace gonio {
@@ -17,7 +18,7 @@ class PathTracer::PathBatch {
   static constexpr std::size_t capacity = 128;
 
   struct Start {
-    std::size_t pixel;
+    std::size_t pixel, column;
     PathSeed seed;
     Ray ray;
   };
@@ -27,8 +28,13 @@ class PathTracer::PathBatch {
     Direction normal{0};   ///< shading normal at the first hit of a reflecting surface
   };
 
-  PathBatch(const PathTracer& tracer, RayCounters& counters)
-      : tracer_(tracer), counters_(counters), lights_(tracer.scene_), queries_(tracer.brdfs_.size()) {}
+  /// @param recorded gets the light that surfaces reflect, instead of the results; null: it goes to the results.
+  PathBatch(const PathTracer& tracer, RayCounters& counters, RecordedPaths::Row* recorded)
+      : tracer_(tracer),
+        counters_(counters),
+        recorded_(recorded),
+        lights_(tracer.scene_),
+        queries_(tracer.brdfs_.size()) {}
 
   /// One result per start, valid until the next call.
   std::span<const Result> trace(std::span<const Start> starts);
@@ -80,6 +86,8 @@ class PathTracer::PathBatch {
   void sampleMaterials(int reflection);
   void evaluateQueries();
   void addSampledLights();
+  /// @param query of the path's material, whose value is a factor of `radiance`.
+  void addRadiance(const Path& path, std::size_t query, const Rgb& radiance);
   bool isBlocked(const LightQuery& query, const Path& path);
   /// Adds the light that the sampled directions hit, moves continuing paths to their next surface, and removes the
   /// others.
@@ -89,7 +97,9 @@ class PathTracer::PathBatch {
 
   const PathTracer& tracer_;
   RayCounters& counters_;
+  RecordedPaths::Row* recorded_;
   LightSampler lights_;
+  std::span<const Start> starts_;
   std::vector<Result> results_;
   std::vector<Path> paths_;
   std::vector<LightQuery> lightQueries_;

@@ -54,15 +54,14 @@ std::vector<std::size_t> PathTracer::candidatesOf(std::size_t object) const {
   return candidates;
 }
 
-void PathTracer::traceRow(Film& film, int y, int samples, RayCounters& counters, SampleLuminances& luminances) const {
+void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, SampleLuminances& luminances) const {
   const std::uint32_t pictureSeed = hashCombine(std::uint32_t(seed_), std::uint32_t(seed_ >> 32));
   const glm::dvec2 extent = viewExtent(camera_, double(film.width) / film.height);
   const glm::dvec2 pixelSize(2.0 / film.width, -2.0 / film.height);
   const std::size_t first = std::size_t(y) * std::size_t(film.width);
-  PathBatch batch(*this, counters);
   PathSamples filmPositions(0, PathSamples::filmPosition);
   std::vector<PathBatch::Start> starts;
-  const auto trace = [&] {
+  const auto traceStarts = [&] {
     const auto results = batch.trace(starts);
     for (std::size_t i = 0; i < starts.size(); ++i) {
       film.radiance[starts[i].pixel] += results[i].radiance;
@@ -80,33 +79,48 @@ void PathTracer::traceRow(Film& film, int y, int samples, RayCounters& counters,
     for (int i = 0; i < samples; ++i) {
       PathBatch::Start& start = starts.emplace_back();
       start.pixel = pixel;
+      start.column = std::size_t(x);
       start.seed = {pixelSeed, std::uint32_t(film.samples + i)};
       const glm::dvec2 position = glm::dvec2(x, y) + filmPositions.pair(start.seed);
       start.ray = cameraRay(camera_, extent * (glm::dvec2(-1, 1) + pixelSize * position));
-      if (starts.size() == PathBatch::capacity) trace();
+      if (starts.size() == PathBatch::capacity) traceStarts();
     }
   }
-  trace();
+  traceStarts();
 }
 
-void PathTracer::accumulate(Film& film, int samples, const TaskControl& control) const {
+void PathTracer::trace(Film& film, int samples, std::span<RecordedPaths::Row> recorded,
+                       const TaskControl& control) const {
   assert(film.width > 0 && film.height > 0 && samples >= 0);
   const std::size_t height = std::size_t(film.height);
-  Film next = film;
   std::vector<RayCounters> counters(height);
   std::mutex merging;
   parallelForBlocks(
       height, 1,
       [&](std::size_t y, std::size_t) {
         SampleLuminances luminances;
-        traceRow(next, int(y), samples, counters[y], luminances);
+        PathBatch batch(*this, counters[y], recorded.empty() ? nullptr : &recorded[y]);
+        traceRow(film, int(y), samples, batch, luminances);
         const std::lock_guard lock(merging);
-        next.luminances += luminances;
+        film.luminances += luminances;
       },
       control);
-  next.samples += samples;
-  for (const RayCounters& one : counters) next.counters += one;
+  film.samples += samples;
+  for (const RayCounters& one : counters) film.counters += one;
+}
+
+void PathTracer::accumulate(Film& film, int samples, const TaskControl& control) const {
+  Film next = film;
+  trace(next, samples, {}, control);
   film = std::move(next);
+}
+
+RecordedPaths PathTracer::record(int width, int height, int samples, const TaskControl& control) const {
+  assert(plan_.reflections <= 1);
+  Film film(width, height);
+  std::vector<RecordedPaths::Row> rows{std::size_t(height)};
+  trace(film, samples, rows, control);
+  return {std::move(rows), film.image(), samples};
 }
 
 }  // namespace gonio

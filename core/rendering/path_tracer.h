@@ -4,6 +4,7 @@
 
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/film.h"
+#include "core/rendering/recorded_paths.h"
 #include "core/support/task_control.h"
 
 namespace gonio {
@@ -28,11 +29,16 @@ class PathTracer {
   /// same number of samples into calls. Powers of two are stratified best. @throws Cancelled; the film is then
   /// unchanged.
   void accumulate(Film& film, int samples, const TaskControl& control = {}) const;
+  /// Records the paths of a picture. Preconditions: the plan has at most one reflection, and the value of the
+  /// material's BRDF is 1 everywhere. @throws Cancelled.
+  RecordedPaths record(int width, int height, int samples, const TaskControl& control = {}) const;
 
  private:
   class PathBatch;
 
-  void traceRow(Film& film, int y, int samples, RayCounters& counters, SampleLuminances& luminances) const;
+  /// @param recorded one per row of the film, or none; see PathBatch.
+  void trace(Film& film, int samples, std::span<RecordedPaths::Row> recorded, const TaskControl& control) const;
+  void traceRow(Film& film, int y, int samples, PathBatch& batch, SampleLuminances& luminances) const;
   std::vector<std::size_t> candidatesOf(std::size_t object) const;
 
   Scene scene_;

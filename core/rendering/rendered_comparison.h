@@ -19,7 +19,7 @@ struct ComparisonPicture {
 
 /// Compares pictures of materials in comparisonScene() with that of a reference, which is rendered once. All pictures
 /// use the reference's lobe and seeds and so share most of their noise; the ratios exclude the remaining noise
-/// (metrics::PicturePair).
+/// (metrics::PicturePair). Pictures of up to a million samples share their paths too (recordPaths(), up to 100 MB).
 class RenderedComparison {
  public:
   /// Renders the reference. @throws Cancelled.
@@ -32,13 +32,16 @@ class RenderedComparison {
   const Image& reference() const { return reference_.image; }
   /// @throws Cancelled.
   ComparisonPicture render(const Brdf& test, const TaskControl& control = {}) const;
+  /// The same picture, traced anew: the work of a renderer, whose time is to be measured. @throws Cancelled.
+  ComparisonPicture trace(const Brdf& test, const TaskControl& control = {}) const;
   /// Rendered SNR of a picture from render(), dB; special cases as metrics::signalToNoiseRatio().
   double signalToNoiseRatio(const ComparisonPicture& picture) const;
   double peakSignalToNoiseRatio(const ComparisonPicture& picture) const;
 
  private:
   Scene scene_;
-  RenderOptions options_;  ///< of each half
+  std::array<RenderOptions, 2> options_;  ///< of each half
+  std::array<std::optional<RecordedPaths>, 2> paths_;
   ComparisonPicture reference_;
 };
 

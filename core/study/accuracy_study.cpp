@@ -18,15 +18,14 @@ constexpr double buildShare = 0.6;
 constexpr std::size_t maxFrames = 3;
 constexpr double enoughSeconds = 1;
 
-/// Renders frames until their time is known, at most `most`; `picture` is one of them.
-double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, std::size_t most,
-                         ComparisonPicture& picture, const TaskControl& stop) {
+/// Renders frames until their time is known.
+double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> frames;
   double total = 0;
-  while (frames.empty() || (frames.size() < most && total < 1000 * enoughSeconds)) {
+  while (frames.size() < maxFrames && total < 1000 * enoughSeconds) {
     const auto start = Clock::now();
-    picture = comparison.render(brdf, stop);
+    comparison.trace(brdf, stop);
     frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     total += frames.back();
   }
@@ -44,9 +43,8 @@ MeasuredRepresentation measure(const Representation& representation, const Built
       .fit = built.fit};
   StudyRecord& record = studied.record;
   if (options.timed) record.evaluation = measureEvaluation(*built.brdf, stop);
-  ComparisonPicture picture;
-  const double milliseconds = frameMilliseconds(comparison, *built.brdf, options.timed ? maxFrames : 1, picture, stop);
-  if (options.timed) record.frameMilliseconds = milliseconds;
+  if (options.timed) record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, stop);
+  ComparisonPicture picture = comparison.render(*built.brdf, stop);
   record.renderedSnr = comparison.signalToNoiseRatio(picture);
   studied.picture = std::move(picture.image);
   stop.throwIfStopped();

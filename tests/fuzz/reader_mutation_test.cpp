@@ -16,6 +16,8 @@ namespace {
 std::atomic<std::size_t> largestRequest = 0;
 }  // namespace
 
+// The thread sanitizer brings operators of its own.
+#ifndef GONIO_THREAD_SANITIZER
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   std::size_t known = largestRequest;
   while (bytes > known && !largestRequest.compare_exchange_weak(known, bytes)) continue;
@@ -27,6 +29,7 @@ void* operator new(std::size_t bytes) {
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
 
 namespace reader_mutation_test {
 using namespace gonio;

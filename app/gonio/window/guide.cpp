@@ -7,11 +7,13 @@
 #include <QDir>
 #include <QFile>
 #include <QListWidget>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 namespace gonio::app {
@@ -83,7 +85,6 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), m_pages(new QListWi
   m_pages->setAccessibleName(tr("Pages"));
   m_pages->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_text->setOpenLinks(false);
-  m_text->document()->setDocumentMargin(em);
   auto* split = new QSplitter;
   split->addWidget(m_pages);
   split->addWidget(m_text);
@@ -103,12 +104,23 @@ void GuideWindow::showPage(const QString& file, const QString& heading) {
     m_file = file;
     // Comments are for the source, and pictures are not built in.
     static const QRegularExpression leftOut(QStringLiteral("<!--.*?-->|!\\[[^\\]]*\\]\\([^)]*\\)"));
-    m_text->document()->setMarkdown(read(file).remove(leftOut));
+    setMarkdown(read(file).remove(leftOut));
     for (int row = 0; row < m_pages->count(); ++row)
       if (m_pages->item(row)->data(Qt::UserRole) == file) m_pages->setCurrentRow(row);
   }
   if (heading.isEmpty()) return m_text->verticalScrollBar()->setValue(0);
   scrollTo([&](const QString& text) { return text == heading; });
+}
+
+/// A document that is shown already is laid out anew after each word, which takes seconds for a long page.
+void GuideWindow::setMarkdown(const QString& text) {
+  auto* document = new QTextDocument(m_text);
+  document->setDefaultFont(m_text->font());
+  document->setDocumentMargin(fontMetrics().height());
+  document->setMarkdown(text);
+  const QPointer<QTextDocument> before = m_text->document();  // the first one is deleted by the browser
+  m_text->setDocument(document);
+  delete before;
 }
 
 void GuideWindow::scrollTo(const std::function<bool(const QString&)>& fits) {

@@ -37,6 +37,7 @@ class GuideWindow : public QDialog {
 
  private:
   void follow(const QUrl& link);
+  void setMarkdown(const QString& text);
   /// Scrolls to the first heading for which `fits` is true.
   void scrollTo(const std::function<bool(const QString&)>& fits);
 

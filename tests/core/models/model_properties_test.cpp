@@ -63,6 +63,22 @@ class ModelPropertiesTest : public QObject {
     }
   }
 
+  /// Isotropic models have no left and no right; a grain has.
+  void mirrorSymmetry() {
+    int asymmetric = 0;
+    forRandomMaterials([&](const Brdf& brdf, std::mt19937_64& random) {
+      QCOMPARE(brdf.isMirrorSymmetric(), brdf.isIsotropic());
+      for (int m = 0; m < 100; ++m) {
+        const Direction wi = randomDirection(random), wo = randomDirection(random);
+        const auto mirrored = [](const Direction& w) { return Direction(w.x, -w.y, w.z); };
+        const bool isEqual = near(brdf.evaluate(wi, wo), brdf.evaluate(mirrored(wi), mirrored(wo)), 1e-12);
+        QVERIFY(isEqual || !brdf.isMirrorSymmetric());
+        asymmetric += !isEqual;
+      }
+    });
+    QVERIFY(asymmetric > 0);
+  }
+
   /// A model without parameters of two axes is isotropic; one with them is where each pair is equal, and looks the same
   /// from the opposite side otherwise.
   void isotropy() {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/recorded_paths.h"
+
+#include <algorithm>
+
+#include "core/math/parallel.h"
+
+namespace gonio {
+
+namespace {
+
+/// Values at a time: they stay in the caches.
+constexpr std::size_t block = 1024;
+
+std::vector<Rgb> radianceOf(const RecordedPaths::Row& row, const Brdf& brdf, int width) {
+  std::vector<Rgb> radiance(std::size_t(width), Rgb(0)), values(std::min(block, row.pairs.size()));
+  for (std::size_t begin = 0; begin < row.pairs.size(); begin += block) {
+    const std::size_t count = std::min(block, row.pairs.size() - begin);
+    brdf.evaluate(std::span(row.pairs).subspan(begin, count), std::span(values).first(count));
+    for (std::size_t i = 0; i < count; ++i) radiance[row.columns[begin + i]] += values[i] * row.weights[begin + i];
+  }
+  return radiance;
+}
+
+}  // namespace
+
+Image RecordedPaths::picture(const Brdf& brdf, const TaskControl& control) const {
+  Image image = others_;
+  parallelForBlocks(
+      rows_.size(), 1,
+      [&](std::size_t y, std::size_t) {
+        const std::vector<Rgb> radiance = radianceOf(rows_[y], brdf, image.width);
+        for (std::size_t x = 0; x < radiance.size(); ++x)
+          image.pixels[y * radiance.size() + x] += glm::vec3(radiance[x] / double(samples_));
+      },
+      control);
+  return image;
+}
+
+}  // namespace gonio
