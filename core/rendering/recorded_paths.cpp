@@ -25,6 +25,16 @@ std::vector<Rgb> radianceOf(const RecordedPaths::Row& row, const Brdf& brdf, int
 
 }  // namespace
 
+RecordedPaths::RecordedPaths(std::vector<Row> rows, Image others, int samples)
+    : rows_(std::move(rows)), others_(std::move(others)), samples_(samples) {
+  // They are kept for long.
+  for (Row& row : rows_) {
+    row.pairs.shrink_to_fit();
+    row.weights.shrink_to_fit();
+    row.columns.shrink_to_fit();
+  }
+}
+
 Image RecordedPaths::picture(const Brdf& brdf, const TaskControl& control) const {
   Image image = others_;
   parallelForBlocks(

@@ -32,8 +32,7 @@ class RecordedPaths {
 
   /// @param rows one per row of pixels. @param others the picture of what does not depend on the material, such as a
   /// visible environment. @param samples per pixel.
-  RecordedPaths(std::vector<Row> rows, Image others, int samples)
-      : rows_(std::move(rows)), others_(std::move(others)), samples_(samples) {}
+  RecordedPaths(std::vector<Row> rows, Image others, int samples);
 
   /// What renderPicture() renders of a material with the lobe of the paths, up to rounding: linear RGB radiance,
   /// bitwise equal for any number of threads. @throws Cancelled.

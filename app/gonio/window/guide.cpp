@@ -118,9 +118,9 @@ void GuideWindow::setMarkdown(const QString& text) {
   document->setDefaultFont(m_text->font());
   document->setDocumentMargin(fontMetrics().height());
   document->setMarkdown(text);
-  const QPointer<QTextDocument> before = m_text->document();  // the first one is deleted by the browser
+  const QPointer<QTextDocument> before = m_text->document();  // the browser deletes the first one
   m_text->setDocument(document);
-  delete before;
+  if (before) before->deleteLater();  // it may hold the link that was clicked
 }
 
 void GuideWindow::scrollTo(const std::function<bool(const QString&)>& fits) {

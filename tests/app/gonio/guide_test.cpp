@@ -8,6 +8,7 @@
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <set>
 
 #include "tests/support/test_program.h"
@@ -94,6 +95,24 @@ class GuideTest : public QObject {
     // Pictures leave no placeholder.
     guide.showPage("tutorial-compare.md");
     QVERIFY(!guide.text().toPlainText().contains(QChar::ObjectReplacementCharacter));
+  }
+
+  /// By the mouse, whose event the old page still handles while the new one is shown.
+  void clickedLinks() {
+    GuideWindow guide(nullptr);
+    guide.show();
+    for (int n = 0; n < 3; ++n) {
+      guide.showPage("editor.md");
+      QTextBrowser& text = guide.text();
+      QTextCursor cursor(text.document());
+      const auto leads = [&] { return cursor.charFormat().anchorHref().contains(".md"); };
+      while (!leads() && cursor.movePosition(QTextCursor::NextCharacter)) continue;
+      QVERIFY(leads());
+      text.setTextCursor(cursor);
+      text.ensureCursorVisible();
+      QTest::mouseClick(text.viewport(), Qt::LeftButton, {}, text.cursorRect(cursor).center() - QPoint(2, 0));
+      QVERIFY(guide.page() != "editor.md");
+    }
   }
 
   void anchors() { QCOMPARE(anchorOf("Render MATERIAL (a scene), as-is!"), QString("render-material-a-scene-as-is")); }

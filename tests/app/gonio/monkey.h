@@ -39,6 +39,7 @@ class Monkey : public QObject {
   /// For so long; also inside the event loops of dialogs, which are closed in the end.
   void play(int milliseconds) {
     m_end.setRemainingTime(milliseconds);
+    m_playLevel = QThread::currentThread()->loopLevel();
     while (!m_end.hasExpired() || isInDialog()) {
       // A dialog may open after the last act.
       if (!m_isScheduled) next();
@@ -76,14 +77,17 @@ class Monkey : public QObject {
     m_isScheduled = true;
     QTimer::singleShot(pauseMilliseconds, this, [this] {
       m_isScheduled = false;
-      if (m_end.hasExpired() && !isInDialog()) return;
+      const int level = QThread::currentThread()->loopLevel();
+      if (m_end.hasExpired() && !isInDialog() && level == m_playLevel) return;
       next();
       // Not in the middle of an act, but in the loop of a dialog that the act has opened.
-      if (m_acting && QThread::currentThread()->loopLevel() <= m_level) return;
-      if (m_end.hasExpired())
+      if (m_acting && level <= m_level) return;
+      if (!m_end.hasExpired())
+        act();
+      else if (isInDialog())
         surface()->close();
       else
-        act();
+        QTest::keyClick(m_window.windowHandle(), Qt::Key_Escape);  // ends the loop of a drag
     });
   }
 
@@ -123,7 +127,7 @@ class Monkey : public QObject {
   static bool isDraggable(const QWidget* widget) {
     // A drag of a material, of a text or of a dock is handed to the window system, which no test event ends.
     for (const QWidget* one = widget; one; one = one->parentWidget())
-      for (const char* source : {"QListView", "QTextEdit", "QLabel", "gonio::widgets::MaterialSlotWidget"})
+      for (const char* source : {"QListView", "QTextEdit", "QLineEdit", "QLabel", "gonio::widgets::MaterialSlotWidget"})
         if (one->inherits(source)) return false;
     // Pressed again while its menu is open, a button starts a second loop over the first, which then never ends.
     const auto* button = qobject_cast<const QToolButton*>(widget);
@@ -219,7 +223,7 @@ class Monkey : public QObject {
   QDeadlineTimer m_end;
   QStringList m_acts;
   QPointer<QWidget> m_lastSurface;
-  int m_stuck = 0, m_count = 0, m_level = 0;
+  int m_stuck = 0, m_count = 0, m_level = 0, m_playLevel = 0;
   bool m_acting = false;
   bool m_isScheduled = false;
 };

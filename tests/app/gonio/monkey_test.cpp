@@ -43,6 +43,12 @@ class MonkeyTest : public QObject {
 
   static constexpr int secondsOfMark = 600;
 
+  /// Without what the acquisition has learned, which is kept for the next plan: up to gigabytes, by the training set.
+  static std::size_t residentMegabytes(MainWindow& window) {
+    const auto basis = window.parts().acquisition.session().planner().basis();
+    return test::residentMegabytes() - (basis ? basis->bytes(basis->count()) / 1'000'000 : 0);
+  }
+
   /// The same state each time: one material, shown at rest, after all that was running.
   static void settle(MainWindow& window) {
     window.docks().reset();
@@ -90,7 +96,7 @@ class MonkeyTest : public QObject {
       if (!guard || (!isMark && !isEnd && passed / 60 == minute)) continue;
       minute = passed / 60;
       if (isMark || (isEnd && marked > 0)) settle(*window);
-      last = test::residentMegabytes();
+      last = residentMegabytes(*window);
       if (isMark) marked = last;
       std::printf("%lld s, %d acts: %zu MB resident\n", passed, monkey.count(), last);
       std::fflush(stdout);
