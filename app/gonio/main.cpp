@@ -200,7 +200,7 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
     docks.show(QStringLiteral("scene"));
     parts.scene.open(options.scene);
     for (int slot = 0; slot < std::min(int(options.otherSlots.size()), SceneMaterialSlots::count); ++slot)
-      parts.scene.neighbours().read(slot, options.otherSlots[slot]);
+      parts.scene.otherSlots().read(slot, options.otherSlots[slot]);
   }
   if (options.encoded > 0) {
     parts.inspector.unfoldRepresentation();

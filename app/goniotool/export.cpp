@@ -143,7 +143,7 @@ void addExport(CLI::App& app, Tool& tool) {
       ->default_str(sphereName);
   command->add_option(
       "--environment", options->environment,
-      "Environment of the written scene: a bundled one or an image; implies --scene (that of the scene)");
+      "Environment of the written scene: a bundled one or an image; implies --scene (environment of the scene)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

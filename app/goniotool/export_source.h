@@ -36,6 +36,6 @@ inline std::string nativeFormHelp(const std::string& what) {
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =
-    "Use only this wavelength of a spectral RGL file, in grey, nm (all wavelengths under D65)";
+    "Wavelength in nm: use only this one of a spectral RGL file, as grey values (all wavelengths under D65)";
 
 }  // namespace gonio::tool

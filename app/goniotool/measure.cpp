@@ -62,10 +62,10 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command.add_option("--predict", options->predict,
                      outputHelp("File to write: the predicted material") + ", or its factors (.pdv)");
   command
-      .add_option(
-          "--bound", options->bound,
-          "Upper bound of the prediction: readings (the larger of the nearest readings, and the prediction with light "
-          "and viewer exchanged), or none (readings)")
+      .add_option("--bound", options->bound,
+                  "Upper bound of the prediction: readings or none. With readings, the prediction exceeds neither the "
+                  "larger of "
+                  "the two nearest readings nor the prediction with light and viewer exchanged (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 

@@ -101,8 +101,8 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
                      number(seconds) + " s\n";
   if (std::isfinite(found.leaveOneOutError))
     text += "leave-one-out error of a mapped value: " + number(found.leaveOneOutError) + " (root mean square)\n";
-  if (!found.deviation.empty()) {
-    std::vector<float> deviations = found.deviation;  // which medianOf() reorders
+  if (!found.standardDeviation.empty()) {
+    std::vector<float> deviations = found.standardDeviation;  // which medianOf() reorders
     const double median = medianOf(deviations);
     json["medianDeviation"] = median;
     text += "median uncertainty of a mapped value " + number(median) + "\n";
@@ -136,7 +136,7 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   materials::writeMaterial(*found.table, options.out);
   if (!options.uncertainty.empty())
-    materials::writeMaterial(*deviationTable(basis->components.mapping, found.deviation), options.uncertainty);
+    materials::writeMaterial(*deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty);
   report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, tool);
   return 0;
 }

@@ -261,8 +261,8 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command->add_option("--npf", options->npf,
-                      "Table of published non-parametric factors (npf.bin of Bagher et al. 2016); also measure its "
-                      "rows that have the names of the materials (none)");
+                      "Table of published non-parametric factors (npf.bin of Bagher et al. 2016); also measure the "
+                      "published factors of each material that has a row with its name (none)");
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");

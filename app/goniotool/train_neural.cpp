@@ -30,7 +30,7 @@ neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
     constexpr std::size_t rowBytes = sizeof fit.weights;
     if (file.size() == 0 || file.size() % rowBytes != 0 || row >= file.size() / rowBytes)
       throw Error("found " + std::to_string(file.size()) + " bytes, expected rows of " + std::to_string(rowBytes) +
-                  " bytes with a row " + std::to_string(row));
+                  " bytes, at least up to row " + std::to_string(row) + " (counted from 0)");
     const auto bytes = std::as_writable_bytes(std::span(fit.weights));
     file.readAt(row * rowBytes, bytes);
     return fit;

@@ -48,13 +48,14 @@ struct FactorPlan {
 /// @throws Error if an option is out of range, or a curve has no reading that the arms do not obstruct.
 FactorPlan planFactors(const FactorPlanOptions& options = {});
 
-/// SamplingPlan::method of a factor measurement, "factors, half-out", and its inverse: none for other texts.
+/// The text of SamplingPlan::method for a factor measurement, e.g. "factors, half-out"; and its inverse, which is empty
+/// for other texts.
 std::string factorMethod(FactorAxes axes);
 std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 
 /// The value of FactorPlanOptions::angles for which planFactors() gives these `along` angles: their number plus, if
-/// they are evenly spaced, the readings between 0 and the first angle that it leaves out. @param angles increasing,
-/// rad.
+/// they are evenly spaced, the number of readings that it leaves out between 0 and the first of them. @param angles
+/// increasing, rad.
 int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

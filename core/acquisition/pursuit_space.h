@@ -17,10 +17,10 @@ struct PursuitSpace {
   explicit PursuitSpace(const Eigen::MatrixXd& allSignals);
 
   /// Coordinates of an atom in the complement: its part orthogonal to the chosen atoms.
-  Eigen::VectorXd left(const Eigen::VectorXd& atom) const { return complement.transpose() * atom; }
+  Eigen::VectorXd remainderOf(const Eigen::VectorXd& atom) const { return complement.transpose() * atom; }
   /// Removes a direction (coordinates in the complement, not 0) by a Householder reflection, so that rounding errors do
   /// not accumulate.
-  void remove(const Eigen::VectorXd& left);
+  void remove(const Eigen::VectorXd& direction);
 };
 
 }  // namespace gonio::acquisition

@@ -32,7 +32,7 @@ void checkOptions(const ReconstructionOptions& options) {
   if (options.components < 0 || options.atoms < 0) throw Error("a number of components must be 0 or more");
 }
 
-/// v of the coefficients (Reconstruction::deviation). Known noise does not grow with the coefficients, so
+/// v of the coefficients (Reconstruction::standardDeviation). Known noise does not grow with the coefficients, so
 /// each sample counts for the fraction of its noise that is not known: one that is drowned says nothing of their size.
 double coefficientVariance(const PrincipalComponents& basis, const SampleRows& samples, const Eigen::VectorXd& noise,
                            double ridge, const std::optional<double>& given) {
@@ -90,7 +90,7 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
     result.leaveOneOutError = std::sqrt(regression.leaveOneOut().squaredNorm() / double(samples.values.size()));
   if (options.uncertainty) {
     const double variance = coefficientVariance(basis, samples, noise, result.ridge, options.noise);
-    result.deviation = deviations(basis, regression.posteriorFactor(), variance, control.between(0.5, 1));
+    result.standardDeviation = deviations(basis, regression.posteriorFactor(), variance, control.between(0.5, 1));
   }
   return regression.coefficients();
 }

@@ -35,8 +35,8 @@ struct ReconstructionOptions {
                        ///< the basis has: all
   int atoms = 0;  ///< `sparse` only: components per channel; 0: chosen by leave-one-out, at most half the number of
                   ///< samples
-  std::optional<double> noise;  ///< standard deviation of a mapped value, for `deviation`; if empty, estimated
-  bool uncertainty = true;      ///< whether to compute `deviation`
+  std::optional<double> noise;  ///< standard deviation of a mapped value, for `standardDeviation`; if empty, estimated
+  bool uncertainty = true;      ///< whether to compute `standardDeviation`
   /// Whether all samples have the same weight, as in eq. 5.14 as printed: the ridge is eta alone, without the
   /// components that are not used and without the standard deviations of the values.
   bool equalNoise = false;
@@ -65,7 +65,7 @@ struct Reconstruction {
   /// 1/t; each sample counts by the fraction of its noise that is not known, so that very large known noise gives the
   /// deviation of the training set. Components that are not used are independent from cell to cell: samples carry no
   /// information about them. A change of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
-  std::vector<float> deviation;
+  std::vector<float> standardDeviation;
 };
 
 /// Each sample is read at the nearest node of the basis (nearestNode()). Components that are not used count as noise of

@@ -22,7 +22,7 @@ Eigen::Index best(const std::vector<Eigen::Index>& candidates, const DictionaryA
                   const PursuitSpace& space) {
   std::vector<double> scores(candidates.size());
   parallelForBlocks(candidates.size(), 1, [&](std::size_t i, std::size_t) {
-    const Eigen::VectorXd left = space.left(atoms.exact(candidates[i]));
+    const Eigen::VectorXd left = space.remainderOf(atoms.exact(candidates[i]));
     // One product an atom, so that equal atoms have equal scores to the last bit.
     scores[i] = (space.signals.transpose() * left).lpNorm<1>();
   });
@@ -57,7 +57,7 @@ SimultaneousPursuitResult simultaneousPursuit(const DictionaryAtoms& atoms, cons
     }
     const std::vector<Eigen::Index> candidates = scores.candidates(space, {control.stop, {}});
     const Eigen::Index atom = candidates.empty() ? -1 : best(candidates, atoms, space);
-    const Eigen::VectorXd left = atom < 0 ? Eigen::VectorXd() : space.left(atoms.exact(atom));
+    const Eigen::VectorXd left = atom < 0 ? Eigen::VectorXd() : space.remainderOf(atoms.exact(atom));
     // No score is far below its atom's length outside the span, so with the best all others are in the span.
     if (!(left.norm() > IncrementalQr::collinear)) {
       result.stop = PursuitStop::exhausted;

@@ -8,7 +8,7 @@
 
 #include "core/coordinates/half_difference_grid.h"
 
-/// Selections that use no training materials: the baselines of the other methods.
+/// Selections that use no training materials: the baselines for the other methods.
 namespace gonio::acquisition {
 
 /// `samples` distinct random indices below `count`; all sets and orders are equally likely. If `samples` exceeds

@@ -29,11 +29,11 @@ struct DiskLobe {
   }
   double density(const Direction& w, const Direction& wo) const {
     if (!(w.z > 0)) return 0;
-    const glm::dvec2 x(w), centre(wo);
+    const glm::dvec2 x(w), viewer(wo);
     const double squared = glm::dot(x, x);
-    double sum = radial.density(glm::length(x + centre));
-    // |Dp| <= 2 reaches points up to 3 from the centre: the inverse of those is at least 1/3 away from it.
-    if (squared > 1.0 / 9 - 1e-9) sum += radial.density(glm::length(x / squared + centre)) / (squared * squared);
+    double sum = radial.density(glm::length(x + viewer));
+    // |Dp| <= 2 reaches points up to 3 from the origin: their inverses are at least 1/3 from it.
+    if (squared > 1.0 / 9 - 1e-9) sum += radial.density(glm::length(x / squared + viewer)) / (squared * squared);
     return w.z * sum;
   }
 };

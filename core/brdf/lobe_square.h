@@ -35,7 +35,7 @@ inline Direction fromLobeSquare(const glm::dvec2& square, const glm::dvec2& axis
 /// Area of the square per solid angle of reflected directions, 1/sr. @param x of the square. @param cosD cosine of the
 /// angle between the half vector and either direction.
 inline double lobeSquarePerSolidAngle(double x, double cosD) {
-  // The stretch vanishes within some nano-radians of the pole, where nothing is sampled.
+  // The stretch falls below this bound only within about 1e-18 rad of the pole, where nothing is sampled.
   constexpr double smallest = 1e-30;
   const double x2 = x * x, x4 = x2 * x2, one = 1 + x4 * x4;
   const double stretch = 32 * pi * x4 * x2 * x / (one * one);

@@ -36,7 +36,7 @@ inline Direction reflected(const Direction& w, const Direction& normal) {
 /// Area of the square per solid angle of reflected directions, 1/sr. @param sum of the two directions. @param w either
 /// of them.
 inline double squarePerSolidAngle(const glm::dvec2& square, const Direction& sum, const Direction& w) {
-  // The stretch vanishes within some nano-radians of the pole, where nothing is sampled.
+  // The stretch vanishes within a few nanoradians of the pole, where nothing is sampled.
   constexpr double minStretch = 1e-12;
   const double length = glm::length(sum);
   const double sinTheta = std::sqrt(sum.x * sum.x + sum.y * sum.y) / length;

@@ -48,7 +48,7 @@ ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cell
   const std::size_t count = reader.read<std::uint16_t>();
   const float scale = reader.readNonNegative("a scale");
   channel.highest = reader.readNonNegative("a maximum");
-  if (count > reader.left()) throw Error("the code ends within its indices");
+  if (count > reader.left()) throw Error("the code is truncated: it ends before its last index");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;
   for (std::size_t i = 0; i < count; ++i) {

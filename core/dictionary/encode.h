@@ -26,7 +26,7 @@ enum class CodingMethod {
 inline constexpr std::array<std::string_view, 2> codingMethodNames{"omp", "basis-pursuit"};
 
 struct EncodeOptions {
-  std::size_t coefficients = 1024;  ///< maximum per channel; a file has about 2.6 kB with so many
+  std::size_t coefficients = 1024;  ///< maximum per channel; a file with that many has about 2.6 kB
   /// If set, uses only as many coefficients as needed for a squared error of the signal (scaled by
   /// GridGeometry::importance) of at most this fraction of its energy.
   std::optional<double> relativeError;

@@ -30,8 +30,8 @@ class InvalidCellRefinement {
 
   /// The `count` largest coefficients of the signal, in no particular order.
   void keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const;
-  /// Sets the values of a code to the projections of the signal on its atoms. O(16,200 cells) per pair of atoms of
-  /// modes 1 and 2 for a MERL table.
+  /// Sets the values of a code to the projections of the signal on its atoms. For a MERL table, 16,200
+  /// multiplications per distinct pair of atoms of modes 1 and 2.
   void project(std::vector<Coefficient<float>>& code) const;
   /// Resets the momentum: the next round starts without it.
   void restart() { decoded_.clear(); }

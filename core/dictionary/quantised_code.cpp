@@ -77,7 +77,8 @@ class ChannelCoder {
   int extent(int value, int most) {
     const auto found = int(coder_.number(std::uint32_t(value), int(std::bit_width(std::uint32_t(most)))));
     if (found > most)
-      throw Error("an extent of the code is " + std::to_string(found) + ", expected at most " + std::to_string(most));
+      throw Error("the code has " + std::to_string(found) + " rows or slices of coefficients, expected at most " +
+                  std::to_string(most));
     return found;
   }
 
@@ -119,8 +120,8 @@ class ChannelCoder {
 
   /// @param there of the channel before, 0 if none; @param product (1 + l0) (1 + l1) (1 + l2).
   std::int32_t codeLevel(std::int32_t level, std::int32_t there, int product) {
-    const bool isNegative =
-        there != 0 ? coder_.bit(contexts_.sign, (level < 0) == (there < 0)) == (there < 0) : coder_.evenBit(level < 0);
+    const bool isNegative = there != 0 ? coder_.bit(contexts_.sign, (level < 0) == (there < 0)) == (there < 0)
+                                       : coder_.directBit(level < 0);
     const int sizeThere = there != 0 ? sizeClass(there) : -1;
     const int row = there != 0 ? sizeThere : sizeClasses + std::min(5, sizeClass(product));
     int size = 0;
@@ -132,7 +133,7 @@ class ChannelCoder {
       const bool value = (magnitude >> bit & 1) != 0;
       const int second = sizeThere == size ? (std::uint32_t(std::abs(there)) >> bit & 1) : 2;
       result = result << 1 | std::uint32_t(bit == size - 1 ? coder_.bit(contexts_.secondBit[size][second], value)
-                                                           : coder_.evenBit(value));
+                                                           : coder_.directBit(value));
     }
     return isNegative ? -std::int32_t(result) : std::int32_t(result);
   }

@@ -16,7 +16,7 @@ constexpr int bytesAtEnd = 5;
 template <typename Coder>
 std::uint32_t codeNumber(Coder& coder, std::uint32_t value, int bits) {
   std::uint32_t result = 0;
-  for (int bit = bits - 1; bit >= 0; --bit) result |= std::uint32_t(coder.evenBit((value >> bit & 1) != 0)) << bit;
+  for (int bit = bits - 1; bit >= 0; --bit) result |= std::uint32_t(coder.directBit((value >> bit & 1) != 0)) << bit;
   return result;
 }
 }  // namespace
@@ -50,7 +50,7 @@ bool RangeEncoder::bit(AdaptiveBit& context, bool value) {
   return value;
 }
 
-bool RangeEncoder::evenBit(bool value) {
+bool RangeEncoder::directBit(bool value) {
   encode(half, value);
   return value;
 }
@@ -91,7 +91,7 @@ bool RangeDecoder::bit(AdaptiveBit& context, bool) {
   return value;
 }
 
-bool RangeDecoder::evenBit(bool) { return decode(half); }
+bool RangeDecoder::directBit(bool) { return decode(half); }
 
 std::uint32_t RangeDecoder::number(std::uint32_t, int bits) { return codeNumber(*this, 0, bits); }
 

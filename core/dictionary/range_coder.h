@@ -9,7 +9,7 @@
 
 /// Adaptive binary range coding (Martin 1979, Range encoding: an algorithm for removing redundancy from a digitised
 /// message; carries as in the coder of LZMA). Only integers, so that every machine reads what any other has written.
-/// RangeEncoder and RangeDecoder have the same interface: one function can describe both directions. bit(), evenBit()
+/// RangeEncoder and RangeDecoder have the same interface: one function can describe both directions. bit(), directBit()
 /// and number() take the value to write and return it; the decoder ignores the argument and returns the value read.
 namespace gonio::dictionary {
 
@@ -34,9 +34,9 @@ class AdaptiveBit {
 class RangeEncoder {
  public:
   bool bit(AdaptiveBit& context, bool value);
-  /// A bit with equally probable values.
-  bool evenBit(bool value);
-  /// A number of `bits` even bits.
+  /// A bit with equally probable values (a direct bit of LZMA).
+  bool directBit(bool value);
+  /// A number of `bits` direct bits.
   std::uint32_t number(std::uint32_t value, int bits);
 
   /// The bytes; call once, at the end.
@@ -59,7 +59,7 @@ class RangeDecoder {
 
   /// All throw Error if the bytes end too early.
   bool bit(AdaptiveBit& context, bool = false);
-  bool evenBit(bool = false);
+  bool directBit(bool = false);
   std::uint32_t number(std::uint32_t, int bits);
 
   /// Bytes that were not needed.

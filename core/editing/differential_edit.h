@@ -12,8 +12,8 @@ namespace gonio::editing {
 ///   edited = max(0, measured + strength change(measured, model(edited), model(fitted))),
 /// so that detail that the model does not explain is preserved. Composition defines the three changes. The published
 /// one is additive (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition",
-/// section 4.4.1, eq. 4.40-4.41): its residual is model(edited) - model(fitted), here with its sign; eq. 4.40 as
-/// printed has the absolute value.
+/// section 4.4.1, eq. 4.40-4.41): its change is model(edited) - model(fitted), which the paper calls the
+/// residual, here with its sign; eq. 4.40 as printed has the absolute value.
 struct DifferentialEdit {
   const models::Model* model = nullptr;
   models::ParameterValues fitted;

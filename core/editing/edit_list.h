@@ -7,8 +7,8 @@
 
 #include "core/editing/edit.h"
 
-/// Functions that return a changed copy of a list of edits. Indices must be those of existing edits. A copy takes some
-/// kB; curves are shared.
+/// Functions that return a changed copy of a list of edits. Indices must be those of existing edits. A copy takes a
+/// few kB; curves are shared.
 namespace gonio::editing {
 
 /// The list with `change(edit)` applied to one edit.

@@ -48,7 +48,10 @@ std::vector<glm::vec3> editedUtia(const UtiaBrdf& file, const Brdf& edited, cons
 
 FormFile encodeUtiaForm(const ExportSource& source, const materials::Material& base, const TaskControl& control) {
   const UtiaBrdf* file = asUtia(*base.brdf);
-  if (!file) throw Error(source.name + ": found a material that is not a UTIA file, expected one to write .bin");
+  if (!file)
+    throw Error(
+        source.name +
+        ": found a material that is not a UTIA file; only UTIA files can be written as .bin, choose another suffix");
   return {io::encodeUtia(source.brdf == base.brdf ? *file->values() : editedUtia(*file, *source.brdf, control)), {}};
 }
 

@@ -7,7 +7,7 @@
 
 namespace gonio::exports {
 
-/// Writes the text of a file. @param origin of originText().
+/// Writes the text of a file. @param origin the text from originText().
 using SurfaceText = std::string (*)(const ExportSource& source, const SurfaceValues& values, const std::string& origin);
 
 /// The values as written to a file: layers without effect are set to 0, and the rotation is reduced to [0, pi), the

@@ -46,7 +46,7 @@ HalfDifferenceAxes nonparametricAxes();
 
 /// Fits the factors by alternating non-negative weighted least squares: D, F, the diffuse part, then G by damped
 /// Gauss-Newton steps. As in the paper, weights compress the range of values; their form is our own: with x = rho cos
-/// theta_i cos theta_o, the error x - x^ is weighted by ln(1 + x) / x, and cells by their solid angles. Takes some
+/// theta_i cos theta_o, the error x - x^ is weighted by ln(1 + x) / x, and cells by their solid angles. Takes a few
 /// seconds. @throws Cancelled.
 NonparametricFit fitNonparametric(const HalfDifferenceSamples& samples, const NonparametricOptions& options = {},
                                   const TaskControl& control = {});

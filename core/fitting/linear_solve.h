@@ -15,8 +15,8 @@ struct ChannelProblem {
   MetricTransform metric;
   std::span<const double> factor;  ///< factor of the metric per BRDF value
   std::span<const double> rootWeight;
-  std::span<const double> transformed;  ///< transform(measured factor)
-  std::span<const double> startWeight;  ///< rootWeight slope(measured factor) factor
+  std::span<const double> transformed;  ///< transform(measured * factor)
+  std::span<const double> startWeight;  ///< rootWeight * slope(measured * factor) * factor
   std::span<const double> values;       ///< measured, 1/sr
   std::vector<std::span<const double>> bases;
   LinearVector lower, upper;
@@ -33,8 +33,8 @@ struct ChannelSolution {
   LinearVector parameters;
   double cost = 0;                  ///< sum of squared residuals
   std::vector<double> model;        ///< in the cells, 1/sr
-  std::vector<double> differences;  ///< transform(model factor) - transformed
-  std::vector<double> residuals;    ///< rootWeight shape(difference)
+  std::vector<double> differences;  ///< transform(model * factor) - transformed
+  std::vector<double> residuals;    ///< rootWeight * shape(difference)
 };
 
 /// Bounded least squares in the metric's own domain by Gauss-Newton steps, each an exact bounded linear problem, with

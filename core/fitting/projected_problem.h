@@ -19,8 +19,8 @@ struct FitTarget {
   MetricTransform metric;
   std::vector<double> factor;      ///< factor of the metric per BRDF value
   std::vector<double> rootWeight;  ///< square root of the cell's weight times the metric's; the sum of squares is 1
-  std::array<std::vector<double>, 3> transformed;  ///< transform(measured factor)
-  std::array<std::vector<double>, 3> startWeight;  ///< rootWeight slope(measured factor) factor
+  std::array<std::vector<double>, 3> transformed;  ///< transform(measured * factor)
+  std::array<std::vector<double>, 3> startWeight;  ///< rootWeight * slope(measured * factor) * factor
 
   double costTolerance;  ///< for the linear parameters, see ChannelProblem
 

@@ -51,8 +51,8 @@ void FileSource::readAt(std::uint64_t offset, std::span<std::byte> target) const
 
 void MemorySource::readAt(std::uint64_t offset, std::span<std::byte> target) const {
   if (offset > bytes_.size() || target.size() > bytes_.size() - offset)
-    throw Error("read of " + std::to_string(target.size()) + " bytes at " + std::to_string(offset) + " of " +
-                std::to_string(bytes_.size()));
+    throw Error("ends at byte " + std::to_string(bytes_.size()) + ", expected " + std::to_string(target.size()) +
+                " bytes from byte " + std::to_string(offset));
   if (!target.empty()) std::memcpy(target.data(), bytes_.data() + offset, target.size());
 }
 

@@ -16,9 +16,9 @@
 ///     10.5 0 0.31
 ///
 /// Keys that are read: `intheta` and `inphi`, or `incident_angle` with both; `format:` with the quantity, BSDF or BRDF
-/// in 1/sr, or DSF, which is the BSDF times the cosine of the row's theta and is divided by it; `colorimetry:` (for
-/// three values per row: CIE-XYZ, otherwise they are read as linear sRGB; one value is grey); `sample_name`. Keys may
-/// have a colon. Directions point away from the surface; theta is the polar angle from its normal. A theta above 90
+/// in 1/sr, or DSF, the BSDF times the cosine of the row's theta (the reader divides it by this cosine); `colorimetry:`
+/// (for three values per row: CIE-XYZ, otherwise they are read as linear sRGB; one value is grey); `sample_name`. Keys
+/// may have a colon. Directions point away from the surface; theta is the polar angle from its normal. A theta above 90
 /// degrees is on the other side: rows on the side opposite to the light are transmission and are ignored.
 namespace gonio::io {
 

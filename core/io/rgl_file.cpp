@@ -105,8 +105,8 @@ int reductionOf(const std::vector<float>& phis) {
   const double range = double(phis.back()) - phis.front();
   const double reduction = std::rint(2 * pi / range);
   if (reduction != 1 && reduction != 2 && reduction != 4)
-    throw FormatMismatch("incident azimuths over " + std::to_string(degrees(range)) + " degrees",
-                         "90, 180 or 360 degrees");
+    throw FormatMismatch("incident azimuths that span " + std::to_string(degrees(range)) + " degrees",
+                         "a span of 90, 180 or 360 degrees");
   return int(reduction);
 }
 

@@ -15,7 +15,7 @@ namespace gonio::io {
 struct ScatteredSamples {
   std::vector<DirectionPair> directions;  ///< both above the horizon
   std::vector<Rgb> values;                ///< linear RGB, 1/sr, without the cosine, finite and >= 0; one per pair
-  std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty if unknown
+  std::vector<Rgb> standardDeviations;    ///< of the values, 1/sr; empty if unknown
   std::size_t clampedCount = 0;           ///< number of channel values that were below 0 and were set to 0
   std::size_t belowHorizonCount = 0;      ///< number of rows that were ignored because a direction is at or below the
                                           ///< horizon

@@ -48,7 +48,8 @@ GatheredPoints gather(const io::ScatteredSamples& samples, const MappedCells& ma
     }
     NodePoints& at = points.nodes[*node];
     at.sum += samples.values[i];
-    if (!samples.deviations.empty()) at.variance += samples.deviations[i] * samples.deviations[i];
+    if (!samples.standardDeviations.empty())
+      at.variance += samples.standardDeviations[i] * samples.standardDeviations[i];
     ++at.count;
   }
   return points;
@@ -127,7 +128,7 @@ void setScattered(const io::ScatteredSamples& samples, const TaskControl& contro
   if (points.nodes.empty())
     throw Error("found " + std::to_string(samples.values.size()) +
                 " samples, expected at least one away from the horizon");
-  const Measured measured = measuredAt(points, mapping.grid, !samples.deviations.empty());
+  const Measured measured = measuredAt(points, mapping.grid, !samples.standardDeviations.empty());
   const acquisition::Reconstruction reconstruction = acquisition::reconstruct(
       basis->components, measured.plan, measured.values, {.uncertainty = false}, control.between(0.6, 0.9));
   std::size_t limitedCount = 0;

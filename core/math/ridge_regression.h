@@ -19,8 +19,8 @@ class RidgeRegression {
 
   Eigen::Index rowCount() const { return svd_.u.rows(); }
 
-  /// (A^T A + ridge I)^-1 A^T B: columns x right-hand sides. Ridge 0 gives the solution of least norm, an infinite
-  /// ridge 0. @param ridge >= 0.
+  /// (A^T A + ridge I)^-1 A^T B: columns x right-hand sides. With ridge 0 this is the solution of least norm; with an
+  /// infinite ridge it is 0. @param ridge >= 0.
   Eigen::MatrixXd coefficients(double ridge) const;
 
   /// Leave-one-out residuals: each row of B minus its prediction from all other rows, in closed form: the i-th row of H
@@ -34,9 +34,9 @@ class RidgeRegression {
   /// bestRidge() of triedRidges() by the sums of squares of leaveOneOut(). @param otherwise result if there are none.
   double leaveOneOutRidge(double otherwise) const;
 
-  /// trace(B^T (A A^T + ridge I)^-1 B). Divided by the number of values, it is the most likely variance of the
-  /// coefficients, and ridge times that the variance of the noise of B, if both are Gaussian. @param ridge >= 0; with 0
-  /// the part of B outside the range of A is left out.
+  /// trace(B^T (A A^T + ridge I)^-1 B). Divided by the number of values, it is the most likely variance v of the
+  /// coefficients, and ridge v is the most likely variance of the noise of B, if both are Gaussian. @param ridge >= 0;
+  /// with 0 the part of B outside the range of A is left out.
   double weightedEnergy(double ridge) const;
 
   /// The symmetric F (columns x columns) with F F = ridge (A^T A + ridge I)^-1, which is the covariance of the

@@ -25,8 +25,8 @@ constexpr ParameterSpec parameters[] = {
                        "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", cookTorrance1982, 5),
     normalReflectanceParameter(),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "Constant N in the denominator of the highlight, which differs between publications: choose that "
-                    "of the fit.",
+                    "Constant N in the denominator of the highlight, which differs between publications: for published "
+                    "parameters, choose the constant of their publication.",
                     "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (the paper has N = pi and a D without "
                     "the factor 1/pi, which is equivalent)",
                     "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "

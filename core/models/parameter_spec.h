@@ -47,7 +47,8 @@ struct ParameterSpec {
   /// For a choice between named conventions: the value is an index into this list; never fitted.
   std::span<const std::string_view> choices = {};
   /// For a parameter that only has an effect with one choice of another parameter: the id of that parameter, and the
-  /// index of the choice. Otherwise its slider is disabled and fits leave it at its default.
+  /// index of the choice. With any other choice, the slider of this parameter is disabled and fits leave it at
+  /// its default.
   std::string_view activeWith = {};
   int activeChoice = 0;
   /// For the second of two parameters along the axes x and y: the id of the first. Fits to isotropic data set both

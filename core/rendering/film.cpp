@@ -15,9 +15,9 @@ SampleLuminances& SampleLuminances::operator+=(const SampleLuminances& other) {
 
 double SampleLuminances::sumFrom(double threshold) const {
   double sum = 0;
-  for (int i = 0; i < classesOfOctave * octaves; ++i) {
-    const double middle = 1 + (i % classesOfOctave + 0.5) / classesOfOctave;
-    const double luminance = std::ldexp(middle, i / classesOfOctave + lowestOctave - 1);
+  for (int i = 0; i < binsPerOctave * octaves; ++i) {
+    const double middle = 1 + (i % binsPerOctave + 0.5) / binsPerOctave;
+    const double luminance = std::ldexp(middle, i / binsPerOctave + lowestOctave - 1);
     if (luminance >= threshold) sum += double(counts_[std::size_t(i)]) * luminance;
   }
   return sum;

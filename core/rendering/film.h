@@ -33,30 +33,30 @@ class SampleLuminances {
   void add(double luminance) {
     if (!(luminance > 0)) return;
     largest_ = std::max(largest_, luminance);
-    // The class is given by the exponent and the first three bits of the mantissa.
-    constexpr int mantissaBits = 52, classBits = 3, bias = 1022;
-    static_assert(classesOfOctave == 1 << classBits);
-    const auto place = int(std::bit_cast<std::uint64_t>(luminance) >> (mantissaBits - classBits));
-    ++counts_[std::size_t(
-        std::clamp(place - (bias + lowestOctave) * classesOfOctave, 0, classesOfOctave * octaves - 1))];
+    // The bin is given by the exponent and the first three bits of the mantissa.
+    constexpr int mantissaBits = 52, binBits = 3, bias = 1022;
+    static_assert(binsPerOctave == 1 << binBits);
+    const auto place = int(std::bit_cast<std::uint64_t>(luminance) >> (mantissaBits - binBits));
+    ++counts_[std::size_t(std::clamp(place - (bias + lowestOctave) * binsPerOctave, 0, binsPerOctave * octaves - 1))];
   }
   SampleLuminances& operator+=(const SampleLuminances& other);
 
   double largest() const { return largest_; }
   /// Sum of the samples of at least `threshold`, with a relative error of at most 1/16 per sample (each counts as the
-  /// middle of its class).
+  /// middle of its bin).
   double sumFrom(double threshold) const;
 
  private:
-  static constexpr int classesOfOctave = 8, lowestOctave = -64, octaves = 128;
-  std::array<std::uint64_t, std::size_t(classesOfOctave* octaves)> counts_{};
+  static constexpr int binsPerOctave = 8, lowestOctave = -64, octaves = 128;
+  std::array<std::uint64_t, std::size_t(binsPerOctave* octaves)> counts_{};
   double largest_ = 0;
 };
 
 /// Statistics of fireflies: rare samples that are much brighter than the rest, which cause noise that decreases slowly.
 /// They are reported, not clamped.
 struct Fireflies {
-  /// A sample is a firefly if its luminance is at least this multiple of the mean luminance.
+  /// A sample is a firefly if its luminance is at least this multiple of the mean luminance of the samples that hit
+  /// something.
   static constexpr double threshold = 100;
   double brightest = 0;  ///< luminance of the brightest sample, relative to the mean of the samples that hit something
   double fraction = 0;   ///< fraction of the image's luminance that comes from samples above `threshold` times the mean

@@ -9,17 +9,17 @@
 
 namespace gonio::study {
 
-std::vector<std::size_t> paretoFront(std::span<const CostAndError> alternatives) {
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> candidates) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < alternatives.size(); ++i)
-    if (!std::isnan(alternatives[i].cost) && !std::isnan(alternatives[i].error)) order.push_back(i);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (!std::isnan(candidates[i].cost) && !std::isnan(candidates[i].error)) order.push_back(i);
   std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return std::tuple(alternatives[i].cost, alternatives[i].error); });
+                           [&](std::size_t i) { return std::tuple(candidates[i].cost, candidates[i].error); });
   std::vector<std::size_t> front;
   for (const std::size_t i : order) {
-    const bool equal = !front.empty() && alternatives[front.back()].cost == alternatives[i].cost &&
-                       alternatives[front.back()].error == alternatives[i].error;
-    if (front.empty() || equal || alternatives[i].error < alternatives[front.back()].error) front.push_back(i);
+    const bool equal = !front.empty() && candidates[front.back()].cost == candidates[i].cost &&
+                       candidates[front.back()].error == candidates[i].error;
+    if (front.empty() || equal || candidates[i].error < candidates[front.back()].error) front.push_back(i);
   }
   return front;
 }

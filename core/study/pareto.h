@@ -11,16 +11,16 @@
 
 namespace gonio::study {
 
-/// Cost and error of an alternative; smaller is better for both.
+/// Cost and error of a candidate; smaller is better for both.
 struct CostAndError {
   double cost = 0;
   double error = 0;  ///< for a quality in dB its negative; -infinity: no error
 };
 
-/// The Pareto front: alternatives for which no other has at most the same cost and error and is better in one of them.
+/// The Pareto front: candidates for which no other has at most the same cost and error and is better in one of them.
 /// Equal ones are all included; NaN in either is excluded. @return indices by increasing cost, in their order among
 /// equals. O(n log n).
-std::vector<std::size_t> paretoFront(std::span<const CostAndError> alternatives);
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> candidates);
 
 /// Limits for a representation; empty: no limit.
 struct Budget {

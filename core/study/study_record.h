@@ -13,8 +13,8 @@ namespace gonio::study {
 /// Measured cost and accuracy of a representation of a material.
 struct StudyRecord {
   Representation representation;
-  /// Size of its file; for a table of its values and two flags per cell in memory; for a fit of its parameters as
-  /// float32. Excludes data shared by all materials (dictionary, components).
+  /// Size of its file in bytes. For a table: size of its values and two flags per cell in memory. For a fit: size of
+  /// its parameters as float32. Excludes data shared by all materials (dictionary, components).
   std::size_t bytes = 0;
   double encodeSeconds = 0;      ///< time to build the representation from the table; 0 for the table itself, NaN for
                                  ///< RepresentationFamily::publishedNonparametric, which was fitted elsewhere

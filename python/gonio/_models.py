@@ -182,7 +182,7 @@ def _fit(row: dict[str, Any]) -> Fit:
 
 def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: float = 2.0,
         max_polar_angle: float = math.radians(85), progress: Progress = None) -> Fit:
-    """Fits a model to a material by minimising a metric over the valid cells. Takes less than 3 s for a table, and
+    """Fits a model to a material by minimising a metric over the valid cells. Takes up to a few seconds for a table, and
     twice as long for anisotropic data.
 
     Linear parameters are solved in closed form (variable projection), the others by bounded least squares from several

@@ -58,7 +58,7 @@ Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPl
       const auto mapped = [&](const TabulatedBrdf& table) {
         return logRelative(table.values()[m.cells[i]][channel], m.weights[i], m.reference[i]);
       };
-      const double error = mapped(truth) - mapped(*found.table), deviation = found.deviation[i];
+      const double error = mapped(truth) - mapped(*found.table), deviation = found.standardDeviation[i];
       sums.error += error * error;
       sums.overDeviation += error * error / (deviation * deviation);
       sums.within += std::abs(error) < deviation;

@@ -19,33 +19,33 @@ using namespace gonio::widgets;
 class MaterialWellTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<MaterialSlotWidget> m_well;
+  std::unique_ptr<MaterialSlotWidget> m_slot;
 
   bool drop(const QMimeData& data) {
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
     enter.ignore();
-    QApplication::sendEvent(m_well.get(), &enter);
+    QApplication::sendEvent(m_slot.get(), &enter);
     if (!enter.isAccepted()) return false;
     QDropEvent event(QPointF(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
-    QApplication::sendEvent(m_well.get(), &event);
+    QApplication::sendEvent(m_slot.get(), &event);
     return true;
   }
   bool isWritten(const QString& text) const {
-    for (const QLabel* label : m_well->findChildren<QLabel*>())
+    for (const QLabel* label : m_slot->findChildren<QLabel*>())
       if (label->text().contains(text)) return true;
     return false;
   }
 
  private Q_SLOTS:
   void init() {
-    m_well = std::make_unique<MaterialSlotWidget>('B');
-    m_well->resize(320, 100);
-    m_well->show();
+    m_slot = std::make_unique<MaterialSlotWidget>('B');
+    m_slot->resize(320, 100);
+    m_slot->show();
   }
 
   /// A thumbnail gives the library's id, a file its path; what is neither is not taken.
   void takesThumbnailsAndFiles() {
-    QSignalSpy dropped(m_well.get(), &MaterialSlotWidget::materialDropped);
+    QSignalSpy dropped(m_slot.get(), &MaterialSlotWidget::materialDropped);
     const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
     QVERIFY(drop(*thumbnail));
     QMimeData file;
@@ -66,33 +66,33 @@ class MaterialWellTest : public QObject {
     QVERIFY(isWritten("Drop a material here"));
     const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, thumbnail.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(m_well.get(), &enter);
+    QApplication::sendEvent(m_slot.get(), &enter);
     QVERIFY(isWritten("Drop to use as material B"));
     QDragLeaveEvent leave;
-    QApplication::sendEvent(m_well.get(), &leave);
+    QApplication::sendEvent(m_slot.get(), &leave);
     QVERIFY(isWritten("Drop a material here"));
   }
 
   void showsNameAndNote() {
-    m_well->setContent({.name = "nickel", .toolTip = "SGD fit", .picture = {}, .note = "40 %"});
+    m_slot->setContent({.name = "nickel", .toolTip = "SGD fit", .picture = {}, .note = "40 %"});
     QVERIFY(isWritten("nickel") && isWritten("40 %"));
-    QVERIFY(m_well->accessibleName().contains("nickel") && m_well->toolTip().contains("SGD fit"));
-    m_well->setContent({.name = QString(200, 'x'), .toolTip = {}, .picture = {}});
-    QVERIFY(m_well->minimumSizeHint().width() < 320);
+    QVERIFY(m_slot->accessibleName().contains("nickel") && m_slot->toolTip().contains("SGD fit"));
+    m_slot->setContent({.name = QString(200, 'x'), .toolTip = {}, .picture = {}});
+    QVERIFY(m_slot->minimumSizeHint().width() < 320);
   }
 
   /// All of it by keys: the buttons are in the tab order, Delete empties, and only what is there can be emptied.
   void theKeyboardReachesAll() {
-    QSignalSpy current(m_well.get(), &MaterialSlotWidget::currentRequested),
-        file(m_well.get(), &MaterialSlotWidget::fileRequested),
-        cleared(m_well.get(), &MaterialSlotWidget::clearRequested);
-    m_well->setFocus();
-    QTest::keyClick(m_well.get(), Qt::Key_Delete);
+    QSignalSpy current(m_slot.get(), &MaterialSlotWidget::currentRequested),
+        file(m_slot.get(), &MaterialSlotWidget::fileRequested),
+        cleared(m_slot.get(), &MaterialSlotWidget::clearRequested);
+    m_slot->setFocus();
+    QTest::keyClick(m_slot.get(), Qt::Key_Delete);
     QCOMPARE(cleared.count(), 0);
-    m_well->setContent({.name = "nickel", .toolTip = {}, .picture = {}});
-    QTest::keyClick(m_well.get(), Qt::Key_Delete);
+    m_slot->setContent({.name = "nickel", .toolTip = {}, .picture = {}});
+    QTest::keyClick(m_slot.get(), Qt::Key_Delete);
     QCOMPARE(cleared.count(), 1);
-    for (QToolButton* button : {m_well->currentButton(), m_well->fileButton(), m_well->clearButton()}) {
+    for (QToolButton* button : {m_slot->currentButton(), m_slot->fileButton(), m_slot->clearButton()}) {
       QVERIFY(button->focusPolicy() & Qt::TabFocus && !button->accessibleName().isEmpty());
       button->setFocus();
       QTest::keyClick(button, Qt::Key_Space);
@@ -100,8 +100,8 @@ class MaterialWellTest : public QObject {
     QCOMPARE(current.count(), 1);
     QCOMPARE(file.count(), 1);
     QCOMPARE(cleared.count(), 2);
-    m_well->setCurrentAvailable(false);
-    QVERIFY(!m_well->currentButton()->isEnabled());
+    m_slot->setCurrentAvailable(false);
+    QVERIFY(!m_slot->currentButton()->isEnabled());
   }
 };
 

@@ -44,8 +44,8 @@ Text textOf(const metrics::PlausibilityCheck& check) {
         PlausibilityText::tr("Maximum difference: %1 of the value (limit %2)")
             .arg(percent(check.worst), percent(check.limit)),
         PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal. "
-                             "Measured RGL and UTIA files are reciprocal only if Incident direction, in the section "
-                             "Source, is set to Mean of both.")};
+                             "Measured RGL and UTIA files are reciprocal only if \"Incident direction\" in the section "
+                             "\"Source\" is set to \"Mean of both (reciprocal)\".")};
   if (check.name == "negative")
     return {PlausibilityText::tr("Non-negative"),
             PlausibilityText::tr("BRDF values are at least 0. Where an edit subtracts more than was measured, the "

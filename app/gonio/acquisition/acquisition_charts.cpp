@@ -94,10 +94,10 @@ void AcquisitionCharts::showSlice() {
   const HalfDifferenceGrid grid = basis ? basis->mapping.grid : HalfDifferenceGrid();
   m_slice->setMaximum(grid.phiDCount - 1);
   const AcquisitionResultPtr& result = m_session.result();
-  const bool known = result && basis && !result->reconstruction->deviation.empty();
+  const bool known = result && basis && !result->reconstruction->standardDeviation.empty();
   m_uncertainty->setEnabled(known);
   std::span<const float> deviations;
-  if (known && m_uncertainty->isChecked()) deviations = result->reconstruction->deviation;
+  if (known && m_uncertainty->isChecked()) deviations = result->reconstruction->standardDeviation;
   const acquisition::MeasurableDirections measurable = m_controls.planSettings().measurable;
   m_hemisphere->setMaxPolarAngle(measurable.maxPolarAngle);
   m_chart->setSlice(sliceAt(m_slice->value(), grid, measurable, basis ? &basis->mapping : nullptr, deviations));

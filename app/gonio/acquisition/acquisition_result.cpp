@@ -107,7 +107,7 @@ AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionRef
   result->reconstruction = reconstruction;
   static_cast<ComparedPicture&>(*result) =
       comparedPicture(*reconstruction->table, reference, control.between(reconstructedFraction, 1));
-  std::vector<double> deviations(reconstruction->deviation.begin(), reconstruction->deviation.end());
+  std::vector<double> deviations(reconstruction->standardDeviation.begin(), reconstruction->standardDeviation.end());
   if (!deviations.empty()) result->deviationRange = widgets::automaticRange(std::move(deviations));
   return result;
 }

@@ -47,7 +47,8 @@ struct ComparedPicture {
   double errorRange = 0;  ///< the difference shown in the last colour of errorMap, in the scene's unit of radiance
 };
 
-/// Renders a table and compares it with a reference, which may be null. Some tenths of a second. @throws Cancelled.
+/// Renders a table and compares it with a reference, which may be null. Takes a few tenths of a second. @throws
+/// Cancelled.
 ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionReferencePtr& reference,
                                 const TaskControl& control = {});
 

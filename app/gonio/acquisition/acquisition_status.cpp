@@ -41,7 +41,7 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
   if (session.isReferenceLearned() && session.result())
     return Text::tr(
                "%1 is in the training set, so the error is lower than for a new material. To exclude it, tick "
-               "Exclude the measured material and press Start.")
+               "\"Exclude the measured material\" and press Start.")
         .arg(session.referenceReader().name());
   if (!session.result()) return Text::tr("Stopped before the material was reconstructed. Press Start to try again.");
   return Text::tr("Values: %1").arg(session.valuesName());

@@ -19,8 +19,8 @@ struct RecoverableWork {
 };
 
 /// Writes a copy of a modified document every minute, and removes it when the document is saved or closed normally.
-/// Copies are stored beside their document, those of documents without a file, or in a folder without write permission,
-/// in the user's data folder. Each has a name of its own, so that several editors can edit one document. A lock file
+/// A copy is stored beside its document, or in the user's data folder if the document has no file or its folder is not
+/// writable. Each has a name of its own, so that several editors can edit one document. A lock file
 /// distinguishes copies of running programs from abandoned ones.
 class Autosave : public QObject {
   Q_OBJECT

@@ -52,7 +52,7 @@ QString changeText(const Document& document, int edit, int parameter, const Rgb&
   const auto* before = at < base.size() ? std::get_if<DifferentialEdit>(&base[at].content) : nullptr;
   if (!before || before->model != now.model) before = &now;  // undone in the midst of an interaction
   const models::ParameterSpec& spec = specOf(now, parameter);
-  return EditStepText::tr("Change %1 %2 to %3")
+  return EditStepText::tr("Change %1 from %2 to %3")
       .arg(widgets::toQString(spec.label), widgets::displayValue(spec, before->edited.values[std::size_t(parameter)]),
            widgets::displayValue(spec, value));
 }

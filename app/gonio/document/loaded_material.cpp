@@ -37,8 +37,8 @@ std::size_t LoadedMaterial::bytes() const {
   return m_sampled->table ? m_sampled->table->bytes() : 0;
 }
 
-LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
-                                   const TaskControl& control) {
+LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
+                               const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material = std::move(material);
   loaded->blend = std::move(blend);
@@ -62,21 +62,21 @@ LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr
 
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
   constexpr double readShare = 0.3;
-  return measuredMaterial(materials::readMaterial(path, control.between(0, readShare)), nullptr,
-                          control.between(readShare, 1));
+  return loadInMemory(materials::readMaterial(path, control.between(0, readShare)), nullptr,
+                      control.between(readShare, 1));
 }
 
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
   if (!editing::isDocumentName(path)) return loadMaterial(path, control);
   constexpr double editedFraction = 0.6;
-  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedFraction)).shown, nullptr,
-                          control.between(editedFraction, 1));
+  return loadInMemory(editing::editedMaterial(path, control.between(0, editedFraction)).shown, nullptr,
+                      control.between(editedFraction, 1));
 }
 
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control) {
   const double readShare = document.blend ? 0.8 : 0.3;
-  return measuredMaterial(editing::readSource(document, {}, control.between(0, readShare)), document.blend,
-                          control.between(readShare, 1));
+  return loadInMemory(editing::readSource(document, {}, control.between(0, readShare)), document.blend,
+                      control.between(readShare, 1));
 }
 
 QString reconstructionFolder() {

@@ -59,9 +59,9 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control = {});
 /// Loads the material of a document without its edits. The paths must be resolved. @throws Error, Cancelled.
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
-/// The same for a material in memory.
-LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
-                                   const TaskControl& control = {});
+/// As loadMaterial(), for a material in memory. @param blend its source if it is a blend, else null.
+LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
+                               const TaskControl& control = {});
 
 /// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Near-measured", "Published
 /// fit", "Reconstruction" or "Saved blend".

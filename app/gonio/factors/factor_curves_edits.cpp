@@ -80,7 +80,7 @@ void FactorCurvesPanel::chooseTerms(int terms) {
   FactorEdit edit = current();
   PdvFactors edited = edit.edited->truncated(terms);
   // Terms that the edit did not have yet come as they were found.
-  if (MeasuredFactors::Kind{edited.form, edited.transform} == m_requested &&
+  if (FactorsWithCosts::Kind{edited.form, edited.transform} == m_requested &&
       edited.deviationNodes == m_original->deviationNodes)
     for (std::size_t c = 0; c < 3; ++c)
       for (auto i = edited.channels[c].size(); i < m_original->channels[c].size(); ++i)

@@ -155,7 +155,7 @@ void FactorCurvesPanel::showLimits(double thetaR) {
 
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
 
-MeasuredFactors::Kind FactorCurvesPanel::kind() const {
+FactorsWithCosts::Kind FactorCurvesPanel::kind() const {
   if (const auto* edit = m_document.active<FactorEdit>()) return {edit->edited->form, edit->edited->transform};
   return {m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors};
 }
@@ -178,10 +178,10 @@ void FactorCurvesPanel::request() {
   if (material && isVisible() && !m_running && !m_refused && !m_measured) {
     m_running = true;
     m_requested = kind();
-    m_tasks.run<MeasuredFactors>(
+    m_tasks.run<FactorsWithCosts>(
         {tr("Factorising %1").arg(QString::fromStdString(material->material.name)), factorKey},
-        [material, kind = kind()](const TaskControl& control) { return measureFactors(material, kind, control); },
-        [this](const MeasuredFactors& measured) { adopt(measured); },
+        [material, kind = kind()](const TaskControl& control) { return factorizeWithCosts(material, kind, control); },
+        [this](const FactorsWithCosts& measured) { adopt(measured); },
         [this](const QString& error) {
           m_running = false;
           m_refused = true;
@@ -197,9 +197,9 @@ void FactorCurvesPanel::request() {
   refresh();
 }
 
-void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
+void FactorCurvesPanel::adopt(const FactorsWithCosts& measured) {
   m_running = false;
-  m_measured = std::make_shared<const MeasuredFactors>(measured);
+  m_measured = std::make_shared<const FactorsWithCosts>(measured);
   m_original = std::make_shared<const PdvFactors>(m_measured->factorization.factors.truncated(m_terms->terms()));
   if (std::exchange(m_addWhenKnown, false)) return addEdit();
   refresh();

@@ -8,7 +8,7 @@
 #include "app/gonio/document/document.h"
 #include "app/gonio/document/file_saves.h"
 #include "app/gonio/factors/factor_column.h"
-#include "app/gonio/factors/measured_factors.h"
+#include "app/gonio/factors/factors_with_costs.h"
 #include "widgets/curves/curve_view.h"
 
 class QCheckBox;
@@ -61,10 +61,10 @@ class FactorCurvesPanel : public QWidget {
   void showLimits(double thetaR);
   void request();
   void forget();
-  void adopt(const MeasuredFactors& measured);
+  void adopt(const FactorsWithCosts& measured);
   void refresh();
   void showResiduals(FactorColumn& column);
-  MeasuredFactors::Kind kind() const;
+  FactorsWithCosts::Kind kind() const;
   int channel() const;
   /// The content of the active edit, or of a new one without effect. Without curves while no factors are known.
   editing::FactorEdit current() const;
@@ -84,9 +84,9 @@ class FactorCurvesPanel : public QWidget {
   QPushButton *m_factorise, *m_resetAll, *m_save;
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
-  std::shared_ptr<const MeasuredFactors> m_measured;
-  Curves m_original;                  ///< curves of m_measured with the selected number of terms
-  MeasuredFactors::Kind m_requested;  ///< of m_measured or of the running measurement
+  std::shared_ptr<const FactorsWithCosts> m_measured;
+  Curves m_original;                   ///< curves of m_measured with the selected number of terms
+  FactorsWithCosts::Kind m_requested;  ///< of m_measured or of the running measurement
   bool m_running = false, m_refused = false, m_addWhenKnown = false;
 };
 

@@ -28,7 +28,7 @@ class FactorTermsView::Chart : public QWidget {
     if (!m_view.m_measured) return;
     const double line = fontMetrics().height();
     const QRectF area(0.6 * line, 1.5 * line, width() - 1.2 * line, height() - 3 * line);
-    const MeasuredFactors& measured = *m_view.m_measured;
+    const FactorsWithCosts& measured = *m_view.m_measured;
     const int count = int(measured.bytes.size());
     const double highest = std::max(1e-9, measured.residual(1) * 1.1);
     const auto at = [&](int terms) {
@@ -83,7 +83,7 @@ FactorTermsView::FactorTermsView(QWidget* parent)
   refresh();
 }
 
-void FactorTermsView::setMeasured(std::shared_ptr<const MeasuredFactors> measured) {
+void FactorTermsView::setMeasured(std::shared_ptr<const FactorsWithCosts> measured) {
   m_measured = std::move(measured);
   refresh();
 }

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "app/gonio/factors/measured_factors.h"
+#include "app/gonio/factors/factors_with_costs.h"
 
 class QLabel;
 class QSlider;
@@ -20,7 +20,7 @@ class FactorTermsView : public QWidget {
   explicit FactorTermsView(QWidget* parent = nullptr);
 
   /// @param measured null if the factors are not known.
-  void setMeasured(std::shared_ptr<const MeasuredFactors> measured);
+  void setMeasured(std::shared_ptr<const FactorsWithCosts> measured);
   void setTerms(int terms);
   int terms() const;
 
@@ -31,7 +31,7 @@ class FactorTermsView : public QWidget {
   class Chart;
   void refresh();
 
-  std::shared_ptr<const MeasuredFactors> m_measured;
+  std::shared_ptr<const FactorsWithCosts> m_measured;
   Chart* m_chart;
   QSlider* m_slider;
   QLabel* m_text;

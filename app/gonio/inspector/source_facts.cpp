@@ -107,9 +107,10 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
     angles << SourceFactsText::tr("%1°").arg(LoadedMaterial::albedoDegrees[i]);
     albedo << number(luminance(loaded.albedo[i]));
   }
-  facts.push_back(
-      {SourceFactsText::tr("Albedo"), SourceFactsText::tr("%1 at %2").arg(albedo.join(", "), angles.join(", ")),
-       SourceFactsText::tr("Fraction of the light that is reflected (luminance), by polar angle of the viewer")});
+  facts.push_back({SourceFactsText::tr("Albedo"),
+                   SourceFactsText::tr("%1 at %2").arg(albedo.join(", "), angles.join(", ")),
+                   SourceFactsText::tr("Directional albedo (luminance): fraction of uniform light that is reflected "
+                                       "towards the viewer, by polar angle of the viewer")});
   for (const std::string& note : source.notes)
     facts.push_back({SourceFactsText::tr("Note"), QString::fromStdString(note)});
   facts.push_back({SourceFactsText::tr("SHA-256"), hash.left(16) + QStringLiteral("…"), hash});

@@ -21,7 +21,7 @@
 namespace gonio::app {
 
 namespace {
-constexpr int wellEms = 17;
+constexpr int slotEms = 17;
 }
 
 BlendSlots::BlendSlots(const Document& document, BlendMaterials& ends)
@@ -32,34 +32,34 @@ BlendSlots::BlendSlots(const Document& document, BlendMaterials& ends)
   connect(m_add, &QToolButton::clicked, &m_ends, &BlendMaterials::addPlace);
 }
 
-widgets::MaterialSlotWidget* BlendSlots::nearestWell(const QPointF& position) const {
+widgets::MaterialSlotWidget* BlendSlots::nearestSlot(const QPointF& position) const {
   const QPoint inside = widget()->mapFrom(viewport(), position.toPoint());
-  const auto distance = [&](int place) { return std::abs(well(place).geometry().center().y() - inside.y()); };
+  const auto distance = [&](int place) { return std::abs(slotWidget(place).geometry().center().y() - inside.y()); };
   int nearest = 0;
   for (int place = 1; place < m_ends.count(); ++place)
     if (distance(place) < distance(nearest)) nearest = place;
-  return &well(nearest);
+  return &slotWidget(nearest);
 }
 
-void BlendSlots::offerTo(widgets::MaterialSlotWidget* well, const QDropEvent& event) {
-  if (well == m_offered) return;
+void BlendSlots::offerTo(widgets::MaterialSlotWidget* widget, const QDropEvent& event) {
+  if (widget == m_offered) return;
   QDragLeaveEvent leave;
   if (m_offered) QCoreApplication::sendEvent(m_offered, &leave);
-  m_offered = well;
-  if (!well) return;
-  QDragEnterEvent enter(well->rect().center(), event.possibleActions(), event.mimeData(), event.buttons(),
+  m_offered = widget;
+  if (!widget) return;
+  QDragEnterEvent enter(widget->rect().center(), event.possibleActions(), event.mimeData(), event.buttons(),
                         event.modifiers());
-  QCoreApplication::sendEvent(well, &enter);
+  QCoreApplication::sendEvent(widget, &enter);
 }
 
 void BlendSlots::dragEnterEvent(QDragEnterEvent* event) {
   if (widgets::draggedMaterial(event->mimeData()).isEmpty()) return;
-  offerTo(nearestWell(event->position()), *event);
+  offerTo(nearestSlot(event->position()), *event);
   event->acceptProposedAction();
 }
 
 void BlendSlots::dragMoveEvent(QDragMoveEvent* event) {
-  offerTo(nearestWell(event->position()), *event);
+  offerTo(nearestSlot(event->position()), *event);
   event->acceptProposedAction();
 }
 
@@ -68,7 +68,7 @@ void BlendSlots::dragLeaveEvent(QDragLeaveEvent* event) {
 }
 
 void BlendSlots::dropEvent(QDropEvent* event) {
-  offerTo(nearestWell(event->position()), *event);
+  offerTo(nearestSlot(event->position()), *event);
   QCoreApplication::sendEvent(std::exchange(m_offered, nullptr), event);
 }
 
@@ -78,8 +78,8 @@ void BlendSlots::build() {
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(4);
   for (int i = 0; i < widgets::maxBlended; ++i) {
-    m_wells.push_back(new widgets::MaterialSlotWidget(QChar(u'A' + i)));
-    column->addWidget(m_wells.back());
+    m_widgets.push_back(new widgets::MaterialSlotWidget(QChar(u'A' + i)));
+    column->addWidget(m_widgets.back());
   }
   m_swap->setText(tr("S&wap A and B"));
   m_swap->setToolTip(tr("Exchanges the materials A and B"));
@@ -99,20 +99,20 @@ void BlendSlots::build() {
   viewport()->setAcceptDrops(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setFixedWidth(wellEms * fontMetrics().height());
+  setFixedWidth(slotEms * fontMetrics().height());
 }
 
 void BlendSlots::connectWell(int place) {
-  connect(&well(place), &widgets::MaterialSlotWidget::materialDropped, this, [this, place](const QString& id) {
+  connect(&slotWidget(place), &widgets::MaterialSlotWidget::materialDropped, this, [this, place](const QString& id) {
     Q_EMIT touched();
     m_ends.read(place, id);
   });
-  connect(&well(place), &widgets::MaterialSlotWidget::currentRequested, this, [this, place] {
+  connect(&slotWidget(place), &widgets::MaterialSlotWidget::currentRequested, this, [this, place] {
     Q_EMIT touched();
     m_ends.takeCurrent(place);
   });
-  connect(&well(place), &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
-  connect(&well(place), &widgets::MaterialSlotWidget::clearRequested, this, [this, place] {
+  connect(&slotWidget(place), &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
+  connect(&slotWidget(place), &widgets::MaterialSlotWidget::clearRequested, this, [this, place] {
     if (m_ends.count() > widgets::minBlended)
       m_ends.removePlace(place);
     else
@@ -135,8 +135,8 @@ void BlendSlots::askForFile(int place) {
 
 void BlendSlots::showEnds(const std::vector<double>& weights) {
   for (int i = 0; i < widgets::maxBlended; ++i) {
-    well(i).setVisible(i < m_ends.count());
-    well(i).setCurrentAvailable(m_document.material() != nullptr);
+    slotWidget(i).setVisible(i < m_ends.count());
+    slotWidget(i).setCurrentAvailable(m_document.material() != nullptr);
     if (i < m_ends.count()) showEnd(i, weights[std::size_t(i)]);
   }
   m_add->setEnabled(m_ends.count() < widgets::maxBlended);
@@ -154,13 +154,13 @@ void BlendSlots::showEnd(int place, double weight) {
     content.toolTip = failure;
     content.failed = true;
   }
-  well(place).setContent(content);
+  slotWidget(place).setContent(content);
 }
 
 void BlendSlots::showWeights(const std::vector<double>& weights) {
   for (int i = 0; i < m_ends.count(); ++i)
     if (m_ends.at(i) && !m_ends.isReading(i) && m_ends.failure(i).isEmpty())
-      well(i).setNote(widgets::weightText(weights[std::size_t(i)]));
+      slotWidget(i).setNote(widgets::weightText(weights[std::size_t(i)]));
 }
 
 }  // namespace gonio::app

@@ -21,7 +21,7 @@ class BlendSlots : public QScrollArea {
  public:
   BlendSlots(const Document& document, BlendMaterials& ends);
 
-  widgets::MaterialSlotWidget& well(int place) const { return *m_wells[std::size_t(place)]; }
+  widgets::MaterialSlotWidget& slotWidget(int place) const { return *m_widgets[std::size_t(place)]; }
   void showEnds(const std::vector<double>& weights);
   void showWeights(const std::vector<double>& weights);
 
@@ -37,8 +37,8 @@ class BlendSlots : public QScrollArea {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void offerTo(widgets::MaterialSlotWidget* well, const QDropEvent& event);
-  widgets::MaterialSlotWidget* nearestWell(const QPointF& position) const;
+  void offerTo(widgets::MaterialSlotWidget* widget, const QDropEvent& event);
+  widgets::MaterialSlotWidget* nearestSlot(const QPointF& position) const;
   void build();
   void connectWell(int place);
   void showEnd(int place, double weight);
@@ -46,7 +46,7 @@ class BlendSlots : public QScrollArea {
 
   const Document& m_document;
   BlendMaterials& m_ends;
-  std::vector<widgets::MaterialSlotWidget*> m_wells;
+  std::vector<widgets::MaterialSlotWidget*> m_widgets;
   QToolButton *m_swap, *m_add;
   widgets::MaterialSlotWidget* m_offered = nullptr;  ///< target of a drag beside the slots
 };

@@ -32,7 +32,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_ends(document, tasks),
       m_spaces(tasks, nullptr, pictures),
       m_place(widgets::centrePosition(widgets::minBlended)),
-      m_wells(new BlendSlots(document, m_ends)),
+      m_slots(new BlendSlots(document, m_ends)),
       m_positionEditor(new BlendPositionEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
@@ -43,7 +43,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height());
-  layout->addWidget(m_wells);
+  layout->addWidget(m_slots);
   layout->addWidget(buildChoice());
   layout->addWidget(m_overview, 1);
   connectParts();
@@ -96,7 +96,7 @@ void InterpolationPanel::connectParts() {
     showExplanation();
     Q_EMIT subjectChanged();
   });
-  connect(m_wells, &BlendSlots::touched, this, &InterpolationPanel::touched);
+  connect(m_slots, &BlendSlots::touched, this, &InterpolationPanel::touched);
   connect(m_positionEditor, &BlendPositionEditor::placeEdited, this, &InterpolationPanel::moveTo);
   connect(m_spaceBox, &QComboBox::activated, this, [this](int index) {
     touched();
@@ -195,7 +195,7 @@ void InterpolationPanel::take(const QStringList& ids) {
 void InterpolationPanel::begin() {
   if (m_document.material() && !m_ends.at(0) && !m_ends.isReading(0)) m_ends.takeCurrent(0);
   touched();
-  m_wells->well(0).setFocus(Qt::OtherFocusReason);
+  m_slots->slotWidget(0).setFocus(Qt::OtherFocusReason);
 }
 
 void InterpolationPanel::endsChanged() {
@@ -218,7 +218,7 @@ void InterpolationPanel::materialChanged() {
 }
 
 void InterpolationPanel::showEnds() {
-  m_wells->showEnds(weights());
+  m_slots->showEnds(weights());
   std::vector<widgets::BlendCorner> corners;
   for (int i = 0; i < m_ends.count(); ++i) {
     const BlendMaterial* end = m_ends.at(i);
@@ -229,7 +229,7 @@ void InterpolationPanel::showEnds() {
 }
 
 void InterpolationPanel::showPlace() {
-  m_wells->showWeights(weights());
+  m_slots->showWeights(weights());
   m_positionEditor->setPlace(m_place);
   // Only a place on the strip's way has a mark there.
   const double t = m_ends.count() == 3 ? 2 * m_place.x() : m_place.x();
@@ -255,7 +255,7 @@ void InterpolationPanel::keep() {
       [blend, source](const TaskControl& control) {
         constexpr double blendFraction = 0.6;
         auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
-        return measuredMaterial(std::move(material), source, control.between(blendFraction, 1));
+        return loadInMemory(std::move(material), source, control.between(blendFraction, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot open the blend"), error); });

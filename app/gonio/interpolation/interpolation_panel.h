@@ -62,7 +62,7 @@ class InterpolationPanel : public QWidget {
   /// Whether no work is pending.
   bool isSettled() const;
 
-  BlendSlots& wells() const { return *m_wells; }
+  BlendSlots& blendSlots() const { return *m_slots; }
   BlendPositionEditor& positionEditor() const { return *m_positionEditor; }
   BlendOverview& overview() const { return *m_overview; }
   QComboBox& spaceBox() const { return *m_spaceBox; }
@@ -98,7 +98,7 @@ class InterpolationPanel : public QWidget {
   QPointF m_place;
   int m_placeCount = widgets::minBlended;  ///< the number of materials for which m_place was chosen
   editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
-  BlendSlots* m_wells;
+  BlendSlots* m_slots;
   BlendPositionEditor* m_positionEditor;
   BlendOverview* m_overview;
   QComboBox* m_spaceBox;

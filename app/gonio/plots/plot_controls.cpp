@@ -95,7 +95,8 @@ void PlotControls::addKinds() {
       {tr("Polar"), tr("The lobe in the plane of incidence")},
       {tr("Cartesian"), tr("BRDF values vs. θh, θd or θo")},
       {tr("Slice"), tr("BRDF values over θh and θd in false colour")},
-      {tr("Albedo"), tr("Fraction of the light that is reflected vs. the polar angle of the viewer")},
+      {tr("Albedo"), tr("Directional albedo: fraction of uniform light that is reflected towards the viewer, vs. the "
+                        "polar angle of the viewer")},
       {tr("3-D lobe"), tr("BRDF values over all directions of the viewer as a surface that can be rotated")}};
   for (const auto& [name, toolTip] : kinds) m_kinds->setTabToolTip(m_kinds->addTab(name), toolTip);
   connect(m_kinds, &QTabBar::currentChanged, this,

@@ -22,14 +22,14 @@ SceneMaterialSlots::SceneMaterialSlots(Document& document, BackgroundTasks& task
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   for (int place = 0; place < count; ++place) {
-    auto* well = new widgets::MaterialSlotWidget(letterOf(place));
-    layout->addWidget(well, 1);
-    m_places.push_back({well, {}, {}});
-    connect(well, &widgets::MaterialSlotWidget::materialDropped, this,
+    auto* widget = new widgets::MaterialSlotWidget(letterOf(place));
+    layout->addWidget(widget, 1);
+    m_places.push_back({widget, {}, {}});
+    connect(widget, &widgets::MaterialSlotWidget::materialDropped, this,
             [this, place](const QString& id) { read(place, id); });
-    connect(well, &widgets::MaterialSlotWidget::currentRequested, this, [this, place] { takeCurrent(place); });
-    connect(well, &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
-    connect(well, &widgets::MaterialSlotWidget::clearRequested, this, [this, place] { clear(place); });
+    connect(widget, &widgets::MaterialSlotWidget::currentRequested, this, [this, place] { takeCurrent(place); });
+    connect(widget, &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
+    connect(widget, &widgets::MaterialSlotWidget::clearRequested, this, [this, place] { clear(place); });
     show(place);
   }
   connect(&document, &Document::materialChanged, this, [this] {
@@ -39,19 +39,18 @@ SceneMaterialSlots::SceneMaterialSlots(Document& document, BackgroundTasks& task
 
 void SceneMaterialSlots::showScene(const Scene& scene) {
   const int shown = std::min(count, materialSlotCount(scene) - 1);
-  for (int place = 0; place < count; ++place) m_places[std::size_t(place)].well->setVisible(place < shown);
+  for (int place = 0; place < count; ++place) m_places[std::size_t(place)].widget->setVisible(place < shown);
   setVisible(shown > 0);
 }
 
 std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
   std::vector<widgets::SceneMaterial> materials;
-  for (const Place& place : m_places)
-    materials.push_back(place.neighbour ? place.neighbour->shown : widgets::SceneMaterial{});
+  for (const Place& place : m_places) materials.push_back(place.other ? place.other->shown : widgets::SceneMaterial{});
   return materials;
 }
 
 /// In its native form, with what sampling needs.
-SceneMaterialSlots::Neighbour SceneMaterialSlots::prepared(BlendMaterial end) {
+SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end) {
   const std::shared_ptr<const Brdf> brdf = end.material.material();
   const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
   widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, lobe);
@@ -61,11 +60,11 @@ SceneMaterialSlots::Neighbour SceneMaterialSlots::prepared(BlendMaterial end) {
 
 void SceneMaterialSlots::fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
   m_places[std::size_t(place)].failure.clear();
-  m_tasks.run<Neighbour>(
+  m_tasks.run<OtherMaterial>(
       {tr("Opening %1 for the scene").arg(name), taskKey(place)},
       [make = std::move(make)](const TaskControl& control) { return prepared(make(control)); },
-      [this, place](const Neighbour& neighbour) {
-        m_places[std::size_t(place)].neighbour = neighbour;
+      [this, place](const OtherMaterial& other) {
+        m_places[std::size_t(place)].other = other;
         show(place);
         Q_EMIT changed();
       },
@@ -94,7 +93,7 @@ void SceneMaterialSlots::takeCurrent(int place) {
 void SceneMaterialSlots::clear(int place) {
   Place& one = m_places[std::size_t(place)];
   m_tasks.drop(taskKey(place));
-  one.neighbour.reset();
+  one.other.reset();
   one.failure.clear();
   show(place);
   Q_EMIT changed();
@@ -115,16 +114,15 @@ void SceneMaterialSlots::askForFile(int place) {
 void SceneMaterialSlots::show(int place) {
   const Place& one = m_places[std::size_t(place)];
   widgets::SlotContent content;
-  if (one.neighbour)
-    content = {one.neighbour->end.name, one.neighbour->end.description, one.neighbour->end.picture, {}};
+  if (one.other) content = {one.other->end.name, one.other->end.description, one.other->end.picture, {}};
   if (m_tasks.isRunning(taskKey(place))) content.note = tr("Opening...");
   if (!one.failure.isEmpty()) {
     content.note = tr("Could not be opened");
     content.toolTip = one.failure;
     content.failed = true;
   }
-  one.well->setContent(content);
-  one.well->setCurrentAvailable(m_document.material() != nullptr);
+  one.widget->setContent(content);
+  one.widget->setCurrentAvailable(m_document.material() != nullptr);
 }
 
 }  // namespace gonio::app

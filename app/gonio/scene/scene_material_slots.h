@@ -31,23 +31,23 @@ class SceneMaterialSlots : public QWidget {
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
-  widgets::MaterialSlotWidget& well(int place) const { return *m_places[std::size_t(place)].well; }
+  widgets::MaterialSlotWidget& slotWidget(int place) const { return *m_places[std::size_t(place)].widget; }
 
  Q_SIGNALS:
   void changed();
   void failed(const QString& title, const QString& text);
 
  private:
-  struct Neighbour {
+  struct OtherMaterial {
     BlendMaterial end;
     widgets::SceneMaterial shown;
   };
   struct Place {
-    widgets::MaterialSlotWidget* well;
-    std::optional<Neighbour> neighbour;
+    widgets::MaterialSlotWidget* widget;
+    std::optional<OtherMaterial> other;
     QString failure;
   };
-  static Neighbour prepared(BlendMaterial end);
+  static OtherMaterial prepared(BlendMaterial end);
   void fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make);
   void takeCurrent(int place);
   void clear(int place);

@@ -46,20 +46,20 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_result(new QLabel),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
       m_compare(new QPushButton(tr("&Compare with Reference"))),
-      m_neighbours(new SceneMaterialSlots(document, tasks)),
+      m_otherSlots(new SceneMaterialSlots(document, tasks)),
       m_effects(new widgets::EffectList) {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(buildTop());
-  layout->addWidget(m_neighbours);
+  layout->addWidget(m_otherSlots);
   layout->addWidget(m_effects);
   layout->addWidget(buildBottom());
   layout->addStretch(1);
-  connect(m_neighbours, &SceneMaterialSlots::changed, this, [this] {
+  connect(m_otherSlots, &SceneMaterialSlots::changed, this, [this] {
     m_costs.reset();
-    m_preview.content().setOtherSlotMaterials(m_neighbours->materials());
+    m_preview.content().setOtherSlotMaterials(m_otherSlots->materials());
     refresh();
   });
-  connect(m_neighbours, &SceneMaterialSlots::failed, this, &ScenePanel::failed);
+  connect(m_otherSlots, &SceneMaterialSlots::failed, this, &ScenePanel::failed);
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview.content(),
           &widgets::PreviewContent::setOverrides);
   connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::refresh);
@@ -148,7 +148,7 @@ void ScenePanel::showScene(const Scene& scene) {
   m_scenes->setCurrentIndex(m_scenes->findData(source));
   m_description->setText(QString::fromStdString(scene.description));
   m_description->setToolTip(m_description->text());
-  m_neighbours->showScene(scene);
+  m_otherSlots->showScene(scene);
 }
 
 void ScenePanel::refresh() {

@@ -38,7 +38,7 @@ class ScenePanel : public QWidget {
   QComboBox& scenes() const { return *m_scenes; }
   QPushButton& measureButton() const { return *m_measure; }
   QPushButton& compareButton() const { return *m_compare; }
-  SceneMaterialSlots& neighbours() const { return *m_neighbours; }
+  SceneMaterialSlots& otherSlots() const { return *m_otherSlots; }
   const std::optional<EffectCosts>& costs() const { return m_costs; }
   QString result() const;
 
@@ -59,7 +59,7 @@ class ScenePanel : public QWidget {
   QComboBox* m_scenes;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
-  SceneMaterialSlots* m_neighbours;
+  SceneMaterialSlots* m_otherSlots;
   widgets::EffectList* m_effects;
   std::optional<EffectCosts> m_costs;
 };

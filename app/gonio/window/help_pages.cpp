@@ -70,14 +70,14 @@ QString editFormulae() {
                      HelpPagesText::tr("close to a ratio where values are large, to a difference where they are small"),
                      HelpPagesText::tr("edited = max(0, measured + strength (1 + measured) (model(edited) − "
                                        "model(fitted)) / (1 + model(fitted)))")) +
-         composition(
-             compositionName(editing::Composition::lobes),
-             HelpPagesText::tr("multiplies each edited lobe k by the ratio q of measurement and fit at the direction "
-                               "w<sub>k</sub>, at which the fitted lobe is at the same point of its profile as the "
-                               "edited lobe is here"),
-             HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
-                               "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
-                               "(model(fitted) + 0.001)"));
+         composition(compositionName(editing::Composition::lobes),
+                     HelpPagesText::tr(
+                         "multiplies each edited lobe k by the ratio q of measurement to fit. The ratio is taken at "
+                         "the direction w<sub>k</sub>, where the profile of the fitted lobe is as far down as "
+                         "that of the edited lobe is at the evaluated direction"),
+                     HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
+                                       "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
+                                       "(model(fitted) + 0.001)"));
 }
 
 /// The model under the Factor curves dock (core/factorization/pdv_factors.h).

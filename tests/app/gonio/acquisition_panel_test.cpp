@@ -278,7 +278,7 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(panel.session().result()->reconstruction->components <= int(cells.size()));
     choose(3);
     QVERIFY(editor.settle());
-    QVERIFY(panel.session().result()->reconstruction->deviation.empty());
+    QVERIFY(panel.session().result()->reconstruction->standardDeviation.empty());
     QVERIFY(panel.charts().chart().slice().deviations.empty());
   }
 };

@@ -38,7 +38,7 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(!editor.panel.subject());
     QVERIFY(editor.panel.overview().strip().rows().empty());
     QVERIFY(!editor.panel.saveButton().isEnabled());
-    QVERIFY(!editor.panel.wells().well(0).currentButton()->isEnabled());
+    QVERIFY(!editor.panel.blendSlots().slotWidget(0).currentButton()->isEnabled());
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.keep();
     QCOMPARE(failed.count(), 1);
@@ -63,7 +63,7 @@ class InterpolationPanelTest : public QObject {
     QCOMPARE(editor.panel.positionEditor().slider().number(), 0.5);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.4) < 1e-6);
     QVERIFY(editor.panel.description().contains("50 % dark") && editor.panel.description().contains("Linear"));
-    QCOMPARE(editor.panel.wells().well(1).content().note, QStringLiteral("50 %"));
+    QCOMPARE(editor.panel.blendSlots().slotWidget(1).content().note, QStringLiteral("50 %"));
     // The end is the material, not a blend of one.
     Q_EMIT editor.panel.positionEditor().slider().numberEdited(1);
     QVERIFY(editor.panel.subject()->isMeasured());
@@ -121,7 +121,7 @@ class InterpolationPanelTest : public QObject {
     QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_3);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
     // Back to two: the place goes to the nearest that there is.
-    editor.panel.wells().well(2).clearButton()->click();
+    editor.panel.blendSlots().slotWidget(2).clearButton()->click();
     QCOMPARE(editor.panel.ends().count(), 2);
     QVERIFY(editor.panel.positionEditor().slider().isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
@@ -133,32 +133,32 @@ class InterpolationPanelTest : public QObject {
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     const std::unique_ptr<QMimeData> data(widgets::toDrag("/nowhere/at-all.binary"));
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.wells().well(0), &enter);
+    QApplication::sendEvent(&editor.panel.blendSlots().slotWidget(0), &enter);
     QDropEvent drop(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.wells().well(0), &drop);
-    QCOMPARE(editor.panel.wells().well(0).content().note, QStringLiteral("Opening..."));
+    QApplication::sendEvent(&editor.panel.blendSlots().slotWidget(0), &drop);
+    QCOMPARE(editor.panel.blendSlots().slotWidget(0).content().note, QStringLiteral("Opening..."));
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
     QVERIFY(failed[0][1].toString().contains("at-all.binary"));
-    QVERIFY(editor.panel.wells().well(0).content().failed);
+    QVERIFY(editor.panel.blendSlots().slotWidget(0).content().failed);
     editor.fill(0, "dark", 0.2);
-    QVERIFY(!editor.panel.wells().well(0).content().failed);
+    QVERIFY(!editor.panel.blendSlots().slotWidget(0).content().failed);
   }
 
   /// Beside the wells, too: the nearest one takes it, and says so while it is dragged there.
   void aDropBesideAWellGoesIntoTheNearest() {
     Editor editor;
     const std::unique_ptr<QMimeData> data(widgets::toDrag("library:sgd/nickel"));
-    BlendSlots& wells = editor.panel.wells();
-    const widgets::MaterialSlotWidget& second = wells.well(1);
-    const QPoint below = second.mapTo(wells.viewport(), QPoint(5, second.height() + 12));
+    BlendSlots& blendSlots = editor.panel.blendSlots();
+    const widgets::MaterialSlotWidget& second = blendSlots.slotWidget(1);
+    const QPoint below = second.mapTo(blendSlots.viewport(), QPoint(5, second.height() + 12));
     QVERIFY(!second.geometry().contains(below));
-    const QPoint above = wells.well(0).mapTo(wells.viewport(), QPoint(5, -2));
+    const QPoint above = blendSlots.slotWidget(0).mapTo(blendSlots.viewport(), QPoint(5, -2));
     QDragEnterEvent enter(above, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QVERIFY(QApplication::sendEvent(wells.viewport(), &enter) && enter.isAccepted());
+    QVERIFY(QApplication::sendEvent(blendSlots.viewport(), &enter) && enter.isAccepted());
     QDragMoveEvent move(below, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(wells.viewport(), &move);
+    QApplication::sendEvent(blendSlots.viewport(), &move);
     QDropEvent drop(below, Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(wells.viewport(), &drop);
+    QApplication::sendEvent(blendSlots.viewport(), &drop);
     QVERIFY(!editor.panel.ends().isReading(0) && editor.panel.ends().isReading(1));
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(1), patienceMilliseconds);
     QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("nickel"));

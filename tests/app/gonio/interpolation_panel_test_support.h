@@ -58,7 +58,7 @@ struct Editor {
   /// Opens a grey and takes it as it is.
   void fill(int place, const char* name, double albedo) {
     document.setMaterial(greyMaterial(name, albedo));
-    panel.wells().well(place).currentButton()->click();
+    panel.blendSlots().slotWidget(place).currentButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(place), patienceMilliseconds);
   }
 };

@@ -109,34 +109,35 @@ class ScenePanelTest : public QObject {
     const auto wellsShown = [this] {
       int shown = 0;
       for (int place = 0; place < app::SceneMaterialSlots::count; ++place)
-        shown += !panel_->neighbours().well(place).isHidden();
+        shown += !panel_->otherSlots().slotWidget(place).isHidden();
       return shown;
     };
-    QVERIFY(panel_->neighbours().isHidden());
+    QVERIFY(panel_->otherSlots().isHidden());
     choose("row");
     QTRY_COMPARE(wellsShown(), 3);
     choose("two-spheres");
     QTRY_COMPARE(wellsShown(), 1);
-    QVERIFY(!panel_->neighbours().well(0).currentButton()->isEnabled());
+    QVERIFY(!panel_->otherSlots().slotWidget(0).currentButton()->isEnabled());
     const auto material =
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
     content().setSubject(widgets::measuredSubject(material->base));
     QTRY_VERIFY(content().first().material() && content().tracing() == widgets::Tracing::never);
-    panel_->neighbours().well(0).currentButton()->click();
+    panel_->otherSlots().slotWidget(0).currentButton()->click();
     QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
     QVERIFY(content().otherSlotMaterials()[0] && content().otherSlotMaterials()[0] != content().first().material());
-    QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
+    QVERIFY(!panel_->otherSlots().slotWidget(0).content().name.isEmpty());
     choose("sphere");
     QTRY_VERIFY(content().tracing() == widgets::Tracing::never);  // it has no second place
     choose("two-spheres");
     QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
-    panel_->neighbours().well(0).clearButton()->click();
-    QVERIFY(content().tracing() == widgets::Tracing::never && panel_->neighbours().well(0).content().name.isEmpty());
+    panel_->otherSlots().slotWidget(0).clearButton()->click();
+    QVERIFY(content().tracing() == widgets::Tracing::never &&
+            panel_->otherSlots().slotWidget(0).content().name.isEmpty());
     QSignalSpy failed(panel_.get(), &ScenePanel::failed);
-    panel_->neighbours().read(0, "/nowhere/metal.binary");
+    panel_->otherSlots().read(0, "/nowhere/metal.binary");
     QTRY_COMPARE(failed.count(), 1);
-    QVERIFY(panel_->neighbours().well(0).content().failed && content().tracing() == widgets::Tracing::never);
+    QVERIFY(panel_->otherSlots().slotWidget(0).content().failed && content().tracing() == widgets::Tracing::never);
   }
 
   void aSceneThatCannotBeReadIsTold() {

@@ -39,8 +39,8 @@ class ReconstructionDeviationTest : public QObject {
           const Reconstruction found =
               reconstruct(basis_, plan, values, {.ridge = ridge, .components = components, .noise = noise});
           const double variance = noise ? 0.09 / ridge : estimated;
-          QCOMPARE(found.deviation.size(), basis_.mapping.cells.size());
-          for (std::size_t i = 0; i < found.deviation.size(); i += 5) {
+          QCOMPARE(found.standardDeviation.size(), basis_.mapping.cells.size());
+          for (std::size_t i = 0; i < found.standardDeviation.size(); i += 5) {
             const VectorXd d = basis_.svd.u.view()
                                    .row(Eigen::Index(i))
                                    .head(components)
@@ -49,14 +49,14 @@ class ReconstructionDeviationTest : public QObject {
                                    .cwiseProduct(basis_.svd.singularValues.head(components));
             const double others = signals * varianceFrom(basis_, i, components);
             const double expected = std::sqrt(variance * (d.dot(posterior * d) + others));
-            QVERIFY(std::abs(found.deviation[i] - expected) < 2e-4 * expected + 1e-5);
+            QVERIFY(std::abs(found.standardDeviation[i] - expected) < 2e-4 * expected + 1e-5);
           }
         }
       }
     }
     ReconstructionOptions without;
     without.uncertainty = false;
-    QVERIFY(reconstruct(basis_, plan_, values_, without).deviation.empty());
+    QVERIFY(reconstruct(basis_, plan_, values_, without).standardDeviation.empty());
   }
 
   /// Where the samples tell nothing the deviation is that of the training signals, whatever is used or was kept.
@@ -68,7 +68,7 @@ class ReconstructionDeviationTest : public QObject {
       for (const int components : {1, 4, 0}) {
         ReconstructionOptions options = withoutNoise;
         options.components = components;
-        const std::vector<float> found = reconstruct(truncated, plan_, values_, options).deviation;
+        const std::vector<float> found = reconstruct(truncated, plan_, values_, options).standardDeviation;
         if (kept == 0) {
           QVERIFY(found.empty());
           continue;
@@ -85,10 +85,10 @@ class ReconstructionDeviationTest : public QObject {
       const auto found = [&](double noise) {
         MeasuredValues values = values_;
         values.noise.assign(values.rgb.size(), Rgb(noise));
-        return reconstruct(basis_, plan_, values, {.ridge = ridge}).deviation;
+        return reconstruct(basis_, plan_, values, {.ridge = ridge}).standardDeviation;
       };
       const std::vector<float> drowned = found(1e9),
-                               withoutNoise = reconstruct(basis_, plan_, values_, {.ridge = ridge}).deviation,
+                               withoutNoise = reconstruct(basis_, plan_, values_, {.ridge = ridge}).standardDeviation,
                                none = found(0);
       for (std::size_t i = 0; i < drowned.size(); ++i) {
         QVERIFY(std::abs(drowned[i] - std::sqrt(varianceFrom(basis_, i, 0))) < 1e-3);
@@ -105,8 +105,9 @@ class ReconstructionDeviationTest : public QObject {
       const Reconstruction kept = reconstruct(truncated, plan_, values_, {.ridge = ridge});
       QVERIFY(std::abs(kept.ridge / used.ridge - 1) < 1e-5);
       QVERIFY(difference(basis_, *used.table, *kept.table) < 1e-3);
-      for (std::size_t i = 0; i < used.deviation.size(); ++i)
-        QVERIFY(std::abs(kept.deviation[i] - used.deviation[i]) < 1e-3f * used.deviation[i] + 1e-4f);
+      for (std::size_t i = 0; i < used.standardDeviation.size(); ++i)
+        QVERIFY(std::abs(kept.standardDeviation[i] - used.standardDeviation[i]) <
+                1e-3f * used.standardDeviation[i] + 1e-4f);
     }
   }
 
@@ -120,8 +121,9 @@ class ReconstructionDeviationTest : public QObject {
     fewer.samples.pop_back();
     values.rgb.pop_back();
     const Reconstruction left = reconstruct(basis_, fewer, values, options);
-    QVERIFY(all.deviation[position] < left.deviation[position]);
-    for (std::size_t i = 0; i < all.deviation.size(); ++i) QVERIFY(all.deviation[i] < left.deviation[i] * 1.0001f);
+    QVERIFY(all.standardDeviation[position] < left.standardDeviation[position]);
+    for (std::size_t i = 0; i < all.standardDeviation.size(); ++i)
+      QVERIFY(all.standardDeviation[i] < left.standardDeviation[i] * 1.0001f);
   }
 
  private:

@@ -185,7 +185,7 @@ class ReconstructionTest : public QObject {
           basis_, few, values, {.method = ReconstructionMethod::sparse, .components = basis_.count(), .atoms = atoms});
       QVERIFY2(difference(basis_, *found.table, *table) < 1e-3,
                qPrintable(QString::number(difference(basis_, *found.table, *table))));
-      QVERIFY(found.deviation.empty() && found.ridge == 0 && std::isnan(found.leaveOneOutError));
+      QVERIFY(found.standardDeviation.empty() && found.ridge == 0 && std::isnan(found.leaveOneOutError));
     }
     const Reconstruction one = reconstruct(
         basis_, few, values, {.method = ReconstructionMethod::sparse, .components = basis_.count(), .atoms = 1});
@@ -210,7 +210,7 @@ class ReconstructionTest : public QObject {
       values.rgb.push_back(values_.rgb[i]);
     }
     for (const double ridge : {0.0, 40.0})
-      for (const float deviation : reconstruct(basis_, twice, values, ridgeOf(ridge)).deviation)
+      for (const float deviation : reconstruct(basis_, twice, values, ridgeOf(ridge)).standardDeviation)
         QVERIFY(std::isfinite(deviation) && deviation >= 0);
 
     const PrincipalComponents still = test::learnFrom({greyTable()});
@@ -223,13 +223,13 @@ class ReconstructionTest : public QObject {
     const Reconstruction many = reconstruct(basis_, plan_, values_);
     const ThreadLimit limit(1);
     const Reconstruction one = reconstruct(basis_, plan_, values_);
-    QVERIFY(one.deviation == many.deviation && one.code.channels == many.code.channels);
+    QVERIFY(one.standardDeviation == many.standardDeviation && one.code.channels == many.code.channels);
     QVERIFY(std::ranges::equal(one.table->values(), many.table->values()));
     // Nor does it matter where in memory the results lie.
     std::vector<std::vector<char>> between;
     for (std::size_t bytes = 8; bytes < 400; bytes += 24) {
       between.emplace_back(bytes);
-      QVERIFY(reconstruct(basis_, plan_, values_).deviation == many.deviation);
+      QVERIFY(reconstruct(basis_, plan_, values_).standardDeviation == many.standardDeviation);
     }
   }
 

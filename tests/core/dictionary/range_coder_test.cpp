@@ -34,7 +34,7 @@ std::vector<Bit> randomBits(std::size_t count, std::span<const double> probabili
 
 template <typename Coder>
 bool code(Coder& coder, std::vector<AdaptiveBit>& contexts, const Bit& bit) {
-  return bit.context < 0 ? coder.evenBit(bit.value) : coder.bit(contexts[std::size_t(bit.context)], bit.value);
+  return bit.context < 0 ? coder.directBit(bit.value) : coder.bit(contexts[std::size_t(bit.context)], bit.value);
 }
 
 std::vector<std::byte> encoded(const std::vector<Bit>& bits, std::size_t contextCount) {

@@ -115,7 +115,7 @@ class ScatteredMaterialTest : public QObject {
   void deviationsCount() {
     ScatteredSamples samples = measured(pairsAboutTheHighlight(40, 3));
     const materials::Material without = materialOf(samples);
-    samples.deviations.assign(samples.values.size(), Rgb(1e6));
+    samples.standardDeviations.assign(samples.values.size(), Rgb(1e6));
     const materials::Material drowned = materialOf(samples);
     const DirectionPair pair = samples.directions[1];
     const double truth = glossy(pair.wi, pair.wo).x;

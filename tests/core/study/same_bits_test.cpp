@@ -87,7 +87,7 @@ class Results {
     const auto cells = acquisition::selectSamples(*learned_, {.samples = 8}).cells;
     const acquisition::SamplingPlan plan = acquisition::planFor(grid, cells);
     const auto found = acquisition::reconstruct(*learned_, plan, acquisition::measure(*table(), plan));
-    return bytesOf(found.table->values(), found.deviation);
+    return bytesOf(found.table->values(), found.standardDeviation);
   }
   Bytes rendered() const {
     const Image image = renderPicture(*brdf_, comparisonScene(), {.width = 24, .height = 24, .samples = 4});

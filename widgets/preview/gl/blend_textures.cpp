@@ -15,11 +15,11 @@ void append(std::vector<glm::vec3>& all, const std::vector<glm::vec3>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::DifferentialEdit>& moves) {
-  if (moves.empty()) return;
-  const auto target = moves[0].model->shaderParameters(moves[0].edited);
+void setEdits(QOpenGLShaderProgram& program, const std::vector<editing::DifferentialEdit>& edits) {
+  if (edits.empty()) return;
+  const auto target = edits[0].model->shaderParameters(edits[0].edited);
   std::vector<glm::vec3> own;
-  for (const editing::DifferentialEdit& move : moves) append(own, move.model->shaderParameters(move.fitted));
+  for (const editing::DifferentialEdit& edit : edits) append(own, edit.model->shaderParameters(edit.fitted));
   program.setUniformValueArray("targetParameters", &target.front().x, int(target.size()), 3);
   program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 3);
 }
@@ -34,8 +34,8 @@ void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitio
     definitions << "BLEND_OWN";
     addShaderBase(*blend.own, definitions, preamble);
   }
-  if (blend.moves.empty()) return;
-  const models::Model& model = *blend.moves[0].model;
+  if (blend.edits.empty()) return;
+  const models::Model& model = *blend.edits[0].model;
   definitions << "BLEND_MOVES" << QString("MODEL_PARAMETERS %1").arg(model.shaderComponents().size());
   addModel(model, definitions, preamble);
 }
@@ -70,7 +70,7 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
   program.setUniformValueArray("blendTables", units.data(), count);
   program.setUniformValueArray("blendPhiPeriods", periods.data(), count, 1);
   program.setUniformValueArray("blendWeights", weights.data(), count, 1);
-  setMoves(program, blend.moves);
+  setEdits(program, blend.edits);
 }
 
 void BlendTextures::release() {

@@ -8,7 +8,7 @@
 
 namespace gonio::widgets {
 
-/// A table of angles of incidence on the graphics card, for shaders/preview/incidence_table.glsl: 16 bytes per value.
+/// A table by angle of incidence on the graphics card, for shaders/preview/incidence_table.glsl: 16 bytes per value.
 class IncidenceTextures final : public ShaderBase {
  public:
   /// Uploads the table, in a few ms.

@@ -35,7 +35,7 @@ enum TextureUnit {
   rglColourUnit = otherAccumulationUnit,
   rglDistributionUnit = firstDecoderUnit + 2,
   rglAreaUnit = firstDecoderUnit + 3,
-  baseNodeUnit = firstBlendUnit,  ///< nodes of a table of angles of incidence, which never occurs with a blend
+  baseNodeUnit = firstBlendUnit,  ///< nodes of a table by angle of incidence, which never occurs with a blend
   // Nothing is decoded while a picture is rendered.
   lobeCellUnit = firstDecoderUnit,
   lobeRowUnit,

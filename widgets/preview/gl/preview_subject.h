@@ -33,7 +33,7 @@ struct PreviewBlend {
   std::shared_ptr<const editing::TransformedMixture> mixture;
   std::vector<double> weights;
   /// One edit per material, applied before mixing, all with the same edited parameters; may be empty.
-  std::vector<editing::DifferentialEdit> moves = {};
+  std::vector<editing::DifferentialEdit> edits = {};
   /// The material of the largest weight in its native form (an RGL or UTIA file without edits), which replaces the
   /// table for the fraction `ownFraction` of the weight: the difference between the largest and the second largest
   /// weight. Thus the transition between materials is continuous, and at weight 1 no table is used.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/factors/measured_factors.h"
+#include "app/gonio/factors/factors_with_costs.h"
 
 #include "core/materials/pdv_file.h"
 #include "core/study/evaluation_time.h"
 
 namespace gonio::app {
 
-MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
-                               const TaskControl& control) {
-  MeasuredFactors measured;
+FactorsWithCosts factorizeWithCosts(const LoadedMaterialPtr& material, const FactorsWithCosts::Kind& kind,
+                                    const TaskControl& control) {
+  FactorsWithCosts measured;
   measured.material = material;
   const auto table = material->table(control);
   measured.factorization = factorization::factorizePdv(

@@ -8,7 +8,7 @@
 namespace gonio::app {
 
 /// The factors of a material with the error and cost of each number of terms.
-struct MeasuredFactors {
+struct FactorsWithCosts {
   /// Options selected before the factorisation; the number of terms is selected afterwards.
   struct Kind {
     factorization::PdvForm form = factorization::PdvForm::twoFactors;
@@ -28,8 +28,8 @@ struct MeasuredFactors {
 
 inline constexpr int maxEditedTerms = 10;
 
-/// Factorises and measures the costs; takes a few seconds for the 3-D form. @throws Cancelled.
-MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
-                               const TaskControl& control = {});
+/// Factorises and measures the costs; takes a few seconds for three factors. @throws Cancelled.
+FactorsWithCosts factorizeWithCosts(const LoadedMaterialPtr& material, const FactorsWithCosts::Kind& kind,
+                                    const TaskControl& control = {});
 
 }  // namespace gonio::app
