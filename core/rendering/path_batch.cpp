@@ -160,7 +160,7 @@ void PathTracer::PathBatch::addSampledLights() {
 }
 
 void PathTracer::PathBatch::addRadiance(const Path& path, std::size_t query, const Rgb& radiance) {
-  if (recorded_)
+  if (recorded_ && radiance != Rgb(0))
     recorded_->add(starts_[path.result].column, queriesOf(path).pairs[query], radiance);
   else
     results_[path.result].radiance += radiance;

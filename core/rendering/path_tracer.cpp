@@ -118,7 +118,7 @@ void PathTracer::accumulate(Film& film, int samples, const TaskControl& control)
 RecordedPaths PathTracer::record(int width, int height, int samples, const TaskControl& control) const {
   assert(plan_.reflections <= 1);
   Film film(width, height);
-  std::vector<RecordedPaths::Row> rows{std::size_t(height)};
+  auto rows = std::vector<RecordedPaths::Row>(std::size_t(height));
   trace(film, samples, rows, control);
   return {std::move(rows), film.image(), samples};
 }

@@ -127,7 +127,7 @@ class DocumentTest : public QObject {
     for (double value = 0.31; value <= 0.4201; value += 0.01) setParameter(*m_document, index("roughness"), Rgb(value));
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 2);
-    QCOMPARE(m_document->history().text(1), QStringLiteral("Change Roughness 0.3 to 0.42"));
+    QCOMPARE(m_document->history().text(1), QStringLiteral("Change Roughness from 0.3 to 0.42"));
     m_document->beginInteraction();
     setParameter(*m_document, index("roughness"), Rgb(0.5));
     m_document->endInteraction();
@@ -302,7 +302,7 @@ class DocumentTest : public QObject {
     setParameter(*m_document, index("roughness"), Rgb(0.6));
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 3);
-    QCOMPARE(m_document->history().text(2), QStringLiteral("Change Roughness 0.2 to 0.6"));
+    QCOMPARE(m_document->history().text(2), QStringLiteral("Change Roughness from 0.2 to 0.6"));
   }
 
   /// The facts of a fit belong to the values that it found: undoing a fit brings those of the one before.

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/rendering/scene_file.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -53,6 +54,33 @@ class RenderedComparisonTest : public QObject {
     for (std::size_t i = 0; i < picture.image.pixels.size(); ++i)
       for (int c = 0; c < 3; ++c)
         QCOMPARE(picture.image.pixels[i][c], 0.5f * (picture.halves[0].pixels[i][c] + picture.halves[1].pixels[i][c]));
+  }
+
+  /// Recorded paths give the picture of a renderer, of any material, in front of a visible environment too.
+  void recordedPathsAreThoseOfTheRenderer() {
+    Scene scene = sphereScene(studioEnvironment());
+    scene.showEnvironment = true;
+    const RenderedComparison comparison(scene, *plastic(), pictures(4));
+    const auto metal = test::ggx(Rgb(0), Rgb(0.9, 0.7, 0.3), 0.05, 0.9);
+    const ComparisonPicture recorded = comparison.render(*metal), traced = comparison.trace(*metal);
+    QVERIFY(recorded.image.alpha == traced.image.alpha);
+    double brightest = 0;
+    for (std::size_t i = 0; i < traced.image.pixels.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const double value = traced.image.pixels[i][c];
+        QVERIFY(std::abs(recorded.image.pixels[i][c] - value) <= 1e-6 * value);
+        brightest = std::max(brightest, value);
+      }
+    QVERIFY(brightest > 1);
+  }
+
+  /// Where light is reflected twice, or an object has a material of its own, pictures do not share their paths.
+  void onlySharedPathsAreRecorded() {
+    RenderOptions options = pictures(1);
+    options.lobe = estimateSamplingLobe(*plastic());
+    const auto isRecorded = [&](const char* name) { return recordPaths(openScene(name, 2), options).has_value(); };
+    QVERIFY(isRecorded("sphere") && isRecorded("sphere-distant-light"));
+    QVERIFY(!isRecorded("sphere-on-plane") && !isRecorded("two-spheres"));
   }
 
   /// The SNR of a noisy table does not depend on the samples; that of the mean pictures rises with them.
