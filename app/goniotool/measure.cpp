@@ -64,8 +64,7 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
   command
       .add_option("--bound", options->bound,
                   "Upper bound of the prediction: readings or none. With readings, the prediction exceeds neither the "
-                  "larger of "
-                  "the two nearest readings nor the prediction with light and viewer exchanged (readings)")
+                  "larger of the two nearest readings nor the prediction with light and viewer exchanged (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 

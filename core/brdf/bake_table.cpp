@@ -52,7 +52,7 @@ std::vector<Rgb> evaluateMean(const Brdf& brdf, const HalfDifferenceGrid& grid, 
   const std::vector<DirectionPair>& pairs = nodes.pairs;
   std::vector<Rgb> sums(pairs.size(), Rgb(0)), results(pairs.size());
   const auto add = [&](const std::vector<DirectionPair>& some) {
-    evaluateNodes(brdf, grid, nodes.cells, some, exchanged || brdf.isReciprocal(), results);
+    evaluateNodes(brdf, grid, nodes.cells, some, results, exchanged);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
   };
   for (int rotation = 0; rotation < rotations; ++rotation) {

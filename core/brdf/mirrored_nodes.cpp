@@ -41,9 +41,10 @@ Distinct distinctNodes(const HalfDifferenceGrid& grid, std::span<const std::size
 }  // namespace
 
 void evaluateNodes(const Brdf& brdf, const HalfDifferenceGrid& grid, std::span<const std::size_t> nodes,
-                   std::span<const DirectionPair> pairs, bool exchangeable, std::span<Rgb> values) {
+                   std::span<const DirectionPair> pairs, std::span<Rgb> values, bool bothOrders) {
   // Folded to [0, pi), -phi_d is pi - phi_d with the directions exchanged.
-  if (!brdf.isMirrorSymmetric() || (grid.reciprocal && !exchangeable)) return brdf.evaluate(pairs, values);
+  const bool orderMatters = grid.reciprocal && !bothOrders && !brdf.isReciprocal();
+  if (!brdf.isMirrorSymmetric() || orderMatters) return brdf.evaluate(pairs, values);
   const Distinct distinct = distinctNodes(grid, nodes, pairs);
   std::vector<Rgb> evaluated(distinct.evaluated.size());
   brdf.evaluate(distinct.evaluated, evaluated);

@@ -12,9 +12,10 @@ namespace gonio {
 
 /// Evaluates a BRDF at nodes of a grid; of two nodes that mirror each other (phi_d and -phi_d), only the first, where
 /// the BRDF is known to have the same value at both. Up to rounding the values are those of Brdf::evaluate().
-/// @param nodes ascending. @param pairs directions of each node.
-/// @param exchangeable whether the order of the directions does not matter: always for a mean over both orders.
+/// @param nodes ascending. @param pairs directions of each node. @param values as many, linear RGB, 1/sr.
+/// @param bothOrders whether the caller adds the values with the directions exchanged, so that their order does not
+/// matter.
 void evaluateNodes(const Brdf& brdf, const HalfDifferenceGrid& grid, std::span<const std::size_t> nodes,
-                   std::span<const DirectionPair> pairs, bool exchangeable, std::span<Rgb> values);
+                   std::span<const DirectionPair> pairs, std::span<Rgb> values, bool bothOrders = false);
 
 }  // namespace gonio

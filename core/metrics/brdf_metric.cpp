@@ -66,7 +66,7 @@ constexpr std::array records{
         .formula = "sqrt mean(d^2), d: difference of rho", .unit = "1/sr", .reference = lavoue,
         .factor = MetricFactor::one, .domain = MetricDomain::linear, .power = MetricPower::square},
     MetricRecord{
-        .metric = BrdfMetric::cosineTwoThirds, .id = "cosine-cube-root", .alias = "",
+        .metric = BrdfMetric::cosineCubeRoot, .id = "cosine-cube-root", .alias = "",
         .name = "Cosine-weighted, cube root",
         .formula = "sqrt mean(|d|^(2/3)), d: difference of rho cos theta_i", .unit = "sr^(-1/3)",
         .reference = "Fores et al. 2012, Toward a Perceptually Based Metric for BRDF Modeling; the third distance of "
@@ -83,7 +83,7 @@ constexpr std::array records{
         .formula = "mean(|d|), d: difference of rho", .unit = "1/sr", .reference = lavoue,
         .factor = MetricFactor::one, .domain = MetricDomain::linear, .power = MetricPower::absolute, .isRoot = false},
     MetricRecord{
-        .metric = BrdfMetric::bothCosinesTwoThirds, .id = "cosines-cube-root", .alias = "",
+        .metric = BrdfMetric::cosinesCubeRoot, .id = "cosines-cube-root", .alias = "",
         .name = "Both cosines, cube root",
         .formula = "mean(|d|^(2/3)), d: difference of rho max(cos theta_i cos theta_o, e), e = 0.001",
         .unit = "sr^(-2/3)",

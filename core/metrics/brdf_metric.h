@@ -22,10 +22,10 @@ enum class BrdfMetric {
   logRelative,              ///< sqrt mean(d^2), d: difference of ln(rho c + e), c = max(cos theta_i cos theta_o, e),
                             ///< e = logRelativeOffset
   rms,                      ///< sqrt mean(d^2), d: difference of rho
-  cosineTwoThirds,          ///< sqrt mean(|d|^(2/3)), d as for `cosineL2`
+  cosineCubeRoot,           ///< sqrt mean(|d|^(2/3)), d as for `cosineL2`
   projectedRms,             ///< sqrt mean(d^2 cos theta_o), d as for `rms`
   meanAbsolute,             ///< mean(|d|), d as for `rms`
-  bothCosinesTwoThirds,     ///< mean(|d|^(2/3)), d: difference of rho c
+  cosinesCubeRoot,          ///< mean(|d|^(2/3)), d: difference of rho c
   meanAbsoluteLogRelative,  ///< mean(|d|), d as for `logRelative`
   lab                       ///< sqrt mean(Delta E^2 cos theta_i cos theta_o), Delta E of CIE 1976
 };

@@ -41,7 +41,7 @@ void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells
   cells.test.assign(cells.pairs.size(), Rgb(0));
   const TabulatedBrdf* table = test.asTable();
   if (!table) {
-    evaluateNodes(test, reference.grid(), cells.indices, cells.pairs, test.isReciprocal(), cells.test);
+    evaluateNodes(test, reference.grid(), cells.indices, cells.pairs, cells.test);
     for (Rgb& value : cells.test) value = glm::max(value, Rgb(0));
     return;
   }

@@ -120,8 +120,8 @@ constexpr ModelSpec layeredSpec = {
     .id = "layered", .name = "Layered lobes",
     .description = "A diffuse term and one to three GGX lobes from wide to sharp, each with separate colours at "
                    "normal and grazing incidence; a sheen and a retroreflective lobe where you switch them on. The "
-                   "first fit adds the flake and coat lobes only if they clearly lower the error. Fits most measured materials more closely than one "
-                   "lobe. Reciprocal; nothing bounds the energy.",
+                   "first fit adds the flake and coat lobes only if they clearly lower the error. Fits most measured "
+                   "materials more closely than one lobe. Reciprocal; nothing bounds the energy.",
     .formula = "k_d / pi + the sum over the lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
     .reference = sources,
     .parameters = parameters};

@@ -161,7 +161,7 @@ void PathTracer::PathBatch::addSampledLights() {
 
 void PathTracer::PathBatch::addRadiance(const Path& path, std::size_t query, const Rgb& radiance) {
   if (recorded_ && radiance != Rgb(0))
-    recorded_->add(starts_[path.result].column, queriesOf(path).pairs[query], radiance);
+    recorded_->add(starts_[path.result].pixel, queriesOf(path).pairs[query], radiance);
   else
     results_[path.result].radiance += radiance;
 }

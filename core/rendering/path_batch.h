@@ -18,7 +18,7 @@ class PathTracer::PathBatch {
   static constexpr std::size_t capacity = 128;
 
   struct Start {
-    std::size_t pixel, column;
+    std::size_t pixel;
     PathSeed seed;
     Ray ray;
   };

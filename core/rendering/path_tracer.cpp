@@ -79,7 +79,6 @@ void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, Samp
     for (int i = 0; i < samples; ++i) {
       PathBatch::Start& start = starts.emplace_back();
       start.pixel = pixel;
-      start.column = std::size_t(x);
       start.seed = {pixelSeed, std::uint32_t(film.samples + i)};
       const glm::dvec2 position = glm::dvec2(x, y) + filmPositions.pair(start.seed);
       start.ray = cameraRay(camera_, extent * (glm::dvec2(-1, 1) + pixelSize * position));

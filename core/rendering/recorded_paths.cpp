@@ -13,12 +13,14 @@ namespace {
 /// Values at a time: they stay in the caches.
 constexpr std::size_t block = 1024;
 
-std::vector<Rgb> radianceOf(const RecordedPaths::Row& row, const Brdf& brdf, int width) {
+/// Sums of a row. @param first index of its first pixel.
+std::vector<Rgb> radianceOf(const RecordedPaths::Row& row, const Brdf& brdf, std::size_t first, int width) {
   std::vector<Rgb> radiance(std::size_t(width), Rgb(0)), values(std::min(block, row.pairs.size()));
   for (std::size_t begin = 0; begin < row.pairs.size(); begin += block) {
     const std::size_t count = std::min(block, row.pairs.size() - begin);
     brdf.evaluate(std::span(row.pairs).subspan(begin, count), std::span(values).first(count));
-    for (std::size_t i = 0; i < count; ++i) radiance[row.columns[begin + i]] += values[i] * row.weights[begin + i];
+    for (std::size_t i = 0; i < count; ++i)
+      radiance[row.pixels[begin + i] - first] += values[i] * row.weights[begin + i];
   }
   return radiance;
 }
@@ -31,7 +33,7 @@ RecordedPaths::RecordedPaths(std::vector<Row> rows, Image others, int samples)
   for (Row& row : rows_) {
     row.pairs.shrink_to_fit();
     row.weights.shrink_to_fit();
-    row.columns.shrink_to_fit();
+    row.pixels.shrink_to_fit();
   }
 }
 
@@ -40,9 +42,10 @@ Image RecordedPaths::picture(const Brdf& brdf, const TaskControl& control) const
   parallelForBlocks(
       rows_.size(), 1,
       [&](std::size_t y, std::size_t) {
-        const std::vector<Rgb> radiance = radianceOf(rows_[y], brdf, image.width);
+        const std::size_t first = image.index(0, int(y));
+        const std::vector<Rgb> radiance = radianceOf(rows_[y], brdf, first, image.width);
         for (std::size_t x = 0; x < radiance.size(); ++x)
-          image.pixels[y * radiance.size() + x] += glm::vec3(radiance[x] / double(samples_));
+          image.pixels[first + x] += glm::vec3(radiance[x] / double(samples_));
       },
       control);
   return image;

@@ -25,7 +25,7 @@ struct RankingOptions {
 };
 
 /// The accuracy study (runStudy()) of parametric fits only, without the times of evaluations and frames. Deterministic
-/// for any number of threads. All models together take under 60 s for a MERL table on two cores.
+/// for any number of threads. All models together take 10 to 12 s for a MERL table on two cores.
 /// @return one row per model, in order. A stop request returns the completed rows; rankFits() never throws Cancelled.
 std::vector<RankedFit> rankFits(const StudySubject& subject, const RankingOptions& options = {},
                                 const TaskControl& control = {});

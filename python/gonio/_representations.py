@@ -57,8 +57,8 @@ class Factors:
 
     @property
     def residuals(self) -> NDArray[np.float64]:
-        """Relative errors |y - f| / |y| of the sum f of 0, 1, ... terms, in the weighted norm of the factorisation; empty for factors that
-        were read from a file or changed."""
+        """Relative errors |y - f| / |y| of the sum f of 0, 1, ... terms, in the weighted norm of the factorisation;
+        empty for factors that were read from a file or changed."""
         return self._handle.residuals
 
     @property

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/editing/edit.h"
-#include "core/rendering/render_picture.h"
+#include "core/rendering/rendered_comparison.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
@@ -31,6 +31,20 @@ void renderSphere(benchmark::State& state, Kind kind, bool inStudio) {
 }
 void inStudio(benchmark::State& state, Kind kind) { renderSphere(state, kind, true); }
 void inDistantLight(benchmark::State& state, Kind kind) { renderSphere(state, kind, false); }
+
+/// A picture of a ranking: traced, and from the paths that a comparison has recorded.
+void comparisonPlainBaseline(benchmark::State& state) {
+  const RenderedComparison comparison(*benchmarks::plasticTable(), smallComparisonPicture());
+  const auto brdf = benchmarks::plastic();
+  for (auto _ : state) benchmark::DoNotOptimize(comparison.trace(*brdf));
+}
+void comparisonRecorded(benchmark::State& state) {
+  const RenderedComparison comparison(*benchmarks::plasticTable(), smallComparisonPicture());
+  const auto brdf = benchmarks::plastic();
+  for (auto _ : state) benchmark::DoNotOptimize(comparison.render(*brdf));
+}
+BENCHMARK(comparisonPlainBaseline)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(comparisonRecorded)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 BENCHMARK_CAPTURE(inStudio, model, Kind::model)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK_CAPTURE(inStudio, table, Kind::table)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();

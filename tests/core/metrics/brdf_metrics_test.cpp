@@ -50,13 +50,13 @@ double plainTerm(BrdfMetric metric, double a, double b, double cosI, double cosO
       return relative * relative;
     case BrdfMetric::rms:
       return std::pow(a - b, 2);
-    case BrdfMetric::cosineTwoThirds:
+    case BrdfMetric::cosineCubeRoot:
       return std::pow(std::abs(x - y), 2.0 / 3);
     case BrdfMetric::projectedRms:
       return cosO * std::pow(a - b, 2);
     case BrdfMetric::meanAbsolute:
       return std::abs(a - b);
-    case BrdfMetric::bothCosinesTwoThirds:
+    case BrdfMetric::cosinesCubeRoot:
       return std::pow(std::abs(u - v), 2.0 / 3);
     case BrdfMetric::meanAbsoluteLogRelative:
       return std::abs(relative);
@@ -84,7 +84,7 @@ double plainError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf&
     }
   }
   const bool isRoot = metric != BrdfMetric::meanAbsoluteLog && metric != BrdfMetric::meanAbsolute &&
-                      metric != BrdfMetric::bothCosinesTwoThirds && metric != BrdfMetric::meanAbsoluteLogRelative;
+                      metric != BrdfMetric::cosinesCubeRoot && metric != BrdfMetric::meanAbsoluteLogRelative;
   return isRoot ? std::sqrt(sum / weightSum) : sum / weightSum;
 }
 
@@ -134,8 +134,8 @@ class BrdfMetricsTest : public QObject {
     verify(BrdfMetric::cosineL2, d / std::sqrt(3.0), 0.01);
     verify(BrdfMetric::cubeRoot, (std::cbrt(a) - std::cbrt(b)) * std::sqrt(3.0 / 5), 0.01);
     verify(BrdfMetric::gamma, (0.5 - 0.4) / std::sqrt(2.0), 0.01);
-    verify(BrdfMetric::cosineTwoThirds, std::cbrt(d) * std::sqrt(3.0 / 5), 0.01);
-    verify(BrdfMetric::bothCosinesTwoThirds, std::pow(d, 2.0 / 3) * 9 / 25, 0.01);
+    verify(BrdfMetric::cosineCubeRoot, std::cbrt(d) * std::sqrt(3.0 / 5), 0.01);
+    verify(BrdfMetric::cosinesCubeRoot, std::pow(d, 2.0 / 3) * 9 / 25, 0.01);
     verify(BrdfMetric::lab, greyLightness(pi * a) - greyLightness(pi * b), 1e-4);
   }
 
@@ -153,8 +153,8 @@ class BrdfMetricsTest : public QObject {
     for (const BrdfMetric metric :
          {BrdfMetric::cosineL2, BrdfMetric::rms, BrdfMetric::projectedRms, BrdfMetric::meanAbsolute})
       verify(metric, 8);
-    for (const BrdfMetric metric : {BrdfMetric::cubeRoot, BrdfMetric::cosineTwoThirds}) verify(metric, 2);
-    for (const BrdfMetric metric : {BrdfMetric::gamma, BrdfMetric::bothCosinesTwoThirds}) verify(metric, 4);
+    for (const BrdfMetric metric : {BrdfMetric::cubeRoot, BrdfMetric::cosineCubeRoot}) verify(metric, 2);
+    for (const BrdfMetric metric : {BrdfMetric::gamma, BrdfMetric::cosinesCubeRoot}) verify(metric, 4);
     // Logarithms grow less than what they are taken of.
     for (const BrdfMetric metric : {BrdfMetric::log, BrdfMetric::meanAbsoluteLog, BrdfMetric::bieronPeersLog}) {
       const auto m = std::size_t(metric);
