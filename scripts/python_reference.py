@@ -21,7 +21,7 @@ SECTIONS = {
     "Models, fits, edits": ["models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model",
                             "Parameter", "Fit", "Metric"],
     "Factors, codes, interpolation": ["factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
-                                      "open_code", "dictionary", "train_dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "Interpolation",
+                                      "open_code", "dictionary", "train_dictionary", "learn_patches", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary", "PatchDictionary", "PatchCode", "Interpolation",
                                       "train_neural", "neural_brdf", "open_neural", "NeuralBrdf"],
     "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "plan_factors", "open_factor_readings",
                     "predict_from_factors", "bundled_basis", "learn_basis", "open_basis", "separate", "learn_separated_basis",

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/goniotool/bases.h"
 #include "app/goniotool/encode_components.h"
+#include "app/goniotool/encode_patches.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -21,10 +23,11 @@ namespace {
 
 using namespace dictionary;
 
-constexpr const char* componentsMethod = "components";
+constexpr const char *componentsMethod = "components", *patchesMethod = "k-svd";
 
 struct EncodeArguments {
   std::string material, dictionary, basis, out, transform, method{codingMethodNames[0]};
+  std::vector<std::string> train, excluded;
   EncodeOptions encoding;
   std::optional<std::size_t> coefficients;
   double relativeError = 0, renderedSnr = 0;
@@ -114,13 +117,18 @@ int encode(const EncodeArguments& options, const Tool& tool) {
 int encodeByMethod(const EncodeArguments& options, const CLI::App& command, const Tool& tool) {
   if ((options.method == componentsMethod) != !options.basis.empty())
     throw UsageError("encode: --method components and --basis must be given together");
-  if (options.method != componentsMethod) return encode(options, tool);
+  const bool patches = options.method == patchesMethod;
+  if (!patches && command.count("--train") + command.count("--exclude") > 0)
+    throw UsageError("encode: --train and --exclude are for --method k-svd only");
+  if (options.method != componentsMethod && !patches) return encode(options, tool);
   for (const char* of :
        {"--dictionary", "--error", "--bytes", "--rendered-snr", "--transform", "--gamma", "--single", "--as-published"})
-    if (command.count(of) > 0) throw UsageError(std::string("encode: ") + of + " is not for --method components");
-  return encodeComponents(
-      {options.material, options.basis, options.out, int(options.coefficients.value_or(EncodeOptions().coefficients))},
-      tool);
+    if (command.count(of) > 0)
+      throw UsageError(std::string("encode: ") + of + " is not for --method " + options.method);
+  const std::size_t coefficients = options.coefficients.value_or(EncodeOptions().coefficients);
+  if (patches)
+    return encodePatches({options.material, options.out, options.train, options.excluded, coefficients}, tool);
+  return encodeComponents({options.material, options.basis, options.out, int(coefficients)}, tool);
 }
 
 int decode(const EncodeArguments& options, const Tool& tool) {
@@ -169,20 +177,23 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_flag("--single", options->single,
                     "Store values in single precision instead of quantised; seven times the bytes");
   std::vector<std::string> methods(codingMethodNames.begin(), codingMethodNames.end());
-  methods.emplace_back(componentsMethod);
+  methods.insert(methods.end(), {componentsMethod, patchesMethod});
   command
       ->add_option(
           "--method", options->method,
           "omp: orthogonal matching pursuit; basis-pursuit: smallest L1 norm; components: principal components of "
-          "--basis (omp)")
+          "--basis; k-svd: patches over a dictionary learned from --train (omp)")
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
+  command->add_option("--train", options->train,
+                      trainingSetHelp("Training set of --method k-svd") + " (bundled library)");
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set");
   command->add_flag("--as-published", options->asPublished,
                     "Published method: without cell scaling, invalid cells filled once before the projection, "
                     "unweighted gamma error");
   command->add_option("--out", options->out,
                       "File to write: the code (" + suffixOf(materials::FormatId::code) +
-                          "), or with --method components " + outputHelp("the material that the components represent"));
+                          "), or with --method components or k-svd " + outputHelp("the decoded material"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] { return encodeByMethod(*options, *command, tool); };
   });

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using namespace study;
 
 struct StudyArguments {
-  std::vector<std::string> materials, representations, models, baselines, componentsFrom, dictionaries;
+  std::vector<std::string> materials, representations, models, baselines, componentsFrom, patchesFrom, dictionaries;
   std::string out, shard, npf;
   RepresentationChoice choice;
   Budget budget;
@@ -41,6 +41,8 @@ RepresentationChoice choiceOf(const StudyArguments& options) {
   }
   if (!options.componentsFrom.empty() && !std::ranges::count(choice.families, RepresentationFamily::components))
     choice.families.push_back(RepresentationFamily::components);
+  if (!options.patchesFrom.empty() && !std::ranges::count(choice.families, RepresentationFamily::patches))
+    choice.families.push_back(RepresentationFamily::patches);
   if (!options.npf.empty() && !std::ranges::count(choice.families, RepresentationFamily::publishedNonparametric))
     choice.families.push_back(RepresentationFamily::publishedNonparametric);
   for (const std::string& id : options.models) choice.models.push_back(&models::findModel(id));
@@ -57,6 +59,8 @@ void checkArguments(const StudyArguments& options) {
     throw UsageError("study: --baselines needs --representations with baselines");
   if (options.choice.separatedComponents && options.componentsFrom.empty())
     throw UsageError("study: --separate needs a training set; give it with --components-from FOLDER");
+  if (options.patchesFrom.empty() && std::ranges::count(options.representations, "patches"))
+    throw UsageError("study: patches need a training set; give it with --patches-from FOLDER");
   if (options.npf.empty() && std::ranges::count(options.representations, "published-nonparametric"))
     throw UsageError("study: published-nonparametric needs the published table; give it with --npf FILE");
   if (options.withoutTimes && options.budget.frameMilliseconds)
@@ -85,6 +89,7 @@ class MaterialStudy {
     study_.timed = !options.withoutTimes;
     if (!options.npf.empty()) readNpfTable(paths);
     if (std::ranges::count(choice.families, RepresentationFamily::components)) learnComponents(choice);
+    if (std::ranges::count(choice.families, RepresentationFamily::patches)) learnPatches();
     for (const std::string& path : options.dictionaries) {
       dictionaries_.push_back(materials::readDictionary(path));
       inputs_.dictionaries.push_back(hexText(dictionaries_.back()->id));
@@ -156,6 +161,14 @@ class MaterialStudy {
     inputs_.components = materials.names;
   }
 
+  void learnPatches() {
+    const std::vector<std::string> files = editing::trainingFiles(options_.patchesFrom);
+    const auto materials = editing::trainingMaterials(files, editing::trainingGrid(files));
+    study_.build.patches = std::make_shared<const dictionary::PatchDictionary>(
+        dictionary::learnPatchDictionary(materials, {}, tool_.control("learning a dictionary of patches")));
+    inputs_.patches = materials.names;
+  }
+
   /// Of several the first that has not learned from the material.
   std::shared_ptr<const materials::NamedEnsemble> dictionaryFor(const std::string& name) const {
     if (dictionaries_.size() < 2) return dictionaries_.empty() ? nullptr : dictionaries_.front();
@@ -224,7 +237,7 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")->required();
   command
       ->add_option("--representations", options->representations,
-                   "Kinds of representations: table, fits, factors, codes, components, nonparametric, "
+                   "Kinds of representations: table, fits, factors, codes, components, patches, nonparametric, "
                    "published-nonparametric, baselines, published, alternatives, neural (table, fits, factors, "
                    "codes and nonparametric)")
       ->delimiter(',');
@@ -238,7 +251,7 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command
       ->add_option("--coefficients", options->choice.coefficients,
-                   "Coefficients per channel of the codes (powers of two from 32 to 2048)")
+                   "Coefficients per channel of the codes, also of patches (powers of two from 32 to 2048)")
       ->delimiter(',')
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
@@ -252,6 +265,10 @@ void addStudy(CLI::App& app, Tool& tool) {
   command
       ->add_option("--components-from", options->componentsFrom,
                    trainingSetHelp("Training set of the principal components") + " (none)")
+      ->delimiter(',');
+  command
+      ->add_option("--patches-from", options->patchesFrom,
+                   trainingSetHelp("Training set of a dictionary of patches (K-SVD)") + " (none)")
       ->delimiter(',');
   command->add_flag("--separate", options->choice.separatedComponents,
                     "Also measure components of the separated diffuse and specular parts (Sun et al. 2018)");

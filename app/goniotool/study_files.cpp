@@ -74,6 +74,7 @@ StudyFacts studyFacts(const std::string& pictures, const MachineFacts& machine,
                       {"machine", machineWithoutDate(machine)},
                       {"dictionaries", inputs.dictionaries},
                       {"components", inputs.components},
+                      {"patches", inputs.patches},
                       {"npf", inputs.npf},
                       {"representations", names}};
   facts.settings = settings.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -30,6 +30,7 @@ struct StudyFacts {
 struct StudyInputs {
   std::vector<std::string> dictionaries;  ///< ids
   std::vector<std::string> components;    ///< names of the training materials
+  std::vector<std::string> patches;       ///< names of the training materials
   std::string npf;                        ///< materials::NpfTable::sha256; "" without a table
 };
 /// Facts with settings made from the arguments.

@@ -21,8 +21,8 @@ float largestSize(const ChannelCode& channel) {
   return largest;
 }
 
-void pack(const ChannelCode& channel, CodePrecision precision, ByteWriter& writer) {
-  checkLimits(channel);
+void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecision precision, ByteWriter& writer) {
+  checkLimits(channel, grid);
   std::vector<Coefficient<float>> sorted = channel.coefficients;
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   const float scale = largestSize(channel);
@@ -72,7 +72,7 @@ ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cell
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision) {
   if (precision == CodePrecision::quantised) return compressChannels(code);
   ByteWriter writer;
-  for (const ChannelCode& channel : code.channels) pack(channel, precision, writer);
+  for (const ChannelCode& channel : code.channels) pack(channel, code.grid, precision, writer);
   return std::move(writer.bytes);
 }
 

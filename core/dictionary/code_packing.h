@@ -23,7 +23,7 @@ enum class CodePrecision : std::uint8_t {
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32
 /// ChannelCode::highest, the indices, the values. Little-endian. Quantised: compressChannels(). @throws Error for more
-/// than 65535 coefficients or 256 dictionaries.
+/// than 65535 coefficients or 256 dictionaries, or an index outside the grid.
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision);
 /// Inverse of packChannels(): sets the channels of `code`; set its grid before the call. @throws Error if there are too
 /// few or too many bytes, an index is repeated or outside the grid, or a value is not finite.

@@ -81,10 +81,14 @@ inline void checkCount(std::size_t coefficients) {
                 std::to_string(most));
 }
 /// @throws Error also for a dictionary that a file cannot name.
-inline void checkLimits(const ChannelCode& channel) {
+inline void checkLimits(const ChannelCode& channel, const HalfDifferenceGrid& grid) {
   checkCount(channel.coefficients.size());
   if (channel.dictionary < 0 || channel.dictionary > std::numeric_limits<std::uint8_t>::max())
     throw Error("the code refers to dictionary " + std::to_string(channel.dictionary) + ", expected 0 to 255");
+  for (const Coefficient<float>& c : channel.coefficients)
+    if (c.index >= grid.size())
+      throw Error("the code has a coefficient with index " + std::to_string(c.index) + ", expected less than " +
+                  std::to_string(grid.size()));
 }
 
 }  // namespace gonio::dictionary

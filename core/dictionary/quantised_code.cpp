@@ -194,7 +194,7 @@ std::vector<std::byte> compressChannels(const SparseCode& exact) {
   Contexts contexts;
   std::vector<Levels> levels;
   for (const ChannelCode& channel : code.channels) {
-    checkLimits(channel);
+    checkLimits(channel, code.grid);
     writer.write(std::uint8_t(channel.dictionary));
     writer.write(channel.step);
     writer.write(channel.highest);

@@ -19,7 +19,7 @@ SparseCode quantised(SparseCode code);
 
 /// The bytes of a quantised code. Per channel: uint8 dictionary, float32 step, float32 ChannelCode::highest,
 /// little-endian; then the range coder's bytes (docs/formats.md). @throws Error for more than 256 dictionaries or 65535
-/// coefficients.
+/// coefficients, or an index outside the grid.
 std::vector<std::byte> compressChannels(const SparseCode& code);
 /// Inverse of compressChannels(): sets the channels of `code`; set its grid before the call. @throws Error if there are
 /// too few or too many bytes, or a value is not finite or too large.

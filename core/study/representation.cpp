@@ -26,6 +26,7 @@ constexpr std::array<FamilyRecord, representationFamilyCount> families{
      {"factors", "PDV factors"},
      {"codes", "sparse code"},
      {"components", "principal components"},
+     {"patches", "code of patches"},
      {"nonparametric", "non-parametric factors"},
      {"published-nonparametric", "published non-parametric factors"},
      {"baselines", "baselines"},
@@ -98,6 +99,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
         addCounted(list, {family, std::string(separatedComponentsId), "Diffuse and specular components"},
                    choice.components, "component");
       return;
+    case RepresentationFamily::patches:
+      return addCounted(list, {family, "patches", "Code of patches, K-SVD"}, choice.coefficients, "coefficient");
     case RepresentationFamily::nonparametric:
       return list.push_back({family, "nonparametric", "Non-parametric factors", 0, ""});
     case RepresentationFamily::publishedNonparametric:
@@ -155,8 +158,9 @@ RepresentationFamily familyById(std::string_view id) {
 std::vector<RepresentationFamily> familiesWithoutFurtherData() {
   std::vector<RepresentationFamily> result;
   for (int i = 0; i < representationFamilyCount; ++i)
-    if (const auto family = RepresentationFamily(i);
-        family != RepresentationFamily::components && family != RepresentationFamily::publishedNonparametric)
+    if (const auto family = RepresentationFamily(i); family != RepresentationFamily::components &&
+                                                     family != RepresentationFamily::patches &&
+                                                     family != RepresentationFamily::publishedNonparametric)
       result.push_back(family);
   return result;
 }

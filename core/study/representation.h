@@ -19,6 +19,7 @@ enum class RepresentationFamily {
   factors,
   code,
   components,
+  patches,  ///< codes of patches over a dictionary that K-SVD learned (dictionary::PatchDictionary)
   nonparametric,
   publishedNonparametric,  ///< non-parametric factors of the published table (materials/npf_file.h)
   baselines,
@@ -26,28 +27,28 @@ enum class RepresentationFamily {
   alternatives,  ///< codes by basis pursuit, PDV factors with terms that are fitted together
   neural
 };
-inline constexpr int representationFamilyCount = 11;
+inline constexpr int representationFamilyCount = 12;
 
-/// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "nonparametric",
-/// "published-nonparametric", "baselines", "published", "alternatives" or "neural".
+/// The id on the command line and in files: "table", "fits", "factors", "codes", "components", "patches",
+/// "nonparametric", "published-nonparametric", "baselines", "published", "alternatives" or "neural".
 std::string_view familyId(RepresentationFamily family);
 /// The name for display in legends.
 std::string_view familyName(RepresentationFamily family);
 /// @throws Error that lists the ids.
 RepresentationFamily familyById(std::string_view id);
 
-/// All families that need only the material: all except components, which need a training set, and the published
-/// non-parametric factors, which need their table.
+/// All families that need only the material: all except components and patches, which need a training set, and the
+/// published non-parametric factors, which need their table.
 std::vector<RepresentationFamily> familiesWithoutFurtherData();
 
 /// A representation of a material at one budget.
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
   std::string id;  ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                   ///< "components", "components-separated", "nonparametric", "published-nonparametric", a baseline's
-                   ///< id, "factors-2d-published", "factors-3d-published", "code-published", "factors-2d-joint",
-                   ///< "factors-3d-joint", "code-basis-pursuit", "neural". 2d: two factors, F1 and F2; 3d: three
-                   ///< factors
+                   ///< "components", "components-separated", "patches", "nonparametric", "published-nonparametric", a
+                   ///< baseline's id, "factors-2d-published", "factors-3d-published", "code-published",
+                   ///< "factors-2d-joint", "factors-3d-joint", "code-basis-pursuit", "neural". 2d: two factors, F1 and
+                   ///< F2; 3d: three factors
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget
@@ -92,7 +93,7 @@ int maxBudget(std::string_view id);
 /// Whether a representation needs a budget besides its id, see maxBudget().
 bool needsBudget(std::string_view id);
 /// A representation by its id and budget as in the records of a study, e.g. ("factors-3d", 10). See needsBudget().
-/// Components are not supported. @throws Error that states what was found and what was expected.
+/// Components and patches are not supported. @throws Error that states what was found and what was expected.
 Representation representationById(std::string_view id, std::optional<double> budget = {});
 
 /// The selected representations, in the order of studies and lists.

@@ -119,6 +119,8 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
     case RepresentationFamily::components:
       return representation.id == separatedComponentsId ? separated(representation, control)
                                                         : components(representation, control);
+    case RepresentationFamily::patches:
+      return patches(representation, control);
     case RepresentationFamily::nonparametric:
       return nonparametric(control);
     case RepresentationFamily::publishedNonparametric:
@@ -211,6 +213,20 @@ BuiltRepresentation RepresentationBuilder::separated(const Representation& repre
                                                      const TaskControl& control) const {
   if (!options_.separated) throw Error("diffuse and specular components: none were learned, expected a training set");
   return fromComponents(*options_.separated, representation, *subject_.table, control);
+}
+
+BuiltRepresentation RepresentationBuilder::patches(const Representation& representation,
+                                                   const TaskControl& control) const {
+  if (!options_.patches) throw Error("codes of patches: no dictionary was learned, expected a training set");
+  const auto start = Clock::now();
+  const auto code = dictionary::encode(*options_.patches, *subject_.table, std::size_t(representation.budget), control);
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(*options_.patches, code);
+  return {.brdf = decoded,
+          .nodes = decoded,
+          .bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size(),
+          .encodeSeconds = seconds,
+          .tabulated = [decoded](const TaskControl&) { return decoded; }};
 }
 
 BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& control) const {

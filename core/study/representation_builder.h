@@ -10,6 +10,7 @@
 
 #include "core/baselines/neural_fit.h"
 #include "core/dictionary/encode.h"
+#include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/separated_components.h"
 #include "core/factorization/nonparametric.h"
 #include "core/factorization/pdv_factors.h"
@@ -32,6 +33,7 @@ struct BuildOptions {
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
   std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of separatedComponentsId; null: none
+  std::shared_ptr<const dictionary::PatchDictionary> patches = {};         ///< null: none
   /// Of the material in the published table (materials/npf_file.h); null: none.
   std::shared_ptr<const factorization::NonparametricFactors> publishedNonparametric = {};
   neural::NeuralFitOptions neural = {};
@@ -71,6 +73,7 @@ class RepresentationBuilder {
   BuiltRepresentation code(const Representation& representation, const TaskControl& control);
   BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation separated(const Representation& representation, const TaskControl& control) const;
+  BuiltRepresentation patches(const Representation& representation, const TaskControl& control) const;
   BuiltRepresentation nonparametric(const TaskControl& control) const;
   BuiltRepresentation publishedNonparametric() const;
   BuiltRepresentation neuralBrdf(const TaskControl& control) const;

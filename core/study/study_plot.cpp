@@ -26,10 +26,10 @@ struct FamilyStyle {
 };
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyStyle styles[representationFamilyCount] = {
-    {Marker::square, "#000000"},        {Marker::circle, "#0072b2"},       {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},       {Marker::cross, "#cc79a7"},        {Marker::star, "#e69f00"},
-    {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"}, {Marker::pentagon, "#882255"},
-    {Marker::triangleRight, "#117733"}, {Marker::fourStar, "#332288"}};
+    {Marker::square, "#000000"},   {Marker::circle, "#0072b2"},        {Marker::triangle, "#d55e00"},
+    {Marker::diamond, "#009e73"},  {Marker::cross, "#cc79a7"},         {Marker::hourglass, "#44aa99"},
+    {Marker::star, "#e69f00"},     {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"},
+    {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"}, {Marker::fourStar, "#332288"}};
 
 struct Shape {
   Marker marker;
@@ -67,7 +67,7 @@ std::string numbersText(const StudyRecord& record) {
 std::string labelOf(const Representation& r) {
   return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::published ||
                  r.family == RepresentationFamily::alternatives || r.family == RepresentationFamily::code ||
-                 r.family == RepresentationFamily::components
+                 r.family == RepresentationFamily::components || r.family == RepresentationFamily::patches
              ? r.budgetText
              : r.label;
 }
@@ -226,7 +226,8 @@ SeriesStyle styleOf(const Representation& r) {
   if (r.id == separatedComponentsId) return {Marker::threeStar, style.colour, false, r.label};
   // Codes of the families that contain factors too have a shape of their own.
   const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
-  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative);
+  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative) ||
+                      r.family == RepresentationFamily::patches;
   const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
                      r.family == RepresentationFamily::published || alternative;
   return {variantCode ? Marker::triangleLeft : style.marker, style.colour, hollow,

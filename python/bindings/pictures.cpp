@@ -146,13 +146,14 @@ py::dict describe(const study::StudyRecord& record) {
 }
 
 py::list runStudy(const PyMaterial& material, StudyRequest request,
-                  const std::shared_ptr<materials::NamedEnsemble>& dictionary, const PyBasis* basis, int size,
-                  int samples, bool timed, const py::object& progress) {
+                  const std::shared_ptr<materials::NamedEnsemble>& dictionary, const PyBasis* basis,
+                  const PyPatchDictionaryPtr& patches, int size, int samples, bool timed, const py::object& progress) {
   study::StudyOptions options;
   if (!request.npf.empty()) addPublished(request, options.build, material.shown().name);
   const auto planned = representations(request);
   options.build.dictionary = dictionary;
   if (basis) options.build.components = basis->components;
+  options.build.patches = patches;
   options.picture.width = options.picture.height = size;
   options.picture.samples = samples;
   options.timed = timed;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/separated_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/dictionary_file.h"
@@ -25,6 +26,7 @@ struct PyBasis {
 /// Both bases of dictionary::SeparatedComponents.
 using PySeparatedBasis = std::shared_ptr<const dictionary::SeparatedComponents>;
 
+using PyPatchDictionaryPtr = std::shared_ptr<dictionary::PatchDictionary>;
 using PyDictionaryPtr = std::shared_ptr<const materials::NamedEnsemble>;
 
 }  // namespace gonio::python

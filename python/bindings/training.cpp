@@ -4,8 +4,11 @@
 
 #include <algorithm>
 
+#include "core/dictionary/code_packing.h"
+#include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/training.h"
 #include "core/documents/training_files.h"
+#include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
@@ -44,8 +47,50 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
   return errors;
 }
 
+PyPatchDictionaryPtr learnPatches(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
+                                  const py::object& progress) {
+  return resultOf(progress, [&](const TaskControl& control) {
+    const std::vector<std::string> files =
+        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded);
+    const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
+    return std::make_shared<dictionary::PatchDictionary>(dictionary::learnPatchDictionary(training, {}, control));
+  });
+}
+
+/// (decoded material, bytes of the code).
+py::tuple encodePatches(const dictionary::PatchDictionary& patches, const PyMaterial& material,
+                        std::size_t coefficients, const std::string& name, const py::object& progress) {
+  const auto [code, table] = resultOf(progress, [&](const TaskControl& control) {
+    const auto of = dictionary::encode(patches, *material.table({control.stop, {}}), coefficients, control);
+    return std::pair(of, dictionary::decode(patches, of));
+  });
+  return py::make_tuple(newMaterial(name, "code of patches", table),
+                        dictionary::packChannels(code, dictionary::CodePrecision::quantised).size());
+}
+
+py::array_t<float> patchAtoms(const dictionary::PatchDictionary& patches) {
+  const Eigen::MatrixXf atoms = patches.atoms.matrix().cast<float>();
+  const auto& [phi, thetaD, thetaH] = patches.patch;
+  py::array_t<float> result({atoms.cols(), Eigen::Index(thetaH), Eigen::Index(thetaD), Eigen::Index(phi)});
+  std::copy_n(atoms.data(), atoms.size(), result.mutable_data());
+  return result;
+}
+
 }  // namespace
 
-void bindTraining(py::module_& module) { module.def("train_dictionary", trainDictionary); }
+void bindTraining(py::module_& module) {
+  module.def("train_dictionary", trainDictionary);
+  py::class_<dictionary::PatchDictionary, PyPatchDictionaryPtr>(module, "PatchDictionary")
+      .def_property_readonly("atoms", patchAtoms)
+      .def_property_readonly("grid",
+                             [](const dictionary::PatchDictionary& patches) {
+                               const HalfDifferenceGrid& grid = patches.grid;
+                               return py::make_tuple(grid.thetaHCount, grid.thetaDCount, grid.phiDCount);
+                             })
+      .def_readonly("training_set", &dictionary::PatchDictionary::learnedFrom)
+      .def_property_readonly("bytes", &dictionary::PatchDictionary::bytes)
+      .def("encode", encodePatches);
+  module.def("learn_patches", learnPatches);
+}
 
 }  // namespace gonio::python

@@ -35,7 +35,7 @@ from ._materials import (Check, GridDirections, LibraryEntry, Material, check, f
 from ._representations import (BaselineFactors, ChannelCode, Code, Dictionary, Factors, Interpolation, baselines, decode,
                                dictionary, encode, factorize, factorize_baseline, interpolate, open_code, open_factors,
                                published_deviation_nodes)
-from ._training import train_dictionary
+from ._training import PatchCode, PatchDictionary, learn_patches, train_dictionary
 from ._neural import NeuralBrdf, neural_brdf, open_neural, train_neural
 from ._models import (Fit, Metric, Model, Parameter, artist_controls, edit, edit_factors, fit, fit_all, metrics, models)
 from ._acquisition import (Basis, Plan, Readings, Reconstruction, SeparatedBasis, bundled_basis, learn_basis, learn_separated_basis,
@@ -53,7 +53,7 @@ __all__ = [
     # Factors, codes, interpolation
     "factorize", "published_deviation_nodes", "open_factors", "factorize_baseline", "baselines", "encode", "decode",
     "open_code", "dictionary", "train_dictionary", "interpolate", "Factors", "BaselineFactors", "Code", "ChannelCode", "Dictionary",
-    "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
+    "learn_patches", "PatchDictionary", "PatchCode", "Interpolation", "train_neural", "neural_brdf", "open_neural", "NeuralBrdf",
     # Acquisition
     "plan_factors", "open_factor_readings", "predict_from_factors", "FactorPlan", "FactorPrediction",
     "plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "separate",

@@ -15,6 +15,7 @@ from . import _core
 from ._acquisition import Basis
 from ._materials import Material, PathLike, Progress
 from ._representations import Dictionary
+from ._training import PatchDictionary
 
 
 def scenes() -> list[str]:
@@ -148,21 +149,21 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
           models: Iterable[str] = (), baselines: Iterable[str] = (), terms: Sequence[int] = (1, 2, 3, 5, 8, 10, 14, 20),
           coefficients: Sequence[int] = (32, 64, 128, 256, 512, 1024, 2048), dictionary: Optional[Dictionary] = None,
           components: Sequence[int] = (4, 8, 16, 32, 64, 128), basis: Optional[Basis] = None, size: int = 128, samples: int = 32,
-          timed: bool = True, npf: PathLike = "", progress: Progress = None) -> list[Record]:
+          timed: bool = True, npf: PathLike = "", patches: Optional[PatchDictionary] = None, progress: Progress = None) -> list[Record]:
     """Measures accuracy against cost for several representations of a material, each at several budgets (docs/study.md). About
     2 s per record.
 
     Args:
         material: The material to represent.
-        representations: Families of representations: "table", "fits", "factors", "codes", "components", "nonparametric"
-            (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
+        representations: Families of representations: "table", "fits", "factors", "codes", "components", "patches",
+            "nonparametric" (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
             factors and codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, codes
             by basis pursuit), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".
         terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv
             files with as many terms in the form "3d".
-        coefficients: Numbers of coefficients per channel for the codes of "codes", "published" and "alternatives".
+        coefficients: Numbers of coefficients per channel for the codes of "codes", "patches", "published" and "alternatives".
         dictionary: The ensemble of dictionaries for all these codes; None: the bundled one.
         components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
         basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required
@@ -172,11 +173,13 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         timed: Whether to measure the times of evaluations and frames.
         npf: Table of published non-parametric factors, the npf.bin of Bagher et al. 2016 (docs/formats.md); "": none. If one
             of its rows has the name of the material, that row is measured too, as "published-nonparametric".
+        patches: Dictionary of patches for "patches", on the grid of the material's table (gonio.learn_patches()); required for
+            "patches".
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A family, a model or a baseline is unknown, the basis for "components" is missing or on another grid, or
-            the table `npf` cannot be read.
+        Error: A family, a model or a baseline is unknown, the basis for "components" or the dictionary for "patches" is
+            missing or on another grid, or the table `npf` cannot be read.
     """
     request = _core.StudyRequest()
     request.families, request.models, request.baselines = list(representations), list(models), list(baselines)
@@ -184,7 +187,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
     request.npf = os.fspath(npf)
     request.components = [count for count in components if basis is None or count <= len(basis)]
     rows = _core.study(material._handle, request, dictionary._handle if dictionary else None, basis._handle if basis else None,
-                       size, samples, timed, progress)
+                       patches._handle if patches else None, size, samples, timed, progress)
     return [Record(**row) for row in rows]
 
 

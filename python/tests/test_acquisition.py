@@ -48,6 +48,17 @@ def test_separation_adds_up_and_its_components_hold_the_training_set(files):
     assert np.abs(np.log1p(decoded.values[both]) - np.log1p(material.values[both])).mean() < 0.05
 
 
+def test_codes_of_patches(files):
+    patches = gonio.learn_patches([files])
+    assert sorted(patches.training_set) == sorted(TRAINING) and patches.bytes == patches.atoms.nbytes
+    assert patches.grid == (90, 90, 180) and patches.atoms.shape == (256, 9, 9, 12)
+    np.testing.assert_allclose(np.linalg.norm(patches.atoms.reshape(256, -1), axis=1), 1, rtol=1e-5)
+    chrome = gonio.open(files / "chrome.binary")
+    code = patches.encode(chrome, 2000)
+    record, = gonio.study(chrome, ["patches"], coefficients=[2000], patches=patches, size=16, samples=4, timed=False)
+    assert record.bytes == code.bytes and record.errors == gonio.compare(chrome, code.material, size=16, samples=4).errors
+
+
 def test_plan_measure_reconstruct(basis, files, tmp_path):
     plan = gonio.plan(5, basis)
     assert len(plan) == 5 and plan.method == "somp" and plan.warning == ""

@@ -78,6 +78,8 @@ def test_study_of_baselines_and_components(paint):
         gonio.study(paint, ["baselines"], baselines=["nonparametric"])
     with pytest.raises(gonio.Error, match="components"):
         gonio.study(paint, ["components"], components=[1])
+    with pytest.raises(gonio.Error, match="patches"):
+        gonio.study(paint, ["patches"], coefficients=[1])
 
 
 def test_study_of_published_factors(paint, chrome, tmp_path):

@@ -181,6 +181,8 @@ def test_dictionaries_are_trained(chrome, paint, tmp_path, goniotool):
     goniotool("dictionary", "train", tmp_path, "--out", tmp_path / "other.dictionary", "--dictionaries", 1, "--sparsities", "16,32",
               "--iterations", 2)
     assert gonio.dictionary(tmp_path / "other.dictionary").id == trained.id
+    with pytest.raises(gonio.Error, match="patches"):  # their grid is no multiple
+        gonio.learn_patches([tmp_path])
     with pytest.raises(gonio.Error):
         gonio.train_dictionary([tmp_path], tmp_path / "none.dictionary", excluded=["absent"])
     assert not (tmp_path / "none.dictionary").exists()

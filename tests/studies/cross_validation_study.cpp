@@ -102,8 +102,8 @@ class Fold {
     }
     return *components_;
   }
-  const PatchModels& patches() {
-    if (!patches_) patches_.emplace(training());
+  const dictionary::PatchDictionary& patches() {
+    if (!patches_) patches_.emplace(dictionary::learnPatchDictionary(training()));
     return *patches_;
   }
 
@@ -121,7 +121,7 @@ class Fold {
   dictionary::Encoder encoder_;
   std::vector<fs::path> heldOut_, learnedFrom_;
   std::optional<dictionary::PrincipalComponents> components_;
-  std::optional<PatchModels> patches_;
+  std::optional<dictionary::PatchDictionary> patches_;
 };
 
 /// One material: adds the records of the models that are wanted and not there yet.
@@ -136,7 +136,7 @@ class Trial {
     using factorization::Baseline;
     const Baseline& nonparametric = *std::ranges::find(factorization::baselines(), "nonparametric", &Baseline::id);
     add("components", [&] { return componentModels(fold_.components(), *court().table(), budgets_); });
-    add("patches", [&] { return fold_.patches().models(*court().table(), budgets_); });
+    add("patches", [&] { return patchModels(fold_.patches(), *court().table(), budgets_); });
     add("nonparametric", [&] { return nonparametric.build(*court().table(), budgets_, {}); });
     add("fit", [&] { return std::vector<ComparedModel>(budgets_.size(), bestFit()); });
   }

@@ -9,8 +9,8 @@
 
 #include "core/baselines/baselines.h"
 #include "core/dictionary/encode.h"
+#include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/principal_components.h"
-#include "tests/studies/research/dictionary/patch_code.h"
 
 /// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches
 /// other ways.
@@ -38,21 +38,8 @@ EnsembleModels ensembleModels(const dictionary::Encoder& encoder, const Tabulate
 std::vector<ComparedModel> componentModels(const dictionary::PrincipalComponents& components,
                                            const TabulatedBrdf& table, Budgets budgets);
 
-/// Patches of the signals of `log-plus` over atoms that K-SVD learned (Aharon et al. 2006), written as the codes of an
-/// ensemble are: of each coefficient the distance of its index, seven bits a byte, and its value in half precision; an
-/// index is atom + atoms * patch.
-class PatchModels {
- public:
-  explicit PatchModels(const dictionary::TrainingMaterials& materials);
-  std::vector<ComparedModel> models(const TabulatedBrdf& table, Budgets budgets) const;
-
- private:
-  dictionary::SparseCode encoded(const std::array<Eigen::MatrixXd, 3>& patches, const TabulatedBrdf& table,
-                                 std::size_t coefficients) const;
-  std::shared_ptr<const TabulatedBrdf> decoded(const dictionary::SparseCode& code) const;
-
-  dictionary::PatchTrainingOptions options_;
-  AtomSet atoms_;
-};
+/// Codes of patches (Aharon et al. 2006) of about as many bytes as each budget.
+std::vector<ComparedModel> patchModels(const dictionary::PatchDictionary& dictionary, const TabulatedBrdf& table,
+                                       Budgets budgets);
 
 }  // namespace gonio::study

@@ -119,6 +119,23 @@ class GoniotoolDictionaryTest : public QObject {
     QCOMPARE(runTool(components + QStringList{"--coefficients", "2", "--single"}).code, 2);
   }
 
+  /// Codes of patches over a dictionary that K-SVD learned from the material itself; the printed errors are those of
+  /// the file.
+  void codesOfPatches() {
+    const QString decoded = folder_.path("patches.binary");
+    const ToolResult result =
+        runJson({"encode", merl_, "--method", "k-svd", "--train", merl_, "--coefficients", "400", "--out", decoded});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["method"].get<std::string>(), "k-svd");
+    QCOMPARE(result.json["materials"].get<int>(), 1);
+    QVERIFY(result.json["coefficients"].get<int>() <= 400 && result.json["bytes"].get<int>() > 0);
+    const double error = metrics::brdfErrors(*readTable(merl_), *readTable(decoded))[0];
+    QVERIFY(error > 0 && std::abs(result.json["errors"]["log"].get<double>() / error - 1) < 1e-3);
+    QCOMPARE(runTool({"encode", merl_, "--method", "k-svd", "--train", plastic_, "--bytes", "100"}).code, 2);
+    QCOMPARE(runTool({"encode", merl_, "--train", merl_}).code, 2);
+    QCOMPARE(runTool({"encode", merl_, "--method", "k-svd", "--train", folder_.path("absent.binary")}).code, 1);
+  }
+
   void wrongTrainingsAreTold() {
     const QString out = folder_.path("none.dictionary");
     const ToolResult none = runTool({"dictionary", "train", plastic_, "--exclude", "plastic", "--out", out});

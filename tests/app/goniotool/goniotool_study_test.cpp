@@ -164,6 +164,7 @@ class GoniotoolStudyTest : public QObject {
     fails({plastic_, "--models", "gxx"}, 1, "gxx");
     fails({plastic_, plastic_}, 2, "plastic");
     fails({plastic_, "--representations", "components"}, 2, "--components-from");
+    fails({plastic_, "--representations", "patches"}, 2, "--patches-from");
     fails({plastic_, "--representations", "published-nonparametric"}, 2, "--npf FILE");
     fails({plastic_, "--npf", folder_.path("absent.bin")}, 1, "absent.bin: cannot be opened");
     fails({rough_, "--npf", writeNpf("npf/table.bin", 3)}, 1,

@@ -47,7 +47,7 @@ class GoniotoolSystemsTest : public QObject {
   void kindsOfTheStudyExist() {
     const QString page = QString::fromUtf8(bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/systems.md"));
     const ToolResult help = runTool({"study", "--help"});
-    for (const char* kind : {"table", "fits", "factors", "codes", "components", "nonparametric",
+    for (const char* kind : {"table", "fits", "factors", "codes", "components", "patches", "nonparametric",
                              "published-nonparametric", "baselines", "published", "neural"}) {
       QVERIFY2(page.contains(QString("| `%1` |").arg(kind)), kind);
       QVERIFY2(help.out.contains(kind), kind);

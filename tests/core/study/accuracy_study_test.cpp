@@ -183,8 +183,11 @@ class AccuracyStudyTest : public QObject {
         dictionary::learnPrincipalComponents(2, [&](std::size_t m) { return taught[m]; }));
     build.separated = std::make_shared<const dictionary::SeparatedComponents>(
         dictionary::learnSeparatedComponents(2, [&](std::size_t m) { return taught[m]; }));
+    dictionary::TrainingMaterials training{{"plastic", "rough"}, grid, [&](std::size_t m) { return taught[m]; }};
+    build.patches = std::make_shared<const dictionary::PatchDictionary>(dictionary::learnPatchDictionary(
+        training, {.patch = {4, 3, 3}, .samples = 200, .kSvd = {.atoms = 30, .iterations = 5}}));
     RepresentationChoice choice;
-    choice.families = {RepresentationFamily::code, RepresentationFamily::components};
+    choice.families = {RepresentationFamily::code, RepresentationFamily::components, RepresentationFamily::patches};
     choice.separatedComponents = true;
     choice.coefficients = {200, 2000};
     choice.components = {1, 3};
@@ -207,6 +210,7 @@ class AccuracyStudyTest : public QObject {
     QVERIFY2(errors[3] < 1e-3, qPrintable(QString::number(errors[3])));
     QVERIFY2(errors[1] < 0.05, qPrintable(QString::number(errors[1])));
     QVERIFY(errors[5] < errors[4]);
+    QVERIFY(errors[7] < errors[6]);
     Representation tooMany = all[3];
     tooMany.budget = 4;
     QVERIFY_EXCEPTION_THROWN(builder.build(tooMany), Error);

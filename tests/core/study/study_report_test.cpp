@@ -202,6 +202,7 @@ class StudyReportTest : public QObject {
     RepresentationChoice choice;
     choice.families = familiesWithoutFurtherData();
     choice.families.push_back(RepresentationFamily::components);
+    choice.families.push_back(RepresentationFamily::patches);
     choice.families.push_back(RepresentationFamily::publishedNonparametric);
     choice.separatedComponents = true;
     for (const Representation& representation : representationsOf(choice)) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "tests/studies/research/dictionary/patch_code.h"
+#include "core/dictionary/patch_code.h"
 
 #include <algorithm>
-#include <random>
 #include <string>
 
 #include "core/dictionary/dictionary.h"
@@ -22,7 +21,7 @@ void checkSizes(const Sizes& sizes, const Sizes& patch) {
                   std::to_string(sizes[mode]) + " nodes of mode " + std::to_string(mode));
 }
 
-/// Calls work(cell, row, column) for every cell of a signal and where it stands among the patches.
+/// Calls work(cell, row, column) for every cell of a signal, with its row and column in the matrix of patches.
 template <typename Work>
 void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
   const Index across = sizes[0] / patch[0], along = sizes[1] / patch[1];
@@ -34,7 +33,7 @@ void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
              i / patch[0] + across * (j / patch[1] + along * (k / patch[2])));
 }
 
-/// The fraction of a patch's norm at which its error is `error`.
+/// `error` as a fraction of a patch's norm.
 double fractionOf(double error, double norm) { return norm > 0 ? error / norm : 0; }
 
 PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, double error, int most,
@@ -53,14 +52,14 @@ PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, doub
   return code;
 }
 
-/// The coefficients that codeToError() spends, told from its pursuits to the end.
-std::size_t coefficientsFor(double error, const PatchCode& ends) {
+/// Number of coefficients of codeToError(), from the codes with the maximum number.
+std::size_t coefficientsFor(double error, const PatchCode& longest) {
   std::size_t sum = 0;
-  for (const PursuitResult& end : ends.patches) {
-    const double enough = fractionOf(error, end.path[0]) * end.path[0];
-    // The norms of a path never grow.
-    const auto reached = std::find_if(end.path.begin(), end.path.end(), [&](double norm) { return norm <= enough; });
-    sum += std::min(std::size_t(reached - end.path.begin()), end.atoms.size());
+  for (const PursuitResult& code : longest.patches) {
+    const double enough = fractionOf(error, code.path[0]) * code.path[0];
+    // The norms of a path never increase.
+    const auto reached = std::find_if(code.path.begin(), code.path.end(), [&](double norm) { return norm <= enough; });
+    sum += std::min(std::size_t(reached - code.path.begin()), code.atoms.size());
   }
   return sum;
 }
@@ -81,53 +80,24 @@ Eigen::ArrayXf signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, cons
   return signal;
 }
 
-KSvdResult learnPatchAtoms(const TrainingMaterials& materials, const PatchTrainingOptions& options,
-                           const TaskControl& control) {
-  const Sizes sizes = modeSizes(materials.grid);
-  checkSizes(sizes, options.patch);
-  const std::size_t signals = materials.names.size() * options.signals.signalsPerMaterial();
-  const std::size_t each = std::max<std::size_t>(1, options.samples / std::max<std::size_t>(1, signals));
-  std::vector<Eigen::MatrixXd> drawn(signals);
-  const auto draw = [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
-    const Eigen::MatrixXd patches = patchesOf(values, sizes, options.patch);
-    std::mt19937_64 random(options.kSvd.seed + signal);
-    drawn[signal].resize(patches.rows(), Index(each));
-    for (auto column : drawn[signal].colwise()) column = patches.col(Index(random() % std::uint64_t(patches.cols())));
-  };
-  constexpr double readingFraction = 0.1;
-  forEachSignal(
-      materials, options.signals, draw, [](std::size_t) {}, control.between(0, readingFraction));
-  Eigen::MatrixXd all(Index(count(options.patch)), Index(signals * each));
-  for (std::size_t s = 0; s < signals; ++s) all.middleCols(Index(s * each), Index(each)) = drawn[s];
-  return learnKSvd(all, options.kSvd, control.between(readingFraction, 1));
-}
-
 std::size_t PatchCode::coefficients() const {
   std::size_t sum = 0;
   for (const PursuitResult& patch : patches) sum += patch.atoms.size();
   return sum;
 }
 
-PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
-                        int mostOfAPatch, const TaskControl& control) {
-  const PatchCode ends = codeToError(atoms, patches, 0, mostOfAPatch, control);
+PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients, int maxPerPatch,
+                        const TaskControl& control) {
+  const PatchCode longest = codeToError(atoms, patches, 0, maxPerPatch, control);
   control.report(0.5);
-  // At the error of the largest patch no coefficient is spent.
+  // At the largest norm of a patch, no coefficient is needed.
   double tooMany = 0, fits = patches.size() > 0 ? patches.colwise().norm().maxCoeff() : 0;
   constexpr int bisections = 16;
   for (int step = 0; step < bisections; ++step) {
     const double error = (tooMany + fits) / 2;
-    (coefficientsFor(error, ends) > coefficients ? tooMany : fits) = error;
+    (coefficientsFor(error, longest) > coefficients ? tooMany : fits) = error;
   }
-  return codeToError(atoms, patches, fits, mostOfAPatch, control);
-}
-
-Eigen::MatrixXd decodePatches(const AtomSet& atoms, const PatchCode& code) {
-  Eigen::MatrixXd patches = Eigen::MatrixXd::Zero(atoms.length(), Index(code.patches.size()));
-  for (std::size_t p = 0; p < code.patches.size(); ++p)
-    for (std::size_t i = 0; i < code.patches[p].atoms.size(); ++i)
-      patches.col(Index(p)) += code.patches[p].coefficients[i] * atoms.matrix().col(code.patches[p].atoms[i]);
-  return patches;
+  return codeToError(atoms, patches, fits, maxPerPatch, control);
 }
 
 }  // namespace gonio::dictionary

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "tests/studies/research/dictionary/k_svd.h"
+#include "core/dictionary/k_svd.h"
 
 #include <algorithm>
 #include <limits>
@@ -17,16 +17,16 @@ namespace {
 
 using Eigen::Index;
 
-/// Power iterations of one update: the pair is taken up again in the next round.
+/// Power iterations per update: the next iteration of K-SVD continues from the result.
 constexpr int powerIterations = 4;
-/// |cosine| from which two atoms are one.
+/// Minimum |cosine| of atoms that count as equal.
 constexpr double nearlyEqual = 0.99;
 constexpr std::size_t patience = 5;
 
-/// A signal that uses an atom, and where the atom stands in its code.
+/// A signal that uses an atom, and the position of the atom in its code.
 struct Use {
   Index signal;
-  std::size_t place;
+  std::size_t position;
 };
 
 class Learner {
@@ -36,15 +36,15 @@ class Learner {
     start();
   }
 
-  /// One round; returns the squared error after it. @throws Cancelled with the atoms as they were.
+  /// One iteration; returns the squared error after it. @throws Cancelled, without a change of the atoms.
   double iterate(const TaskControl& control) {
     taken_.assign(std::size_t(signals_.cols()), 0);
     replaceDuplicates();
     code(control);
     std::vector<std::vector<Use>> uses(std::size_t(atoms_.cols()));
     for (Index s = 0; s < signals_.cols(); ++s)
-      for (std::size_t place = 0; place < codes_[std::size_t(s)].atoms.size(); ++place)
-        uses[std::size_t(codes_[std::size_t(s)].atoms[place])].push_back({s, place});
+      for (std::size_t position = 0; position < codes_[std::size_t(s)].atoms.size(); ++position)
+        uses[std::size_t(codes_[std::size_t(s)].atoms[position])].push_back({s, position});
     for (Index k = 0; k < atoms_.cols(); ++k) {
       if (uses[std::size_t(k)].empty())
         replace(k);
@@ -56,14 +56,14 @@ class Learner {
   const Eigen::MatrixXd& atoms() const { return atoms_; }
 
  private:
-  /// Different signals, by the seed.
+  /// Initial atoms: different signals, chosen by the seed.
   void start() {
     std::vector<Index> candidates;
     for (Index s = 0; s < signals_.cols(); ++s)
       if (signals_.col(s).squaredNorm() > 0) candidates.push_back(s);
     if (Index(candidates.size()) < options_.atoms)
-      throw Error("K-SVD: found " + std::to_string(candidates.size()) + " signals that are not 0, expected at least " +
-                  std::to_string(options_.atoms) + ", one an atom");
+      throw Error("K-SVD: found " + std::to_string(candidates.size()) + " signals other than 0, expected at least " +
+                  std::to_string(options_.atoms) + ", one per atom");
     std::mt19937_64 random(options_.seed);
     atoms_.resize(signals_.rows(), options_.atoms);
     for (Index k = 0; k < options_.atoms; ++k) {
@@ -81,8 +81,8 @@ class Learner {
         const auto signal = Index(s);
         codes_[s] = orthogonalMatchingPursuit(atoms, signals_.col(signal), {.steps = options_.sparsity});
         residual_.col(signal) = signals_.col(signal);
-        for (std::size_t place = 0; place < codes_[s].atoms.size(); ++place)
-          residual_.col(signal) -= codes_[s].coefficients[place] * atoms_.col(codes_[s].atoms[place]);
+        for (std::size_t position = 0; position < codes_[s].atoms.size(); ++position)
+          residual_.col(signal) -= codes_[s].coefficients[position] * atoms_.col(codes_[s].atoms[position]);
       }
     };
     parallelForBlocks(codes_.size(), block, pursue, control);
@@ -92,8 +92,8 @@ class Learner {
     Eigen::VectorXd atom = atoms_.col(k), coefficients{Index(uses.size())};
     Eigen::MatrixXd left(signals_.rows(), coefficients.size());
     for (Index i = 0; i < coefficients.size(); ++i) {
-      const auto [signal, place] = uses[std::size_t(i)];
-      coefficients[i] = codes_[std::size_t(signal)].coefficients[place];
+      const auto [signal, position] = uses[std::size_t(i)];
+      coefficients[i] = codes_[std::size_t(signal)].coefficients[position];
       left.col(i) = residual_.col(signal) + coefficients[i] * atom;
     }
     for (int iteration = 0; iteration < powerIterations; ++iteration) {
@@ -104,8 +104,8 @@ class Learner {
     }
     atoms_.col(k) = atom;
     for (Index i = 0; i < coefficients.size(); ++i) {
-      const auto [signal, place] = uses[std::size_t(i)];
-      codes_[std::size_t(signal)].coefficients[place] = coefficients[i];
+      const auto [signal, position] = uses[std::size_t(i)];
+      codes_[std::size_t(signal)].coefficients[position] = coefficients[i];
       residual_.col(signal) = left.col(i) - coefficients[i] * atom;
     }
   }
@@ -135,18 +135,18 @@ class Learner {
   KSvdOptions options_;
   Eigen::MatrixXd atoms_, residual_;
   std::vector<PursuitResult> codes_;
-  std::vector<char> taken_;  // signals that became atoms in this round
+  std::vector<char> taken_;  // signals that became atoms in this iteration
 };
 
 void check(const Eigen::MatrixXd& signals, const KSvdOptions& options) {
   if (options.atoms < 1 || options.sparsity < 1 || options.iterations < 1)
-    throw Error("K-SVD: counts of atoms, of those that a signal uses and of rounds must be at least 1");
+    throw Error("K-SVD: the numbers of atoms, of atoms per signal and of iterations must be at least 1");
   for (Index s = 0; s < signals.cols(); ++s)
     if (!signals.col(s).allFinite())
-      throw Error("K-SVD: signal " + std::to_string(s) + " has a value that is not a finite number");
+      throw Error("K-SVD: signal " + std::to_string(s) + " has a value that is not finite");
 }
 
-/// Whether the last rounds lowered the least error by less than the tolerance.
+/// Whether the last iterations reduced the smallest error by less than the tolerance.
 bool converged(const std::vector<double>& errors, double tolerance) {
   if (errors.size() <= patience) return false;
   const auto last = errors.end() - std::ptrdiff_t(patience);
@@ -161,18 +161,18 @@ KSvdResult learnKSvd(const Eigen::MatrixXd& signals, const KSvdOptions& options,
   const double energy = signals.squaredNorm();
   Learner learner(signals, options);
   KSvdResult result;
-  double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < options.iterations && !converged(result.errors, options.tolerance); ++round) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < options.iterations && !converged(result.errors, options.tolerance); ++iteration) {
     try {
-      const double begin = double(round) / options.iterations, end = double(round + 1) / options.iterations;
+      const double begin = double(iteration) / options.iterations, end = double(iteration + 1) / options.iterations;
       result.errors.push_back(learner.iterate(control.between(begin, end)) / energy);
     } catch (const Cancelled&) {
-      if (round == 0) throw;
+      if (iteration == 0) throw;
       result.complete = false;
       break;
     }
-    if (result.errors.back() < least) {
-      least = result.errors.back();
+    if (result.errors.back() < smallest) {
+      smallest = result.errors.back();
       result.atoms = learner.atoms();
     }
   }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/encode_patches.h"
+
+#include <chrono>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "core/brdf/weighted_sum.h"
+#include "core/dictionary/code_packing.h"
+#include "core/dictionary/patch_dictionary.h"
+#include "core/documents/training_files.h"
+#include "core/materials/bundled_library.h"
+#include "core/metrics/brdf_metrics.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+}  // namespace
+
+int encodePatches(const PatchArguments& options, const Tool& tool) {
+  if (!options.out.empty()) materials::writableFormat(options.out);
+  const auto material = openMaterial(options.material, tool.control("reading"));
+  auto start = Clock::now();
+  const std::vector<std::string> files = editing::trainingFiles(
+      options.train.empty() ? materials::libraryTrainingPaths() : options.train, options.excluded);
+  const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
+  const auto patches = dictionary::learnPatchDictionary(
+      training, {}, tool.control("learning from " + std::to_string(training.names.size()) + " materials"));
+  const double trainingSeconds = secondsSince(start);
+  const auto table = onGrid(material.tabulated(tool.control("tabulating")), patches.grid, tool.control("sampling"));
+  start = Clock::now();
+  const dictionary::SparseCode code =
+      dictionary::encode(patches, *table, options.coefficients, tool.control("encoding"));
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(patches, code);
+  if (!options.out.empty()) materials::writeMaterial(*decoded, options.out);
+  const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
+  const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  const std::size_t bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size();
+  Json json{{"method", "k-svd"},
+            {"materials", training.names.size()},
+            {"atoms", patches.atoms.count()},
+            {"trainingSeconds", trainingSeconds},
+            {"coefficients", code.coefficients()},
+            {"bytes", bytes},
+            {"errors", errorsJson(errors)},
+            {"brdfSnr", decibelsJson(snr)},
+            {"seconds", seconds}};
+  if (!options.out.empty()) json["out"] = options.out;
+  print(tool, json,
+        std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
+            " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +
+            " coefficients per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " + number(snr) + " dB, " +
+            number(seconds) + " s\n" + errorsText(errors));
+  return 0;
+}
+
+}  // namespace gonio::tool

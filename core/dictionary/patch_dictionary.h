@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+
+#include "core/dictionary/k_svd.h"
+#include "core/dictionary/mode_products.h"
+#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/training_materials.h"
+#include "core/math/matching_pursuit.h"
+
+/// Codes over one unstructured dictionary of patches that K-SVD learned (Aharon, Elad and Bruckstein 2006), the
+/// classical alternative to the ensemble of orthonormal dictionaries.
+namespace gonio::dictionary {
+
+/// Atoms for patches of signals (patch_code.h). The signals are those of the ensemble: log-plus, with cell scaling.
+struct PatchDictionary {
+  HalfDifferenceGrid grid;
+  Sizes patch;    ///< cells per mode: phi_d, theta_d, theta_h
+  AtomSet atoms;  ///< of unit length; at most as many as a patch has cells
+  std::vector<std::string> learnedFrom;
+
+  /// Size of the atoms in single precision.
+  std::size_t bytes() const { return std::size_t(atoms.length() * atoms.count()) * sizeof(float); }
+  /// The largest number of coefficients per channel of a code.
+  std::size_t maxCoefficients() const;
+};
+
+struct PatchTrainingOptions {
+  Sizes patch{12, 9, 9};
+  std::size_t samples = 8000;  ///< number of training patches, the same number from each signal, at random positions
+  KSvdOptions kSvd{.iterations = 15};
+};
+
+/// Learns the atoms in one pass over the materials. With the default options half a minute for 137 MERL tables.
+/// @throws Error for more atoms than a patch has cells, and as learnKSvd() and patchesOf(); Cancelled if stopped in the
+/// first iteration.
+PatchDictionary learnPatchDictionary(const TrainingMaterials& materials, const PatchTrainingOptions& options = {},
+                                     const TaskControl& control = {});
+
+/// Encodes a table, quantised. The index of a coefficient is atom + atoms * patch. @param coefficients maximum number
+/// per channel; encodePatches() distributes them among the patches of a channel. @throws Error if the table has another
+/// grid than the dictionary; Cancelled.
+SparseCode encode(const PatchDictionary& dictionary, const TabulatedBrdf& table, std::size_t coefficients,
+                  const TaskControl& control = {});
+
+/// The table of a code. Cells below the horizon are invalid. @throws Error if the code has another grid, or an index
+/// without an atom.
+std::shared_ptr<const TabulatedBrdf> decode(const PatchDictionary& dictionary, const SparseCode& code);
+
+}  // namespace gonio::dictionary
