@@ -8,6 +8,8 @@
 #include <limits>
 #include <string_view>
 
+#include "core/math/fast_exp.h"
+
 namespace gonio {
 
 /// Transforms of BRDF values before a factorisation, so that highlights do not dominate the error (Tongbuasirilai 2023,
@@ -59,16 +61,17 @@ inline constexpr double maxBrdfValue = std::numeric_limits<float>::max();
 
 /// Inverse of transformed(): the BRDF value, 1/sr, in [0, maxBrdfValue]; 0 for y <= 0 or NaN.
 inline double inverseTransformed(DataTransform transform, double y, double weight) {
-  if (!(y > 0)) return 0;
+  constexpr double maxLog = 700;  // e^700 is above maxBrdfValue
+  const double positive = y > 0 ? y : 0;
   switch (transform) {
     case DataTransform::logPlus:
-      return std::min(std::expm1(y), maxBrdfValue);
+      return std::min(fastExpm1(std::min(positive, maxLog)), maxBrdfValue);
     case DataTransform::cosineLog:
-      return std::min(std::expm1(y) / weight, maxBrdfValue);
+      return std::min(fastExpm1(std::min(positive, maxLog)) / weight, maxBrdfValue);
     case DataTransform::root:
-      return std::min(y * y, maxBrdfValue);
+      return std::min(positive * positive, maxBrdfValue);
     default:
-      return std::min(y, maxBrdfValue);
+      return std::min(positive, maxBrdfValue);
   }
 }
 

@@ -3,10 +3,12 @@
 #include "core/brdf/rgl_brdf.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/brdf/lobe_mixture.h"
 #include "core/brdf/normal_square.h"
+#include "core/math/fast_atan2.h"
 
 namespace gonio {
 
@@ -33,24 +35,64 @@ Direction flipped(const Direction& w, const glm::dvec2& signs) { return {w.x * s
 
 double turnOf(const RglData& data, double phiI) { return data.isotropic ? phiI : 0; }
 
-/// The value at the file's own incident and outgoing directions, without the cosine.
-Rgb stored(const Tables& tables, Direction incident, Direction outgoing) {
-  if (!(incident.z > horizonTolerance) || !(outgoing.z > horizonTolerance)) return Rgb(0);
-  const RglData& data = tables.data;
-  const glm::dvec2 signs = intoRange(data, incident);
-  incident = flipped(incident, signs);
-  outgoing = flipped(outgoing, signs);
-  const double thetaI = polarAngle(incident), phiI = azimuth(incident);
-  const glm::dvec2 normal = toNormalSquare(incident + outgoing, turnOf(data, phiI));
+/// Pairs are evaluated in blocks, so that loops over their coordinates are vectorised.
+constexpr std::size_t blockSize = 64;
 
-  const SliceBlend blend = data.incident.blend(phiI, thetaI);
+/// The pairs of a block in the measured range of azimuths, and their coordinates.
+struct BlockCoordinates {
+  using Numbers = std::array<double, blockSize>;
+  Numbers inX, inY, inZ, outX, outY, outZ;
+  Numbers thetaI, phiI;
+  Numbers normalX, normalY;  ///< toNormalSquare() of the half vector
+  Numbers sigmaX, sigmaY;    ///< toNormalSquare() of the incident direction
+
+  void setPair(std::size_t i, const RglData& data, const Direction& incident, const Direction& outgoing) {
+    const glm::dvec2 signs = intoRange(data, incident);
+    const Direction in = flipped(incident, signs), out = flipped(outgoing, signs);
+    inX[i] = in.x, inY[i] = in.y, inZ[i] = in.z;
+    outX[i] = out.x, outY[i] = out.y, outZ[i] = out.z;
+  }
+
+  void compute(std::size_t count, bool isotropic) {
+    const double turned = isotropic ? 1 : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double sumX = inX[i] + outX[i], sumY = inY[i] + outY[i], sumZ = inZ[i] + outZ[i];
+      thetaI[i] = fastAtan2(std::sqrt(inX[i] * inX[i] + inY[i] * inY[i]), inZ[i]);
+      phiI[i] = fastAtan2(inY[i], inX[i]);
+      const double thetaM = fastAtan2(std::sqrt(sumX * sumX + sumY * sumY), sumZ);
+      const double y = (fastAtan2(sumY, sumX) - turned * phiI[i] + pi) / (2 * pi), sigma = (phiI[i] + pi) / (2 * pi);
+      normalX[i] = std::sqrt(thetaM * (2 / pi));
+      normalY[i] = y - std::floor(y);
+      sigmaX[i] = std::sqrt(thetaI[i] * (2 / pi));
+      sigmaY[i] = sigma - std::floor(sigma);
+    }
+  }
+};
+
+/// The value of pair i of a block, without the cosine.
+Rgb valueAt(const Tables& tables, const BlockCoordinates& at, std::size_t i) {
+  if (!(at.inZ[i] > horizonTolerance) || !(at.outZ[i] > horizonTolerance)) return Rgb(0);
+  const RglData& data = tables.data;
+  const glm::dvec2 normal(at.normalX[i], at.normalY[i]);
+  const SliceBlend blend = data.incident.blend(at.phiI[i], at.thetaI[i]);
   Rgb value = interpolate<Rgb>(data.rgb, blend, tables.visibleNormals.invert(blend, normal).point);
   if (data.jacobian) {
-    const double sigma = interpolate<double>(data.sigma, onlySlice, toNormalSquare(incident, 0));
+    const double sigma = interpolate<double>(data.sigma, onlySlice, {at.sigmaX[i], at.sigmaY[i]});
     if (!(sigma > 0)) return Rgb(0);
     value *= interpolate<double>(data.ndf, onlySlice, normal) / (4 * sigma);
   }
-  return value / std::max(outgoing.z, minCosine);
+  return value / std::max(at.outZ[i], minCosine);
+}
+
+/// @param isViewer whether the viewer is the file's incident direction, else the light.
+void evaluateBlock(const Tables& tables, std::span<const DirectionPair> pairs, bool isViewer, std::span<Rgb> values) {
+  BlockCoordinates at;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [wi, wo] = pairs[i];
+    at.setPair(i, tables.data, isViewer ? wo : wi, isViewer ? wi : wo);
+  }
+  at.compute(pairs.size(), tables.data.isotropic);
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = valueAt(tables, at, i);
 }
 
 /// Draws half vectors from the luminance over the square that the visible normals warp to.
@@ -131,10 +173,16 @@ std::shared_ptr<const RglBrdf> RglBrdf::withColours(SliceStack<glm::vec3> rgb, S
 }
 
 void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
-  const auto value = [this](const Direction& incident, const Direction& outgoing) {
-    return stored(*tables_, incident, outgoing);
-  };
-  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = valueInOrder(incident_, pairs[i], value);
+  for (std::size_t begin = 0; begin < pairs.size(); begin += blockSize) {
+    const std::size_t count = std::min(blockSize, pairs.size() - begin);
+    const auto block = pairs.subspan(begin, count);
+    const auto results = values.subspan(begin, count);
+    evaluateBlock(*tables_, block, incident_ != IncidentDirection::light, results);
+    if (incident_ != IncidentDirection::mean) continue;
+    std::array<Rgb, blockSize> reversed;
+    evaluateBlock(*tables_, block, false, reversed);
+    for (std::size_t i = 0; i < count; ++i) results[i] = (results[i] + reversed[i]) / 2.0;
+  }
 }
 
 DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {

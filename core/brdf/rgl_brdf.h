@@ -43,7 +43,7 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
 /// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. The stored values include the
 /// cosine of the file's outgoing direction; evaluation divides by it (by at least 0.001). Directions on the horizon
 /// give 0. A channel may be negative for colours outside the sRGB gamut, as in Mitsuba: clipping would change the
-/// colour of integrals. Not exactly reciprocal, as measured. About 0.2 us per pair.
+/// colour of integrals. Not exactly reciprocal, as measured. About 0.1 us per pair in a batch.
 class RglBrdf final : public Brdf {
  public:
   /// @throws Error if the vndf is not a density: negative values, or a slice of zeros. Invalid values of the luminance

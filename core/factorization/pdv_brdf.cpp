@@ -24,6 +24,7 @@ class NodeIndex {
   explicit NodeIndex(std::span<const double> nodes) {
     if (nodes.size() < 2) return;
     scale_ = steps / nodes.back();
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) inverseWidths_.push_back(1 / (nodes[i + 1] - nodes[i]));
     for (std::size_t step = 0; step < steps; ++step)
       starts_[step] = std::uint16_t(findInterval(nodes, double(step) / scale_).index);
   }
@@ -35,23 +36,61 @@ class NodeIndex {
     std::size_t index = starts_[std::min(steps - 1, std::size_t(x * scale_))];
     while (x < nodes[index]) --index;
     while (x >= nodes[index + 1]) ++index;
-    return {index, (x - nodes[index]) / (nodes[index + 1] - nodes[index])};
+    return {index, (x - nodes[index]) * inverseWidths_[index]};
   }
 
  private:
   static constexpr std::size_t steps = 1024;
   double scale_ = 0;
   std::array<std::uint16_t, steps> starts_{};
+  std::vector<double> inverseWidths_;
+};
+
+/// Pairs are evaluated in blocks, so that loops over them are vectorised.
+constexpr std::size_t blockSize = 64;
+using Block = std::array<double, blockSize>;
+
+struct Coordinates {
+  Block thetaR, deviation, phi;  ///< phi in [0, pi]
+  Block weight;                  ///< cosineWeight()
 };
 
 /// toProjectedDeviation() to about 1e-15, in a few ns: curves need no more.
-ProjectedDeviation quickProjectedDeviation(const Direction& wi, const Direction& wo) {
-  const double sinR = std::sqrt(wo.x * wo.x + wo.y * wo.y), inverse = sinR > 0 ? 1 / sinR : 0;
-  const glm::dvec2 o = sinR > 0 ? glm::dvec2(wo.x * inverse, wo.y * inverse) : glm::dvec2(1, 0);
-  const double along = o.x * wi.x + o.y * wi.y + sinR, across = o.x * wi.y - o.y * wi.x;
-  return {.thetaR = fastAtan2(sinR, wo.z),
-          .deviation = std::sqrt(along * along + across * across),
-          .phi = fastAtan2(across, along)};
+void computeCoordinates(std::span<const DirectionPair> pairs, Coordinates& at) {
+  Block inX, inY, inZ, outX, outY, outZ;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [wi, wo] = pairs[i];
+    inX[i] = wi.x, inY[i] = wi.y, inZ[i] = wi.z;
+    outX[i] = wo.x, outY[i] = wo.y, outZ[i] = wo.z;
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double sinR = std::sqrt(outX[i] * outX[i] + outY[i] * outY[i]), inverse = 1 / (sinR > 0 ? sinR : 1.0);
+    const double cosine = sinR > 0 ? outX[i] * inverse : 1.0, sine = outY[i] * inverse;
+    const double along = cosine * inX[i] + sine * inY[i] + sinR, across = cosine * inY[i] - sine * inX[i];
+    at.thetaR[i] = fastAtan2(sinR, outZ[i]);
+    at.deviation[i] = std::sqrt(along * along + across * across);
+    at.phi[i] = fastAtan2(std::abs(across), along);
+    at.weight[i] = cosineWeight(std::max(0.0, inZ[i]), std::max(0.0, outZ[i]));
+  }
+}
+
+template <DataTransform transform>
+void invertTransform(std::span<double> sums, double highest, const Block& weights) {
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    sums[i] = inverseTransformed(transform, std::min(sums[i], highest), weights[i]);
+}
+
+void invertTransform(DataTransform transform, std::span<double> sums, double highest, const Block& weights) {
+  switch (transform) {
+    case DataTransform::logPlus:
+      return invertTransform<DataTransform::logPlus>(sums, highest, weights);
+    case DataTransform::cosineLog:
+      return invertTransform<DataTransform::cosineLog>(sums, highest, weights);
+    case DataTransform::root:
+      return invertTransform<DataTransform::root>(sums, highest, weights);
+    case DataTransform::none:
+      return invertTransform<DataTransform::none>(sums, highest, weights);
+  }
 }
 
 /// All curves of one axis side by side, so that one place between two nodes serves all of them in vector code.
@@ -115,7 +154,10 @@ class PdvBrdf final : public Brdf {
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
+    for (std::size_t begin = 0; begin < pairs.size(); begin += blockSize) {
+      const std::size_t length = std::min(blockSize, pairs.size() - begin);
+      evaluateBlock(pairs.subspan(begin, length), values.subspan(begin, length));
+    }
   }
   bool hasImportanceSampling() const override { return true; }
   double samplingCost() const override { return 1.6; }
@@ -125,25 +167,29 @@ class PdvBrdf final : public Brdf {
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }
 
  private:
-  static constexpr double largest = double(std::numeric_limits<float>::max());
+  void evaluateBlock(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+    Coordinates at;
+    computeCoordinates(pairs, at);
+    std::array<Block, 3> sums;
+    for (std::size_t i = 0; i < pairs.size(); ++i) addTerms(at.thetaR[i], at.deviation[i], at.phi[i], sums, i);
+    for (Block& sum : sums) invertTransform(transform_, {sum.data(), pairs.size()}, highest_, at.weight);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] =
+          isBelowHorizon(pairs[i].wi) || isBelowHorizon(pairs[i].wo) ? Rgb(0) : Rgb(sums[0][i], sums[1][i], sums[2][i]);
+  }
 
-  Rgb evaluatePair(const DirectionPair& pair) const {
-    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
-    const ProjectedDeviation at = quickProjectedDeviation(pair.wi, pair.wo);
+  /// Sets the entries `i` of `sums` to the sums over all terms, one per channel.
+  void addTerms(double thetaR, double deviation, double phi, std::array<Block, 3>& sums, std::size_t i) const {
     float products[3 * maxPdvTerms];
     std::fill_n(products, 3 * terms_, 1.0f);
-    f1_.multiply(at.thetaR, products);
-    f2_.multiply(at.deviation, products);
-    f3_.multiply(std::abs(at.phi), products);
-    const double weight = cosineWeight(std::max(0.0, pair.wi.z), std::max(0.0, pair.wo.z));
-    Rgb result;
-    for (int channel = 0; channel < 3; ++channel) {
+    f1_.multiply(thetaR, products);
+    f2_.multiply(deviation, products);
+    f3_.multiply(phi, products);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
       double sum = 0;
-      for (std::size_t term = 0; term < terms_; ++term) sum += products[std::size_t(channel) * terms_ + term];
-      // Curves from a file may hold any number.
-      result[channel] = std::min(largest, inverseTransformed(transform_, std::min(sum, highest_), weight));
+      for (std::size_t term = 0; term < terms_; ++term) sum += products[channel * terms_ + term];
+      sums[channel][i] = sum;
     }
-    return result;
   }
 
   const PdvSampler& sampler() const {

@@ -47,18 +47,6 @@ SliceBlend ParameterGrid::blend(double phi, double theta) const {
   return result;
 }
 
-GridCell gridCell(const glm::dvec2& point, std::size_t width, std::size_t height) {
-  assert(width >= 2 && height >= 2);
-  const double x = std::clamp(point.x, 0.0, 1.0) * double(width - 1);
-  const double y = std::clamp(point.y, 0.0, 1.0) * double(height - 1);
-  GridCell cell;
-  cell.column = std::min(static_cast<std::size_t>(x), width - 2);
-  cell.row = std::min(static_cast<std::size_t>(y), height - 2);
-  cell.x = x - double(cell.column);
-  cell.y = y - double(cell.row);
-  return cell;
-}
-
 MarginalWarp::MarginalWarp(SliceStack<float> density, const std::string& name, EmptySlice empty)
     : density_(std::move(density)), conditional_{density_.width, density_.height, density_.values} {
   const std::size_t width = density_.width, height = density_.height;

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -42,7 +44,17 @@ struct GridCell {
   std::size_t column = 0, row = 0;
   double x = 0, y = 0;  ///< position inside the cell, [0, 1]
 };
-GridCell gridCell(const glm::dvec2& point, std::size_t width, std::size_t height);
+inline GridCell gridCell(const glm::dvec2& point, std::size_t width, std::size_t height) {
+  assert(width >= 2 && height >= 2);
+  const double x = std::clamp(point.x, 0.0, 1.0) * double(width - 1);
+  const double y = std::clamp(point.y, 0.0, 1.0) * double(height - 1);
+  GridCell cell;
+  cell.column = std::min(static_cast<std::size_t>(x), width - 2);
+  cell.row = std::min(static_cast<std::size_t>(y), height - 2);
+  cell.x = x - double(cell.column);
+  cell.y = y - double(cell.row);
+  return cell;
+}
 
 /// Values at the nodes of a grid, [slice][row][column].
 template <typename Value>

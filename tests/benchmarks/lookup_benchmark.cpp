@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/materials/material.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
@@ -62,5 +63,22 @@ void lookupTrilinearSphere(benchmark::State& state) {
   lookups(state, benchmarks::spherePairs(256), TableLookup::trilinear);
 }
 BENCHMARK(lookupTrilinearSphere)->Unit(benchmark::kMillisecond);
+
+/// A measured RGL file, on one core: pairs in a batch, and as the baseline one after the other.
+void evaluateRgl(benchmark::State& state, bool isBatch) {
+  const auto brdf = materials::readMaterial("library:rgl/satin_purple").brdf;
+  const std::vector<DirectionPair> pairs = benchmarks::randomPairs(1 << 14);
+  std::vector<Rgb> values(pairs.size());
+  for (auto _ : state) {
+    if (isBatch)
+      brdf->evaluate(pairs, values);
+    else
+      for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = brdf->evaluate(pairs[i].wi, pairs[i].wo);
+    benchmark::DoNotOptimize(values.data());
+  }
+  state.SetItemsProcessed(int64_t(state.iterations()) * int64_t(pairs.size()));
+}
+BENCHMARK_CAPTURE(evaluateRgl, batch, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(evaluateRgl, singlePairs, false)->Unit(benchmark::kMillisecond);
 
 }  // namespace

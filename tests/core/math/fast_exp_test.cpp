@@ -26,6 +26,18 @@ class FastExpTest : public QObject {
       }
   }
 
+  /// Against the library in extended precision.
+  void minusOneHasNoCancellation() {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> wide(-708, 708), narrow(-1, 1);
+    for (int n = 0; n < 300000; ++n)
+      for (const double x : {wide(random), narrow(random), 1e-9 * narrow(random)}) {
+        const long double exact = std::expm1(static_cast<long double>(x));
+        QVERIFY2(std::abs(double((fastExpm1(x) - exact) / exact)) < 2e-15, qPrintable(QString::number(x, 'g', 17)));
+      }
+    QCOMPARE(fastExpm1(0), 0.0);
+  }
+
   void valuesAtZeroAndAtTheEnds() {
     QCOMPARE(fastExp(0), 1.0);
     QVERIFY(fastExp(-708) > 0);
