@@ -19,31 +19,41 @@ namespace {
 using namespace acquisition;
 
 struct ReconstructArguments {
-  std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty, dictionary;
+  std::string plan, values, out, basis, ridge, method, uncertainty, dictionary;
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
   bool asPublished = false;
 };
 
+/// The named method. Options of the ridge regression select it.
+std::string_view methodOf(const ReconstructArguments& options) {
+  if (!options.method.empty()) return options.method;
+  const bool isRidge = options.asPublished || !options.ridge.empty() || options.reconstruction.equalNoise;
+  return reconstructionMethodNames[std::size_t(isRidge ? ReconstructionMethod::ridge
+                                                       : ReconstructionMethod::localRidge)];
+}
+
 ReconstructionOptions reconstructionOptions(const ReconstructArguments& options) {
   if (options.asPublished) return publishedReconstruction();
   ReconstructionOptions result = options.reconstruction;
-  result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, options.method) -
+  result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, methodOf(options)) -
                                        reconstructionMethodNames.begin());
   result.ridge.reset();
-  if (options.ridge != "auto") {
+  if (!options.ridge.empty() && options.ridge != "auto") {
     double ridge = 0;
     if (!CLI::detail::lexical_cast(options.ridge, ridge) || !(ridge >= 0))
       throw UsageError("reconstruct: found --ridge " + options.ridge + ", expected a number, 0 or more, or auto");
     result.ridge = ridge;
   }
-  result.uncertainty = result.method == ReconstructionMethod::ridge;
+  if (!options.ridge.empty() && result.method != ReconstructionMethod::ridge)
+    throw UsageError("reconstruct: --ridge needs --method ridge");
+  result.uncertainty = result.method != ReconstructionMethod::sparse;
   if (result.atoms > 0 && result.method != ReconstructionMethod::sparse)
     throw UsageError("reconstruct: --atoms needs --method sparse");
   if (result.equalNoise && result.method != ReconstructionMethod::ridge)
     throw UsageError("reconstruct: --equal-noise needs --method ridge");
   if (!options.uncertainty.empty() && !result.uncertainty)
-    throw UsageError("reconstruct: --uncertainty needs --method ridge");
+    throw UsageError("reconstruct: --uncertainty needs --method ridge or local-ridge");
   return result;
 }
 
@@ -87,7 +97,7 @@ std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCell
 
 void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
             double seconds, double trainingSeconds, const Tool& tool) {
-  Json json{{"method", options.method},
+  Json json{{"method", methodOf(options)},
             {"samples", samples},
             {"components", found.components},
             {"ridge", found.ridge},
@@ -158,13 +168,17 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
       ->delimiter(',')
       ->needs(train);
-  command->add_option("--method", options->method, "Method: ridge, sparse or dictionaries (ridge)")
+  command
+      ->add_option(
+          "--method", options->method,
+          "Method: local-ridge, ridge, sparse or dictionaries (local-ridge; ridge with --ridge or --equal-noise)")
       ->check(CLI::IsMember(reconstructionMethods()));
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary file of the method dictionaries (bundled dictionary)");
   command->add_option(
       "--ridge", options->ridge,
-      "Weight of the regularisation: a number (40 in the publication) or auto, chosen by leave-one-out (auto)");
+      "Weight of the regularisation of --method ridge: a number (40 in the publication) or auto, chosen by "
+      "leave-one-out (auto)");
   command
       ->add_option("--components", reconstruction.components,
                    "Number of components (all of the basis; with --train as many as samples)")

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/acquisition/local_ridge.h"
 #include "core/acquisition/noisy_ridge.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/acquisition/sparse_samples.h"
@@ -47,16 +48,17 @@ double coefficientVariance(const PrincipalComponents& basis, const SampleRows& s
   return (training + NoisyRidge(counted, noise, ridge).weightedEnergy()) / (1 + 3 * worth.sum());
 }
 
-/// Of coefficients of variance v and covariance v F F given the samples: the length of each row of D F, and what the
-/// other components add, on which the samples carry no information.
+/// Of coefficients with the covariance `variance` F F^T given the samples: the length of each row of D F, and what the
+/// other components add, on which the samples carry no information: `leftOutScale` times their variance over the
+/// training set.
 std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::MatrixXd& factor, double variance,
-                              const TaskControl& control) {
+                              double leftOutScale, const TaskControl& control) {
   constexpr std::size_t blockCells = 2048;
   const Eigen::Index components = factor.rows();
   const Eigen::MatrixXf scaled =
       (std::sqrt(variance) * (basis.svd.singularValues.head(components).asDiagonal() * factor)).cast<float>();
   const auto u = basis.svd.u.view().leftCols(components);
-  const auto overTraining = float(variance / trainingVariance(basis));
+  const auto scale = float(leftOutScale);
   std::vector<float> result(basis.mapping.cells.size());
   parallelForBlocks(
       result.size(), blockCells,
@@ -66,7 +68,7 @@ std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::Mat
             (u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * scaled).rowwise().squaredNorm();
         const std::vector<float> leftOut = leftOutVariance(basis, int(components), begin, end);
         for (std::size_t i = begin; i < end; ++i)
-          result[i] = std::sqrt(squares[Eigen::Index(i - begin)] + overTraining * leftOut[i - begin]);
+          result[i] = std::sqrt(squares[Eigen::Index(i - begin)] + scale * leftOut[i - begin]);
       },
       control);
   return result;
@@ -90,9 +92,23 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
     result.leaveOneOutError = std::sqrt(regression.leaveOneOut().squaredNorm() / double(samples.values.size()));
   if (options.uncertainty) {
     const double variance = coefficientVariance(basis, samples, noise, result.ridge, options.noise);
-    result.standardDeviation = deviations(basis, regression.posteriorFactor(), variance, control.between(0.5, 1));
+    result.standardDeviation = deviations(basis, regression.posteriorFactor(), variance,
+                                          variance / trainingVariance(basis), control.between(0.5, 1));
   }
   return regression.coefficients();
+}
+
+/// The same for the local ridge.
+Eigen::MatrixXd solveLocalRidge(const PrincipalComponents& basis, const SampleRows& samples,
+                                const ReconstructionOptions& options, Reconstruction& result,
+                                const TaskControl& control) {
+  const LocalRidge local = localRidge(samples, basis.svd.v, options.uncertainty, control.between(0, 0.5));
+  result.ridge = local.ridge;
+  result.leaveOneOutError = local.leaveOneOutError;
+  if (options.uncertainty)
+    result.standardDeviation =
+        deviations(basis, local.posteriorFactor, local.scale, local.scale, control.between(0.5, 1));
+  return local.coefficients;
 }
 
 }  // namespace
@@ -116,7 +132,9 @@ Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan&
   Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(result.components, 3);
   if (result.components == 0)
     result.ridge = options.ridge.value_or(publishedRidge);
-  else if (options.method == ReconstructionMethod::ridge)
+  else if (options.method == ReconstructionMethod::localRidge && samples.rows.rows() > 1)
+    coefficients = solveLocalRidge(basis, samples, options, result, control.between(0, 0.5));
+  else if (options.method != ReconstructionMethod::sparse)
     coefficients = solveRidge(basis, samples, options, result, control.between(0, 0.5));
   else
     coefficients = sparseCoefficients(samples, options.atoms, control.between(0, 0.5));

@@ -17,11 +17,13 @@
 namespace gonio::acquisition {
 
 enum class ReconstructionMethod {
-  ridge,  ///< c = (Q^T Q + eta I)^-1 Q^T (y - mean), Q the rows of D = U Sigma at the samples
-  sparse  ///< few components, chosen by orthogonal matching pursuit; coefficients by least squares
+  ridge,      ///< c = (Q^T Q + eta I)^-1 Q^T (y - mean), Q the rows of D = U Sigma at the samples
+  sparse,     ///< few components, chosen by orthogonal matching pursuit; coefficients by least squares
+  localRidge  ///< ridge regression over the training signals that resemble the samples (local_ridge.h); with one
+              ///< sample, `ridge`
 };
 /// Names in JSON and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 2> reconstructionMethodNames{"ridge", "sparse"};
+inline constexpr std::array<std::string_view, 3> reconstructionMethodNames{"ridge", "sparse", "local-ridge"};
 
 /// eta of Nielsen et al. 2015 and Tongbuasirilai 2023. It is absolute: with a training set of t columns the
 /// coefficients have variance 1/t, so it assumes that a mapped value has noise of standard deviation sqrt(40 / t) (0.31
@@ -30,7 +32,7 @@ inline constexpr double publishedRidge = 40;
 
 struct ReconstructionOptions {
   ReconstructionMethod method = ReconstructionMethod::ridge;
-  std::optional<double> ridge;  ///< eta >= 0, e.g. publishedRidge; if empty, chosen by leaveOneOutRidge()
+  std::optional<double> ridge;  ///< `ridge` only: eta >= 0, e.g. publishedRidge; if empty, chosen by leaveOneOutRidge()
   int components = 0;  ///< number of components of the basis to use; may exceed the number of samples; 0, or more than
                        ///< the basis has: all
   int atoms = 0;  ///< `sparse` only: components per channel; 0: chosen by leave-one-out, at most half the number of
@@ -51,13 +53,13 @@ struct Reconstruction {
   std::shared_ptr<const TabulatedBrdf> table;
   dictionary::ComponentCode code;  ///< over the components of the basis
   std::size_t cappedCount = 0;     ///< channel values beyond the range of float, stored as the largest float
-  double ridge = 0;                ///< eta that was used; 0 for `sparse`
+  double ridge = 0;                ///< eta that was used (LocalRidge::ridge); 0 for `sparse`
   int components = 0;              ///< number of components used
   /// Root mean squared difference between each mapped value and its prediction from all other samples (`ridge` with a
   /// finite eta > 0): the error to expect at a cell that resembles the measured ones. NaN for one sample, and for
   /// `sparse`.
   double leaveOneOutError = 0;
-  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells (`ridge` only), under the
+  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells (not for `sparse`), under the
   /// Gaussian model in which the coefficients of the ridge are the most likely ones. In this model all coefficients,
   /// also of components that are not used and of what the basis leaves out, have variance v, and a sample has
   /// additional noise of variance eta v. v is noise^2 / eta if `noise` was given (and eta > 0, finite). Otherwise v is

@@ -186,7 +186,8 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
                      const std::string& method, std::optional<double> ridge, int components, int atoms, bool equalNoise,
                      const std::string& name, const py::object& progress) {
   const auto found = std::ranges::find(reconstructionMethodNames, method);
-  if (found == reconstructionMethodNames.end()) throw Error("method: found '" + method + "', expected ridge or sparse");
+  if (found == reconstructionMethodNames.end())
+    throw Error("method: found '" + method + "', expected ridge, local-ridge or sparse");
   const MeasuredValues values = valuesOf(rgb, noise);
   const ReconstructionOptions options{.method = ReconstructionMethod(found - reconstructionMethodNames.begin()),
                                       .ridge = ridge,

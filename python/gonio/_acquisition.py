@@ -362,7 +362,7 @@ class Reconstruction:
     cells; None for "sparse"."""
 
 
-def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, method: str = "ridge",
+def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, method: Optional[str] = None,
                 ridge: Optional[float] = None, components: int = 0, atoms: int = 0, equal_noise: bool = False,
                 name: str = "reconstruction", progress: Progress = None) -> Reconstruction:
     """Reconstructs a whole material from few measured values and the principal components of a training set (Nielsen et al.
@@ -374,7 +374,9 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
         readings: The measured values, by gonio.measure() or gonio.Readings(values).
         basis: Principal components of the training set; None: gonio.bundled_basis(). It should be the one that the directions
             were planned with, and should not contain the material itself if you report the error.
-        method: "ridge" (ridge regression over the components) or "sparse" (few components, by orthogonal matching pursuit).
+        method: "local-ridge" (ridge regression over the training materials that agree with the readings), "ridge" (over all
+            training materials) or "sparse" (few components, by orthogonal matching pursuit); None: "ridge" if `ridge` or
+            `equal_noise` is given, otherwise "local-ridge".
         ridge: Ridge parameter eta of "ridge", such as the published 40; None: chosen by leave-one-out.
         components: Number of components to use; 0: all of the basis.
         atoms: Number of components per channel that "sparse" chooses; 0: chosen by leave-one-out.
@@ -388,6 +390,8 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
             material has no value (the message states its number, from 1), or an argument is out of its range.
     """
     known = basis or bundled_basis(progress)
+    if method is None:
+        method = "ridge" if ridge is not None or equal_noise else "local-ridge"
     row = _core.reconstruct(known._handle, plan._handle, np.asarray(readings.values, dtype=np.float64), readings.noise, method,
                             ridge, components, atoms, equal_noise, name, progress)
     row["material"] = Material(row["material"])

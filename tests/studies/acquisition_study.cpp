@@ -66,6 +66,8 @@ const std::vector<Way> standardWays = {
     {"ridge-auto", {.ridge = std::nullopt, .uncertainty = false}},
     {"ridge-40-all", {.ridge = acquisition::publishedRidge, .components = 1 << 20, .uncertainty = false}},
     {"ridge-auto-all", {.ridge = std::nullopt, .components = 1 << 20, .uncertainty = false}},
+    {"local-ridge",
+     {.method = acquisition::ReconstructionMethod::localRidge, .components = 1 << 20, .uncertainty = false}},
     {"sparse", {.method = acquisition::ReconstructionMethod::sparse, .uncertainty = false}}};
 
 struct Options {
@@ -114,6 +116,9 @@ struct Options {
                                                                     {"ridge-auto-", std::nullopt}};
     for (const auto& [id, ridge] : ridges)
       ways.push_back({id + std::to_string(count), {.ridge = ridge, .components = count, .uncertainty = false}});
+    ways.push_back(
+        {"local-ridge-" + std::to_string(count),
+         {.method = acquisition::ReconstructionMethod::localRidge, .components = count, .uncertainty = false}});
   }
 
   bool wants(const Selection& selection) const { return only.empty() || only.contains(selection.id); }

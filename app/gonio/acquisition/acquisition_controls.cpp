@@ -25,9 +25,13 @@ AcquisitionControls::AcquisitionControls(QWidget* parent) : QWidget(parent) {
 
 void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   form.addRow(rowHeading(tr("Reconstruction")));
-  m_reconstruction =
-      rowBox(tr("Method that computes the whole material from the measured values; only ridge gives an uncertainty"));
+  m_reconstruction = rowBox(
+      tr("Method that computes the whole material from the measured values; all except Sparse give an uncertainty"));
   const std::pair<QString, QString> methods[] = {
+      {tr("Local ridge"),
+       tr("Ridge regression over up to %1 components in which training materials count the more, the "
+          "better they agree with the measured values")
+           .arg(maxComponents)},
       {tr("Ridge, automatic η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
                                     "sample best from all others (leave-one-out)")
                                      .arg(maxComponents)},
@@ -81,8 +85,9 @@ acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   const int index = m_reconstruction->currentIndex();
   if (index == printedRidge) return acquisition::publishedReconstruction();
   acquisition::ReconstructionOptions options;
+  if (index == localRidge) options.method = acquisition::ReconstructionMethod::localRidge;
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
-  if (index != chosenRidge) options.ridge = acquisition::publishedRidge;
+  if (index == publishedRidge) options.ridge = acquisition::publishedRidge;
   options.components = maxComponents;
   return options;
 }

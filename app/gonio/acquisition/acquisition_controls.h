@@ -36,7 +36,7 @@ class AcquisitionControls : public QWidget {
   void reconstructionEdited();
 
  private:
-  enum ReconstructionItem { chosenRidge, publishedRidge, printedRidge, sparse };
+  enum ReconstructionItem { localRidge, chosenRidge, publishedRidge, printedRidge, sparse };
   /// Maximum number of components with a fixed ridge, which permits more components than samples. The time for the
   /// uncertainty grows with the square of their number.
   static constexpr int maxComponents = 100;

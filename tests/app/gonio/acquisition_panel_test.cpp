@@ -271,12 +271,12 @@ class AcquisitionPanelTest : public QObject {
       panel.controls().reconstructionBox().setCurrentIndex(index);
       Q_EMIT panel.controls().reconstructionBox().activated(index);
     };
-    choose(2);
+    choose(3);
     QVERIFY(editor.settle());
     QVERIFY(panel.session().reconstructionOptions().equalNoise);
     QCOMPARE(panel.session().result()->reconstruction->ridge, acquisition::publishedRidge);
     QVERIFY(panel.session().result()->reconstruction->components <= int(cells.size()));
-    choose(3);
+    choose(4);
     QVERIFY(editor.settle());
     QVERIFY(panel.session().result()->reconstruction->standardDeviation.empty());
     QVERIFY(panel.charts().chart().slice().deviations.empty());

@@ -88,9 +88,18 @@ class GoniotoolAcquisitionTest : public QObject {
     VERIFY_SUCCESS(automatic);
     QVERIFY(automatic.json["ridge"].get<double>() < 40);
     QCOMPARE(automatic.json["components"].get<int>(), planned_.json["components"].get<int>());
+    QCOMPARE(automatic.json["method"].get<std::string>(), "local-ridge");
+    const QByteArray local = bytesOf(out);
+    VERIFY_SUCCESS(
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "local-ridge"}));
+    QVERIFY(bytesOf(out) == local);
     const ToolResult named =
         runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "auto"});
-    QCOMPARE(named.json["ridge"].get<double>(), automatic.json["ridge"].get<double>());
+    QCOMPARE(named.json["method"].get<std::string>(), "ridge");
+    QCOMPARE(runTool({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "local-ridge",
+                      "--ridge", "40"})
+                 .code,
+             2);
     VERIFY_SUCCESS(runJson(
         {"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "sparse", "--atoms", "3"}));
     for (const char* name : {"out.binary", "uncertainty.binary"}) QFile::remove(folder_.path(name));
