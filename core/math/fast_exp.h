@@ -14,8 +14,8 @@ struct ExpParts {
   double power, rest;
 };
 
-/// For -708 <= x <= 709, without branches and calls, so that loops are vectorised. Always inlined, because the compiler would
-/// consider it too long.
+/// For -708 <= x <= 709, without branches and calls, so that loops are vectorised. Always inlined, because the compiler
+/// would consider it too long.
 [[gnu::always_inline]] inline ExpParts expParts(double x) {
   constexpr double shift = 0x1.8p52;  // adding it rounds to an integer, which is then in the last bits
   constexpr double ln2Upper = 0x1.62e42feep-1, ln2Lower = 1.90821492927058770002e-10;
