@@ -21,8 +21,8 @@ namespace {
 using namespace acquisition;
 
 /// In the order of SelectionMethod.
-constexpr std::array<const char*, 5> selectionMethods{"somp", "somp-first-columns", "condition-number", "random",
-                                                      "uniform"};
+constexpr std::array<const char*, 6> selectionMethods{"somp",    "somp-first-columns", "condition-number", "random",
+                                                      "uniform", "a-optimal"};
 
 struct PlanArguments {
   std::vector<std::string> train, excluded, forbidden;
@@ -111,7 +111,8 @@ int plan(const PlanArguments& options, const Tool& tool) {
   io::checkWritable(basisPath);
   io::checkWritable(options.out);
   double trainingSeconds = 0;
-  const int components = std::max({chosen.samples, chosen.components, options.basisComponents});
+  const int needed = chosen.method == SelectionMethod::aOptimal && chosen.components == 0 ? aOptimalComponents : 0;
+  const int components = std::max({chosen.samples, chosen.components, options.basisComponents, needed});
   const auto basis = learnBasis(options.train, options.excluded, components, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();
   const SampleSelection selection = selectSamples(basis->components, chosen, tool.control("choosing directions"));
@@ -154,15 +155,17 @@ void addPlan(CLI::App& app, Tool& tool) {
           "--method", options->method,
           "somp: simultaneous orthogonal matching pursuit (FROST); somp-first-columns: the same over the first "
           "training signals only; condition-number: search for the smallest condition number; random: random "
-          "directions; uniform: evenly spread directions (somp)")
+          "directions; uniform: evenly spread directions; a-optimal: smallest expected variance of all cells (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
   command
-      ->add_option("--components", selection.components,
-                   "Number of components that the selection of directions uses (as many as samples)")
+      ->add_option(
+          "--components", selection.components,
+          "Number of components that the selection of directions uses (as many as samples; with a-optimal at least " +
+              std::to_string(aOptimalComponents) + ")")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--basis-components", options->basisComponents,
-                   "Number of components in the basis file (the larger of --samples and --components)")
+                   "Number of components in the basis file (as many as the selection uses, at least --samples)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--max-polar", options->largestPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));

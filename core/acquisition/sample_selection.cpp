@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "core/acquisition/a_optimal_selection.h"
 #include "core/acquisition/condition_search.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/acquisition/simultaneous_pursuit.h"
@@ -88,6 +89,21 @@ SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions&
   return result;
 }
 
+SampleSelection selectAOptimal(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
+                               const TaskControl& control, const Chosen& chosen) {
+  const int asked = options.components > 0 ? options.components : std::max(options.samples, aOptimalComponents);
+  const int components = std::min(asked, basis.count());
+  const AOptimalSelection found =
+      chooseAOptimal(basis, rows, options.samples, components, control, [&](std::size_t row) {
+        if (chosen) chosen(basis.mapping.cells[row]);
+      });
+  SampleSelection result{.residuals = found.residuals, .conditionNumber = conditionOf(basis, found.rows, components)};
+  for (const std::size_t row : found.rows) result.cells.push_back(basis.mapping.cells[row]);
+  if (found.rows.size() < std::size_t(options.samples))
+    result.warning = whyFewer(PursuitStop::exhausted, found.rows.size(), options, components);
+  return result;
+}
+
 /// The rows that a method without residuals chooses.
 Rows otherRows(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
                const TaskControl& control) {
@@ -122,7 +138,9 @@ bool isPursuit(SelectionMethod method) {
   return method == SelectionMethod::simultaneousPursuit || method == SelectionMethod::simultaneousPursuitFirstColumns;
 }
 
-bool needsComponents(SelectionMethod method) { return isPursuit(method) || method == SelectionMethod::conditionNumber; }
+bool needsComponents(SelectionMethod method) {
+  return isPursuit(method) || method == SelectionMethod::conditionNumber || method == SelectionMethod::aOptimal;
+}
 
 void checkSelection(const PrincipalComponents& basis, const SelectionOptions& options) {
   if (options.samples < 1)
@@ -143,6 +161,7 @@ SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionO
   const Rows rows = measurableRows(basis, options.measurable);
   if (rows.empty())
     throw Error("no direction pair can be measured: the limits of the rig exclude all cells of the materials");
+  if (options.method == SelectionMethod::aOptimal) return selectAOptimal(basis, options, rows, control, chosen);
   return isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
                                    : selectOtherwise(basis, options, rows, control, chosen);
 }

@@ -21,13 +21,18 @@ enum class SelectionMethod {
   simultaneousPursuitFirstColumns,  ///< over the first p training signals only, like the authors' released code
   conditionNumber,                  ///< the search of Nielsen et al. 2015
   random,                           ///< all measurable cells with equal probability
-  uniform                           ///< evenly spread over the solid angles of light and viewer; deterministic
+  uniform,                          ///< evenly spread over the solid angles of light and viewer; deterministic
+  aOptimal                          ///< smallest expected variance of all cells (a_optimal_selection.h)
 };
+
+inline constexpr int aOptimalComponents = 30;
 
 struct SelectionOptions {
   SelectionMethod method = SelectionMethod::simultaneousPursuit;
-  int samples = 20;    ///< number of samples m
-  int components = 0;  ///< p, for the pursuits; 0: as many as samples; at most those of the basis
+  int samples = 20;  ///< number of samples m
+  /// p, for the pursuits and aOptimal, at most those of the basis; 0: as many as samples, for aOptimal at least
+  /// aOptimalComponents.
+  int components = 0;
   MeasurableDirections measurable;
   std::uint64_t seed = 1;  ///< for conditionNumber and random
   int restarts = 5;        ///< for conditionNumber: searches from random starts; the best one is used
@@ -35,11 +40,12 @@ struct SelectionOptions {
 
 struct SampleSelection {
   std::vector<std::uint32_t> cells;  ///< indices into the basis' grid, in the order of choice, distinct
-  /// Pursuits only: |R| / |S| before the first choice and after each, in Frobenius norms; never increases.
+  /// Before the first choice and after each; never increases. Pursuits: |R| / |S|, in Frobenius norms; aOptimal:
+  /// AOptimalSelection::residuals; others: none.
   std::vector<double> residuals;
   /// Largest over smallest singular value of the chosen rows of the scaled basis U Sigma, in as many components as the
-  /// method uses (pursuits: p, others: min(m, count())). Infinite if the rows are dependent, 0 without rows or
-  /// components.
+  /// method uses (pursuits and aOptimal: p, others: min(m, count())). Infinite if the rows are dependent, 0 without
+  /// rows or components.
   double conditionNumber = 0;
   std::string warning;  ///< why there are fewer cells than requested; empty otherwise
 };
@@ -49,7 +55,7 @@ struct SampleSelection {
 /// not depend on the number of threads; among equally good cells the lowest index is chosen. @param chosen called on
 /// this thread with each cell as it is fixed, in the order of choice.
 /// @throws Error if fewer than one sample or a negative number of components is requested, a limit is out of range, no
-/// cell can be measured, or (pursuits and conditionNumber) the basis has no components; Cancelled.
+/// cell can be measured, or (pursuits, conditionNumber and aOptimal) the basis has no components; Cancelled.
 SampleSelection selectSamples(const dictionary::PrincipalComponents& basis, const SelectionOptions& options,
                               const TaskControl& control = {},
                               const std::function<void(std::uint32_t cell)>& chosen = {});

@@ -107,8 +107,8 @@ MeasurableDirections measurable(const Limits& limits) {
 }
 
 /// In the order of SelectionMethod.
-constexpr std::array<std::string_view, 5> selectionMethods{"somp", "somp-first-columns", "condition-number", "random",
-                                                           "uniform"};
+constexpr std::array<std::string_view, 6> selectionMethods{
+    "somp", "somp-first-columns", "condition-number", "random", "uniform", "a-optimal"};
 
 py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int components, double maxPolar,
                double minSeparation, const std::vector<std::array<double, 6>>& forbidden, std::uint64_t seed,
@@ -116,7 +116,7 @@ py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int
   const auto found = std::ranges::find(selectionMethods, method);
   if (found == selectionMethods.end())
     throw Error("method: found '" + method +
-                "', expected somp, somp-first-columns, condition-number, random or uniform");
+                "', expected somp, somp-first-columns, condition-number, random, uniform or a-optimal");
   const SelectionOptions options{.method = SelectionMethod(found - selectionMethods.begin()),
                                  .samples = samples,
                                  .components = components,

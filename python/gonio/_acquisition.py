@@ -295,9 +295,9 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
         basis: Principal components of the training set; None: gonio.bundled_basis().
         method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for
             Sparse Reflectance Modeling and Acquisition, Algorithm 4), "somp-first-columns" (the same over the first
-            training signals alone, as in the authors' code), "condition-number" (Nielsen et al. 2015), "random" or
-            "uniform".
-        components: Number of components that the choice uses; 0: the number of samples.
+            training signals alone, as in the authors' code), "condition-number" (Nielsen et al. 2015), "random",
+            "uniform" or "a-optimal" (the smallest expected variance of all cells, docs/acquisition.md).
+        components: Number of components that the choice uses; 0: the number of samples, with "a-optimal" at least 30.
         max_polar_angle: Maximum polar angle of both directions, rad.
         min_separation: Minimum angle between light and viewer, rad; 0: no limit.
         forbidden: Boxes of angles that the goniometer cannot reach, each as ranges of theta_i, theta_o and |phi_i - phi_o| in
@@ -308,7 +308,7 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
     Returns:
         A plan with three more attributes: `condition_number`, the largest over the smallest singular value of the basis' rows
-        at the samples; `residuals`, for "somp" and "somp-first-columns" the relative residual of the training signals before
+        at the samples; `residuals`, for "somp", "somp-first-columns" and "a-optimal" the relative residual of the training signals before
         the first sample and after each, shape (samples + 1,), otherwise empty; `warning`, the reason if there are fewer samples
         than requested, otherwise "". A plan of given directions has NaN, an empty array and "".
 

@@ -10,11 +10,11 @@
 // reconstructed. With
 // --measured, the training set is all files of the folders except those whose name a file of FOLDER has, and the files
 // of FOLDER (.binary and .bsdf) are reconstructed. With --training, the training set is N of these materials, at even
-// distances in their order. Selections: somp, somp-first-columns, condition-number, random, uniform, and pdv, the two
-// curves of a rig with two arms (half the readings each), which needs no training set; random selections are repeated
-// with N seeds (5). --components adds reconstructions with P components for the directions of somp, with the ridge 40
-// (ridge-40-P) and by leave-one-out (ridge-auto-P). One line per case; records are kept in the file, and what is in it
-// is not computed again. At the end tables.
+// distances in their order. Selections: somp, somp-first-columns, condition-number, a-optimal, random, uniform, and
+// pdv, the two curves of a rig with two arms (half the readings each), which needs no training set; random selections
+// are repeated with N seeds (5). --components adds reconstructions with P components for the directions of somp, with
+// the ridge 40 (ridge-40-P) and by leave-one-out (ridge-auto-P). One line per case; records are kept in the file, and
+// what is in it is not computed again. At the end tables.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -51,6 +51,7 @@ constexpr Selection selections[] = {
     {"somp", acquisition::SelectionMethod::simultaneousPursuit, false},
     {"somp-first-columns", acquisition::SelectionMethod::simultaneousPursuitFirstColumns, false},
     {"condition-number", acquisition::SelectionMethod::conditionNumber, true},
+    {"a-optimal", acquisition::SelectionMethod::aOptimal, false},
     {"random", acquisition::SelectionMethod::random, true},
     {"uniform", acquisition::SelectionMethod::uniform, false},
     {"pdv", std::nullopt, false},
@@ -123,8 +124,9 @@ struct Options {
 
   bool wants(const Selection& selection) const { return only.empty() || only.contains(selection.id); }
   bool wants(const Selection& selection, const Way& way) const {
-    return selection.id == std::string("somp") ? reconstructions.empty() || reconstructions.contains(way.id)
-                                               : way.id == ways.front().id;
+    const std::string id = selection.id;
+    return id == "somp" || id == "a-optimal" ? reconstructions.empty() || reconstructions.contains(way.id)
+                                             : way.id == ways.front().id;
   }
 };
 

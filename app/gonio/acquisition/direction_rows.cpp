@@ -56,7 +56,10 @@ void DirectionRows::buildMethod(QFormLayout& form) {
        tr("Minimises the condition number (Nielsen et al. 2015); much slower, especially for many samples")},
       {acquisition::SelectionMethod::random, tr("Random"),
        tr("Chooses measurable cells at random with equal probability")},
-      {acquisition::SelectionMethod::uniform, tr("Uniform"), tr("Spreads the samples evenly over the directions")}};
+      {acquisition::SelectionMethod::uniform, tr("Uniform"), tr("Spreads the samples evenly over the directions")},
+      {acquisition::SelectionMethod::aOptimal, tr("A-optimal"),
+       tr("Chooses the directions after which the expected error of all values is smallest; recommended for up to 30 "
+          "samples")}};
   for (const auto& [method, name, explanation] : methods) {
     m_method->addItem(name, int(method));
     m_method->setItemData(m_method->count() - 1, explanation, Qt::ToolTipRole);

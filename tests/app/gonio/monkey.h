@@ -82,12 +82,9 @@ class Monkey : public QObject {
       next();
       // Not in the middle of an act, but in the loop of a dialog that the act has opened.
       if (m_acting && level <= m_level) return;
-      if (!m_end.hasExpired())
-        act();
-      else if (isInDialog())
-        surface()->close();
-      else
-        QTest::keyClick(m_window.windowHandle(), Qt::Key_Escape);  // ends the loop of a drag
+      if (!m_end.hasExpired()) return act();
+      QTest::keyClick(m_window.windowHandle(), Qt::Key_Escape);  // ends the loop of a drag, also of one in a dialog
+      if (isInDialog()) surface()->close();
     });
   }
 

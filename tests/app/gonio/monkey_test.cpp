@@ -73,6 +73,10 @@ class MonkeyTest : public QObject {
     for (const char* scheme : {"file", "http", "https"}) QDesktopServices::setUrlHandler(scheme, this, "ignore");
   }
 
+  void cleanupTestCase() {
+    for (const char* scheme : {"file", "http", "https"}) QDesktopServices::unsetUrlHandler(scheme);
+  }
+
   /// Whatever is done, the program goes on, and writes nothing on its error output.
   void nothingBreaks() {
     bool isNumber = false;

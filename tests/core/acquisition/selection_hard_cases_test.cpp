@@ -14,9 +14,12 @@ using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::acquisition::test_support;
 
-constexpr SelectionMethod allMethods[] = {
-    SelectionMethod::simultaneousPursuit, SelectionMethod::simultaneousPursuitFirstColumns,
-    SelectionMethod::conditionNumber, SelectionMethod::random, SelectionMethod::uniform};
+constexpr SelectionMethod allMethods[] = {SelectionMethod::simultaneousPursuit,
+                                          SelectionMethod::simultaneousPursuitFirstColumns,
+                                          SelectionMethod::conditionNumber,
+                                          SelectionMethod::random,
+                                          SelectionMethod::uniform,
+                                          SelectionMethod::aOptimal};
 constexpr SelectionMethod pursuits[] = {SelectionMethod::simultaneousPursuit,
                                         SelectionMethod::simultaneousPursuitFirstColumns};
 
@@ -182,8 +185,8 @@ class SelectionHardCasesTest : public QObject {
 
   void fewerCellsThanSamples() {
     const auto basis = randomBasis(6, 30, 4, 2);
-    for (const SelectionMethod method :
-         {SelectionMethod::conditionNumber, SelectionMethod::random, SelectionMethod::uniform}) {
+    for (const SelectionMethod method : {SelectionMethod::conditionNumber, SelectionMethod::random,
+                                         SelectionMethod::uniform, SelectionMethod::aOptimal}) {
       const SampleSelection selection =
           selectSamples(basis, {.method = method, .samples = 9, .measurable = everything});
       QCOMPARE(sorted(selection.cells), basis.mapping.cells);
