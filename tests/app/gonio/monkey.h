@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDeadlineTimer>
 #include <QDockWidget>
+#include <QDrag>
 #include <QFileDialog>
 #include <QMenu>
 #include <QTest>
@@ -83,7 +84,7 @@ class Monkey : public QObject {
       // Not in the middle of an act, but in the loop of a dialog that the act has opened.
       if (m_acting && level <= m_level) return;
       if (!m_end.hasExpired()) return act();
-      QTest::keyClick(m_window.windowHandle(), Qt::Key_Escape);  // ends the loop of a drag, also of one in a dialog
+      QDrag::cancel();  // an event would end the loop of a drag only while no dialog blocks its window
       if (isInDialog()) surface()->close();
     });
   }
