@@ -172,6 +172,8 @@ class PlyReader {
 
   MeshArrays read() {
     for (const PlyElement& element : header_.elements) {
+      // Rows without numbers: the file could state any count of them.
+      if (element.properties.empty() && element.name != "vertex") continue;
       for (std::uint64_t i = 0; i < element.count; ++i) readRow(element, i);
     }
     if (arrays_.triangles.empty()) throw Error("a PLY mesh: found no faces, expected at least one");

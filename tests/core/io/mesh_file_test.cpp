@@ -83,6 +83,16 @@ class MeshFileTest : public QObject {
     for (const glm::vec3& normal : mesh.cornerNormals()) QVERIFY(glm::distance(normal, glm::vec3(0, 0.6, 0.8)) < 1e-6f);
   }
 
+  /// Rows without properties take no bytes, so their count is not limited by the file.
+  void plyElementsWithoutPropertiesTakeNoTime() {
+    const TriangleMesh mesh = read(
+        "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\nproperty list uchar uint vertex_index\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+        ".ply");
+    QCOMPARE(mesh.triangles().size(), std::size_t(1));
+  }
+
   /// The nodes of a glTF file place its meshes.
   void nodesPlaceTheMeshes() {
     const TriangleMesh mesh = read(textOf(fuzz::glbSeed()), ".glb");
