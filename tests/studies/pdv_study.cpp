@@ -68,13 +68,17 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
   const fitting::FitResult fit = fitting::fit(table, models::ggx(), {});
   const auto ggx = models::ggx().instantiate(fit.parameters);
   const std::size_t bytes[] = {materials::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};
-  const auto lawrence = factorization::findBaseline("lawrence").build(table, std::span<const std::size_t>(bytes), {});
+  const auto baseline = [&](const char* id) {
+    return factorization::findBaseline(id).build(table, std::span<const std::size_t>(bytes), {}).front().brdf;
+  };
+  const auto lawrence = baseline("lawrence"), bilgili = baseline("bilgili");
   const auto cosine = cosineSampler();
   const Draw draws[] = {[&](const Direction& wo, const glm::dvec3& u) { return cosine.sample(wo, u); },
                         [&](const Direction& wo, const glm::dvec3& u) { return printed.sample(wo, u); },
                         [&](const Direction& wo, const glm::dvec3& u) { return exact.sample(wo, u); },
                         [&](const Direction& wo, const glm::dvec3& u) { return ggx->sample(wo, u); },
-                        [&](const Direction& wo, const glm::dvec3& u) { return lawrence[0].brdf->sample(wo, u); }};
+                        [&](const Direction& wo, const glm::dvec3& u) { return lawrence->sample(wo, u); },
+                        [&](const Direction& wo, const glm::dvec3& u) { return bilgili->sample(wo, u); }};
   std::printf("| %s |", name.c_str());
   for (const Draw& draw : draws) std::printf(" %.3f |", noise(table, *environment, draw));
   std::printf("\n");
@@ -121,7 +125,8 @@ int study(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
                            materials::readMaterial(argv[i]).tabulated());
-  std::printf("| material | cosine | printed | exact | GGX fit | Lawrence |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "| material | cosine | printed | exact | GGX fit | Lawrence | Bilgili |\n|---|---|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);
   std::printf("\n| material | deviation | symmetric | half-difference | half-out |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printMeasurement(name, *table);
