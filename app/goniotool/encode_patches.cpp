@@ -10,7 +10,6 @@
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/patch_dictionary.h"
 #include "core/documents/training_files.h"
-#include "core/materials/bundled_library.h"
 #include "core/metrics/brdf_metrics.h"
 
 namespace gonio::tool {
@@ -26,8 +25,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
   if (!options.out.empty()) materials::writableFormat(options.out);
   const auto material = openMaterial(options.material, tool.control("reading"));
   auto start = Clock::now();
-  const std::vector<std::string> files = editing::trainingFiles(
-      options.train.empty() ? materials::libraryTrainingPaths() : options.train, options.excluded);
+  const std::vector<std::string> files = editing::trainingFilesOrLibrary(options.train, options.excluded);
   const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
   const auto patches = dictionary::learnPatchDictionary(
       training, {}, tool.control("learning from " + std::to_string(training.names.size()) + " materials"));

@@ -20,13 +20,9 @@ namespace {
 
 using namespace acquisition;
 
-/// In the order of SelectionMethod.
-constexpr std::array<const char*, 6> selectionMethods{"somp",    "somp-first-columns", "condition-number", "random",
-                                                      "uniform", "a-optimal"};
-
 struct PlanArguments {
   std::vector<std::string> train, excluded, forbidden;
-  std::string out, method = selectionMethods[0];
+  std::string out, method{selectionMethodNames[0]};
   SelectionOptions selection;
   int basisComponents = 0;
   double largestPolarDegrees = 85, separationDegrees = 0;
@@ -60,7 +56,8 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
 
 SelectionOptions selectionOptions(const PlanArguments& options) {
   SelectionOptions selection = options.selection;
-  selection.method = SelectionMethod(std::ranges::find(selectionMethods, options.method) - selectionMethods.begin());
+  selection.method =
+      SelectionMethod(std::ranges::find(selectionMethodNames, options.method) - selectionMethodNames.begin());
   selection.measurable.maxPolarAngle = radians(options.largestPolarDegrees);
   selection.measurable.minSeparation = radians(options.separationDegrees);
   for (const std::string& text : options.forbidden) selection.measurable.forbidden.push_back(forbiddenRegion(text));
@@ -111,8 +108,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   io::checkWritable(basisPath);
   io::checkWritable(options.out);
   double trainingSeconds = 0;
-  const int needed = chosen.method == SelectionMethod::aOptimal && chosen.components == 0 ? aOptimalComponents : 0;
-  const int components = std::max({chosen.samples, chosen.components, options.basisComponents, needed});
+  const int components = std::max({chosen.samples, usedComponents(chosen), options.basisComponents});
   const auto basis = learnBasis(options.train, options.excluded, components, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();
   const SampleSelection selection = selectSamples(basis->components, chosen, tool.control("choosing directions"));
@@ -156,7 +152,7 @@ void addPlan(CLI::App& app, Tool& tool) {
           "somp: simultaneous orthogonal matching pursuit (FROST); somp-first-columns: the same over the first "
           "training signals only; condition-number: search for the smallest condition number; random: random "
           "directions; uniform: evenly spread directions; a-optimal: smallest expected variance of all cells (somp)")
-      ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(selectionMethodNames.begin(), selectionMethodNames.end())));
   command
       ->add_option(
           "--components", selection.components,

@@ -57,9 +57,12 @@ class Regression {
       const VectorXd distances = distancesOf(kept, channel);
       for (std::size_t b = 0; b < bandwidths.size(); ++b) {
         const Local local(*this, kept, channel, probabilities(distances, bandwidths[b]));
-        for (Index left = group; left < samples_.values.rows(); left += groups)
-          for (std::size_t n = 0; n < noises.size(); ++n)
-            errors(Index(b), Index(n)) += std::pow(samples_.values(left, channel) - local.predict(left, noises[n]), 2);
+        for (std::size_t n = 0; n < noises.size(); ++n) {
+          const VectorXd columns = local.columns(noises[n]);
+          for (Index left = group; left < samples_.values.rows(); left += groups)
+            errors(Index(b), Index(n)) +=
+                std::pow(samples_.values(left, channel) - local.mean[left] - local.factor.row(left).dot(columns), 2);
+        }
       }
     }
   }
@@ -119,7 +122,6 @@ class Regression {
     VectorXd columns(double noise) const {
       return projected.transpose() * (scaled.array() / (values.array() + noise)).matrix();
     }
-    double predict(Index sample, double noise) const { return mean[sample] + factor.row(sample).dot(columns(noise)); }
     /// The same as a combination of the training signals.
     VectorXd combination(double noise) const {
       const VectorXd q = weights.cwiseSqrt().cwiseProduct(columns(noise));

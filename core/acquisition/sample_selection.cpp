@@ -66,8 +66,7 @@ std::string whyFewer(PursuitStop stop, std::size_t chosen, const SelectionOption
 
 SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
                        const TaskControl& control, const Chosen& chosen) {
-  const int asked = options.components > 0 ? options.components : options.samples;
-  const int components = std::min(asked, basis.count());
+  const int components = std::min(usedComponents(options), basis.count());
   const Eigen::Index signals = options.method == SelectionMethod::simultaneousPursuitFirstColumns
                                    ? std::min<Eigen::Index>(components, basis.svd.v.rows())
                                    : basis.svd.v.rows();
@@ -91,8 +90,7 @@ SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions&
 
 SampleSelection selectAOptimal(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
                                const TaskControl& control, const Chosen& chosen) {
-  const int asked = options.components > 0 ? options.components : std::max(options.samples, aOptimalComponents);
-  const int components = std::min(asked, basis.count());
+  const int components = std::min(usedComponents(options), basis.count());
   const AOptimalSelection found =
       chooseAOptimal(basis, rows, options.samples, components, control, [&](std::size_t row) {
         if (chosen) chosen(basis.mapping.cells[row]);
@@ -154,6 +152,11 @@ void checkSelection(const PrincipalComponents& basis, const SelectionOptions& op
 }
 
 }  // namespace
+
+int usedComponents(const SelectionOptions& options) {
+  if (options.components > 0) return options.components;
+  return options.method == SelectionMethod::aOptimal ? std::max(options.samples, aOptimalComponents) : options.samples;
+}
 
 SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& options,
                               const TaskControl& control, const Chosen& chosen) {

@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/acquisition/measurable_directions.h"
@@ -25,6 +27,10 @@ enum class SelectionMethod {
   aOptimal                          ///< smallest expected variance of all cells (a_optimal_selection.h)
 };
 
+/// Names in JSON, in plans and on the command line, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 6> selectionMethodNames{
+    "somp", "somp-first-columns", "condition-number", "random", "uniform", "a-optimal"};
+
 inline constexpr int aOptimalComponents = 30;
 
 struct SelectionOptions {
@@ -37,6 +43,9 @@ struct SelectionOptions {
   std::uint64_t seed = 1;  ///< for conditionNumber and random
   int restarts = 5;        ///< for conditionNumber: searches from random starts; the best one is used
 };
+
+/// Number of components that the pursuits and aOptimal use of a basis that has as many.
+int usedComponents(const SelectionOptions& options);
 
 struct SampleSelection {
   std::vector<std::uint32_t> cells;  ///< indices into the basis' grid, in the order of choice, distinct

@@ -11,10 +11,14 @@
 /// sqrt(2 theta / pi), which resolves the highlight finely; y = (phi + pi) / (2 pi). Dupuy and Jakob 2018, section 4.
 namespace gonio {
 
+/// @param polar, azimuth of a half vector, rad.
+inline glm::dvec2 toNormalSquare(double polar, double azimuth) {
+  const double y = (azimuth + pi) / (2 * pi);
+  return {std::sqrt(polar * (2 / pi)), y - std::floor(y)};
+}
 /// @param half any length. @param turn azimuth that is subtracted, rad.
 inline glm::dvec2 toNormalSquare(const Direction& half, double turn) {
-  const double y = (azimuth(half) - turn + pi) / (2 * pi);
-  return {std::sqrt(polarAngle(half) * (2 / pi)), y - std::floor(y)};
+  return toNormalSquare(polarAngle(half), azimuth(half) - turn);
 }
 
 inline Direction fromNormalSquare(const glm::dvec2& square, double turn) {

@@ -60,11 +60,10 @@ struct BlockCoordinates {
       thetaI[i] = fastAtan2(std::sqrt(inX[i] * inX[i] + inY[i] * inY[i]), inZ[i]);
       phiI[i] = fastAtan2(inY[i], inX[i]);
       const double thetaM = fastAtan2(std::sqrt(sumX * sumX + sumY * sumY), sumZ);
-      const double y = (fastAtan2(sumY, sumX) - turned * phiI[i] + pi) / (2 * pi), sigma = (phiI[i] + pi) / (2 * pi);
-      normalX[i] = std::sqrt(thetaM * (2 / pi));
-      normalY[i] = y - std::floor(y);
-      sigmaX[i] = std::sqrt(thetaI[i] * (2 / pi));
-      sigmaY[i] = sigma - std::floor(sigma);
+      const glm::dvec2 normal = toNormalSquare(thetaM, fastAtan2(sumY, sumX) - turned * phiI[i]);
+      const glm::dvec2 sigma = toNormalSquare(thetaI[i], phiI[i]);
+      normalX[i] = normal.x, normalY[i] = normal.y;
+      sigmaX[i] = sigma.x, sigmaY[i] = sigma.y;
     }
   }
 };

@@ -59,22 +59,6 @@ std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, d
   return n;
 }
 
-/// The largest transformed value of the valid cells of a signal.
-float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
-  const Sizes sizes = modeSizes(table.grid());
-  double highest = 0;
-  Eigen::Index cell = 0;
-  for (int h = 0; h < sizes[2]; ++h)
-    for (int d = 0; d < sizes[1]; ++d) {
-      float most = 0;
-      for (int phi = 0; phi < sizes[0]; ++phi, ++cell)
-        if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
-      const double scale = scaled ? geometry.importance[1][d] * geometry.importance[2][h] : 1;
-      highest = std::max(highest, double(most) / scale);
-    }
-  return float(highest);
-}
-
 void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded,
              const EncodeOptions& options) {
   const GridDirections directions(table.grid());

@@ -3,7 +3,6 @@
 #include "core/dictionary/patch_dictionary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "core/dictionary/patch_code.h"
@@ -18,24 +17,6 @@ using Eigen::Index;
 
 constexpr DataTransform patchTransform = DataTransform::logPlus;
 constexpr int maxPerPatch = 32;
-
-/// The factor of each cell in a signal: importance is 1 along phi_d.
-Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry) {
-  Eigen::ArrayXf scales(Index(grid.size()));
-  Index cell = 0;
-  for (int h = 0; h < grid.thetaHCount; ++h)
-    for (int d = 0; d < grid.thetaDCount; ++d, cell += grid.phiDCount)
-      scales.segment(cell, grid.phiDCount).setConstant(float(geometry.importance[1][d] * geometry.importance[2][h]));
-  return scales;
-}
-
-/// Largest transformed value of a channel.
-float highestOf(const TabulatedBrdf& table, int channel) {
-  float highest = 0;
-  for (std::size_t cell = 0; cell < table.values().size(); ++cell)
-    if (table.valid()[cell] != 0) highest = std::max(highest, table.values()[cell][channel]);
-  return std::log1p(highest);
-}
 
 void checkGrid(const PatchDictionary& dictionary, const HalfDifferenceGrid& grid) {
   if (grid != dictionary.grid) throw Error("the table and the dictionary of patches have different grids");
@@ -88,11 +69,12 @@ PatchDictionary learnPatchDictionary(const TrainingMaterials& materials, const P
 SparseCode encode(const PatchDictionary& dictionary, const TabulatedBrdf& table, std::size_t coefficients,
                   const TaskControl& control) {
   checkGrid(dictionary, table.grid());
-  const auto signals = signalsOf(table, patchTransform, *GridGeometry::of(table.grid()));
+  const auto geometry = GridGeometry::of(table.grid());
+  const auto signals = signalsOf(table, patchTransform, *geometry);
   SparseCode code{.grid = table.grid(), .transform = patchTransform, .channels = {}};
   for (int c = 0; c < 3; ++c) {
     ChannelCode& channel = code.channels[std::size_t(c)];
-    channel.highest = highestOf(table, c);
+    channel.highest = highestOf(signals[std::size_t(c)], table, *geometry, true);
     const Eigen::MatrixXd patches = patchesOf(signals[std::size_t(c)], modeSizes(table.grid()), dictionary.patch);
     const PatchCode encoded =
         encodePatches(dictionary.atoms, patches, coefficients, maxPerPatch, control.between(c / 3.0, (c + 1) / 3.0));

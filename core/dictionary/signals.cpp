@@ -46,13 +46,6 @@ std::array<Eigen::ArrayXd, 3> importanceOf(const HalfDifferenceGrid& grid) {
               [&](double theta) { return -square(std::cos(theta)) * std::cos(theta); })};
 }
 
-void scale(Eigen::ArrayXf& values, const HalfDifferenceGrid& grid, const GridGeometry& geometry) {
-  Eigen::Index cell = 0;
-  for (int h = 0; h < grid.thetaHCount; ++h)
-    for (int d = 0; d < grid.thetaDCount; ++d, cell += grid.phiDCount)
-      values.segment(cell, grid.phiDCount) *= float(geometry.importance[1][d] * geometry.importance[2][h]);
-}
-
 std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
   auto geometry = std::make_shared<GridGeometry>();
   geometry->importance = importanceOf(grid);
@@ -71,6 +64,30 @@ std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
 }
 
 }  // namespace
+
+Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry) {
+  Eigen::ArrayXf scales(Eigen::Index(grid.size()));
+  Eigen::Index cell = 0;
+  for (int h = 0; h < grid.thetaHCount; ++h)
+    for (int d = 0; d < grid.thetaDCount; ++d, cell += grid.phiDCount)
+      scales.segment(cell, grid.phiDCount).setConstant(float(geometry.importance[1][d] * geometry.importance[2][h]));
+  return scales;
+}
+
+float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
+  const HalfDifferenceGrid& grid = table.grid();
+  double highest = 0;
+  Eigen::Index cell = 0;
+  for (int h = 0; h < grid.thetaHCount; ++h)
+    for (int d = 0; d < grid.thetaDCount; ++d) {
+      float most = 0;
+      for (int phi = 0; phi < grid.phiDCount; ++phi, ++cell)
+        if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
+      const double scale = scaled ? geometry.importance[1][d] * geometry.importance[2][h] : 1;
+      highest = std::max(highest, double(most) / scale);
+    }
+  return float(highest);
+}
 
 std::shared_ptr<const GridGeometry> GridGeometry::of(const HalfDifferenceGrid& grid) {
   static std::mutex mutex;
@@ -113,13 +130,14 @@ std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
   const Eigen::Index cells = Eigen::Index(table.grid().size());
   const auto interleaved =
       Eigen::Map<const Eigen::Array<float, 3, Eigen::Dynamic>>(&table.values().data()->x, 3, cells);
+  const Eigen::ArrayXf scales = scaled ? cellScales(table.grid(), geometry) : Eigen::ArrayXf();
   std::array<Eigen::ArrayXf, 3> signals;
   for (int c = 0; c < 3; ++c) {
     Eigen::ArrayXf& values = signals[std::size_t(c)];
     values = interleaved.row(c);
     dictionary::transform(values, transform, geometry.weights);
     hold(values, table);
-    if (scaled) scale(values, table.grid(), geometry);
+    if (scaled) values *= scales;
   }
   return signals;
 }

@@ -32,6 +32,11 @@ struct GridGeometry {
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
                                         const GridGeometry& geometry, bool scaled = true);
 
+/// The factor of each cell by cell scaling.
+Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry);
+/// Largest transformed value of the valid cells of a signal (without cell scaling): ChannelCode::highest.
+float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled);
+
 /// transformed() and inverseTransformed() of arrays, in place and in single precision. BRDF values are in 1/sr, >= 0.
 /// The inverse maps negative y to 0 and limits y of the logarithms to 88, so that results stay in the range of float (a
 /// code of few coefficients may overshoot).

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/documents/open_material.h"
+#include "core/materials/bundled_library.h"
 #include "core/materials/material_formats.h"
 
 namespace gonio::editing {
@@ -47,6 +48,11 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
       throw Error("found no material " + name + " to exclude from the training set");
   if (files.empty()) throw Error("no material is left in the training set");
   return files;
+}
+
+std::vector<std::string> trainingFilesOrLibrary(const std::vector<std::string>& sources,
+                                                const std::vector<std::string>& excluded) {
+  return trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded);
 }
 
 HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files) {

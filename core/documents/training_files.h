@@ -19,6 +19,10 @@ std::string trainingHelp();
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded = {});
 
+/// The same; without sources the measured and near-measured bundled materials (materials::libraryTrainingPaths()).
+std::vector<std::string> trainingFilesOrLibrary(const std::vector<std::string>& sources,
+                                                const std::vector<std::string>& excluded = {});
+
 /// The grid of the first file if it is a table, otherwise the MERL grid. All files must have it. @throws as
 /// openMaterial().
 HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files);

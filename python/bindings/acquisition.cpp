@@ -9,7 +9,6 @@
 #include "core/documents/training_files.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/bundled_basis.h"
-#include "core/materials/bundled_library.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
 #include "python/bindings/representations.h"
@@ -35,8 +34,7 @@ PyBasis readBasis(const std::string& path) {
 PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded, int components,
                    const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const auto training = editing::trainingMaterials(
-        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
+    const auto training = editing::trainingMaterials(editing::trainingFilesOrLibrary(sources, excluded));
     return PyBasis{std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
                        training.names.size(), training.load, {.maxComponents = components}, control)),
                    training.names};
@@ -58,8 +56,7 @@ py::tuple learnSeparatedBasis(const std::vector<std::string>& sources, const std
                               int components, const py::object& progress) {
   std::vector<std::string> names;
   auto learned = resultOf(progress, [&](const TaskControl& control) {
-    const auto training = editing::trainingMaterials(
-        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
+    const auto training = editing::trainingMaterials(editing::trainingFilesOrLibrary(sources, excluded));
     names = training.names;
     return dictionary::learnSeparatedComponents(training.names.size(), training.load, {.maxComponents = components},
                                                 control);
@@ -106,18 +103,14 @@ MeasurableDirections measurable(const Limits& limits) {
   return result;
 }
 
-/// In the order of SelectionMethod.
-constexpr std::array<std::string_view, 6> selectionMethods{
-    "somp", "somp-first-columns", "condition-number", "random", "uniform", "a-optimal"};
-
 py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int components, double maxPolar,
                double minSeparation, const std::vector<std::array<double, 6>>& forbidden, std::uint64_t seed,
                int restarts, const py::object& progress) {
-  const auto found = std::ranges::find(selectionMethods, method);
-  if (found == selectionMethods.end())
+  const auto found = std::ranges::find(selectionMethodNames, method);
+  if (found == selectionMethodNames.end())
     throw Error("method: found '" + method +
                 "', expected somp, somp-first-columns, condition-number, random, uniform or a-optimal");
-  const SelectionOptions options{.method = SelectionMethod(found - selectionMethods.begin()),
+  const SelectionOptions options{.method = SelectionMethod(found - selectionMethodNames.begin()),
                                  .samples = samples,
                                  .components = components,
                                  .measurable = measurable({maxPolar, minSeparation, forbidden}),

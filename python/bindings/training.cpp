@@ -8,7 +8,6 @@
 #include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/training.h"
 #include "core/documents/training_files.h"
-#include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
@@ -50,8 +49,7 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
 PyPatchDictionaryPtr learnPatches(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
                                   const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const std::vector<std::string> files =
-        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded);
+    const std::vector<std::string> files = editing::trainingFilesOrLibrary(sources, excluded);
     const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
     return std::make_shared<dictionary::PatchDictionary>(dictionary::learnPatchDictionary(training, {}, control));
   });

@@ -84,7 +84,7 @@ class MeshFileTest : public QObject {
   }
 
   /// Rows without properties take no bytes, so their count is not limited by the file.
-  void plyElementsWithoutPropertiesTakeNoTime() {
+  void plyElementsWithoutPropertiesAreSkipped() {
     const TriangleMesh mesh = read(
         "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nelement vertex 3\nproperty float x\n"
         "property float y\nproperty float z\nelement face 1\nproperty list uchar uint vertex_index\nend_header\n"
