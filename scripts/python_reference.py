@@ -46,7 +46,7 @@ CLASSES = class_nodes()
 
 
 def fields_of(item):
-    """{name: docstring} of the fields of a data class: the strings behind them."""
+    """{name: docstring} of the fields of a data class or named tuple: the strings behind them."""
     body = CLASSES[item.__name__].body
     return {node.target.id: inspect.cleandoc(text.value.value)
             for node, text in zip(body, body[1:])
@@ -93,7 +93,7 @@ def described(title, item, level):
 
 def class_text(name, item):
     parts = [described(f"class `{name}`", item, 3)]
-    fields = fields_of(item) if hasattr(item, "__dataclass_fields__") else {}
+    fields = fields_of(item) if hasattr(item, "__dataclass_fields__") or hasattr(item, "_fields") else {}
     properties = {key: inspect.getdoc(value) for key, value in vars(item).items() if isinstance(value, property) and key[0] != "_"}
     if fields or properties:
         parts.append("\n".join(f"- `{key}`: {linked(' '.join(text.split()))}" for key, text in {**fields, **properties}.items()) + "\n")

@@ -50,7 +50,7 @@ int compare(const CompareArguments& options, const Tool& tool) {
             {"samples", options.picture.samples}, {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
   if (!options.image.empty()) json["image"] = options.image;
   print(tool, json,
-        "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (" + comparisonSceneName + "), BRDF SNR " +
+        "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (comparison scene), BRDF SNR " +
             number(brdfSnr) + " dB\n" + imageErrorsText(imageErrors) + errorsText(errors));
   return 0;
 }

@@ -145,7 +145,7 @@ void addTrain(CLI::App& app, Tool& tool) {
                    "Numbers of coefficients per signal; each has its own dictionaries (32,64,128,256)")
       ->delimiter(',')
       ->check(CLI::Range(1, 65535));
-  command->add_option("--iterations", training.iterations, "Max. rounds for each number of coefficients (12)")
+  command->add_option("--iterations", training.iterations, "Max. rounds for each number of coefficients (24)")
       ->check(CLI::Range(1, 10000));
   command->add_option("--passes", training.passes, "Passes over the dictionaries per round (4)")
       ->check(CLI::Range(1, 100));

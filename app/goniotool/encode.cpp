@@ -182,7 +182,8 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->add_option(
           "--method", options->method,
           "omp: orthogonal matching pursuit; basis-pursuit: smallest L1 norm; components: principal components of "
-          "--basis; k-svd: patches over a dictionary learned from --train (omp)")
+          "--basis; k-svd: small blocks of the table (patches), each as atoms of a dictionary learned from --train "
+          "(omp)")
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
   command->add_option("--train", options->train,

@@ -88,7 +88,7 @@ PdvFactors otherFactors(const std::string& other, const FactorArguments& options
 }
 
 PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Tool& tool) {
-  const FurtherTerms further = options.keepFurther ? FurtherTerms::keep : FurtherTerms::drop;
+  const FurtherTerms further = options.keepFurther ? FurtherTerms::preserve : FurtherTerms::drop;
   if (!options.swapF1.empty())
     factors = withF1Of(factors, otherFactors(options.swapF1, options, factors, tool), further);
   if (!options.swapF2.empty())

@@ -241,7 +241,7 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
 }
 
 void addPictureOptions(CLI::App& command, FigureArguments& options) {
-  command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere-studio)");
+  command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere)");
   command.add_option("--environment", options.environment,
                      "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
   command.add_option("--size", options.size, "Size of the images, pixels (256)");

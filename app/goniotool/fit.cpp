@@ -73,8 +73,8 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   if (!trials.empty()) {
     json["gamma"] = trials[0]["gamma"];
     json["trials"] = trials;
-    heading = "gamma " + number(trials[0]["gamma"].get<double>()) + " gives the highest rendered SNR in " +
-              comparisonSceneName + "\n";
+    heading = "gamma " + number(trials[0]["gamma"].get<double>()) +
+              " gives the highest rendered SNR in the comparison scene\n";
   } else if (options.metric == metricId(metrics::BrdfMetric::gamma)) {
     json["gamma"] = options.fitOptions().gamma;
   }

@@ -24,25 +24,45 @@ struct ValueWord {
 };
 
 /// Words for texts and for lists of fixed length, by the names of their options in all commands.
-constexpr ValueWord valueWords[] = {{"baselines", "ID"},        {"basis", "FILE"},
-                                    {"checkpoint", "FILE"},     {"components-from", "FILE|FOLDER"},
-                                    {"control", "NAME=VALUE"},  {"csv", "FILE"},
-                                    {"decode", "FILE"},         {"dictionary", "FILE"},
-                                    {"directions", "FILE"},     {"environment", "NAME|FILE"},
-                                    {"exclude", "NAME"},        {"font", "NAME"},
-                                    {"forbid", "RANGES"},       {"gamma", "NUMBER|auto"},
-                                    {"image", "FILE"},          {"inset", "X Y SIZE"},
-                                    {"latex", "FILE"},          {"light", "X Y Z"},
-                                    {"material", "MATERIAL"},   {"materials", "MATERIAL"},
-                                    {"models", "ID"},           {"npf", "FILE"},
-                                    {"numbers", "ID"},          {"out", "FILE"},
-                                    {"plan", "FILE"},           {"predict", "FILE"},
-                                    {"representations", "ID"},  {"ridge", "NUMBER|auto"},
-                                    {"save", "FILE"},           {"scene", "NAME|FILE"},
-                                    {"set", "NAME=VALUE"},      {"shard", "I/N"},
-                                    {"size", "N|WIDTHxHEIGHT"}, {"swap-f1", "MATERIAL"},
-                                    {"swap-f2", "MATERIAL"},    {"train", "FILE|FOLDER"},
-                                    {"uncertainty", "FILE"},    {"values", "FILE"},
+constexpr ValueWord valueWords[] = {{"baselines", "ID"},
+                                    {"basis", "FILE"},
+                                    {"checkpoint", "FILE"},
+                                    {"components-from", "FILE|FOLDER"},
+                                    {"control", "NAME=VALUE"},
+                                    {"csv", "FILE"},
+                                    {"decode", "FILE"},
+                                    {"dictionary", "FILE"},
+                                    {"directions", "FILE"},
+                                    {"environment", "NAME|FILE"},
+                                    {"exclude", "NAME"},
+                                    {"font", "NAME"},
+                                    {"forbid", "RANGES"},
+                                    {"gamma", "NUMBER|auto"},
+                                    {"image", "FILE"},
+                                    {"inset", "X Y SIZE"},
+                                    {"latex", "FILE"},
+                                    {"light", "X Y Z"},
+                                    {"material", "MATERIAL"},
+                                    {"materials", "MATERIAL"},
+                                    {"models", "ID"},
+                                    {"npf", "FILE"},
+                                    {"numbers", "ID"},
+                                    {"out", "FILE"},
+                                    {"patches-from", "FILE|FOLDER"},
+                                    {"plan", "FILE"},
+                                    {"predict", "FILE"},
+                                    {"representations", "ID"},
+                                    {"ridge", "NUMBER|auto"},
+                                    {"save", "FILE"},
+                                    {"scene", "NAME|FILE"},
+                                    {"set", "NAME=VALUE"},
+                                    {"shard", "I/N"},
+                                    {"size", "N|WIDTHxHEIGHT"},
+                                    {"swap-f1", "MATERIAL"},
+                                    {"swap-f2", "MATERIAL"},
+                                    {"train", "FILE|FOLDER"},
+                                    {"uncertainty", "FILE"},
+                                    {"values", "FILE"},
                                     {"weights", "FILE"}};
 
 /// Breaks lines at spaces; only a longer word exceeds `columns`.
@@ -124,7 +144,11 @@ std::string formatsText() {
       known->second += ", " + std::string(format.label);
   }
   std::string text;
-  for (const auto& [suffix, labels] : suffixes) text += (text.empty() ? "" : ", ") + suffix + " (" + labels + ")";
+  for (auto& [suffix, labels] : suffixes) {
+    // As an image; not in the table of formats, since environments have the same suffix.
+    if (labels == materials::formatOf(materials::FormatId::utia).label) suffix += " or .exr";
+    text += (text.empty() ? "" : ", ") + suffix + " (" + labels + ")";
+  }
   return text;
 }
 

@@ -48,11 +48,15 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
       ->check(CLI::IsMember(namesOf(acquisition::factorAxesNames)));
   command
       .add_option("--fixed-angle", options->fixedDegrees,
-                  "Angle at which the curve across the mirror direction is measured, degrees (60)")
+                  "Angle (theta_R, theta_d or theta_o, the first axis) at which the readings around the mirror "
+                  "direction are taken, degrees (60)")
       ->check(CLI::Range(0.0, 89.9));
-  command.add_option("--angles", options->angles, "Number of readings along the mirror direction (90)")
+  command
+      .add_option("--angles", options->angles, "Number of readings in the mirror direction, one for each angle (90)")
       ->check(CLI::Range(2, 2000));
-  command.add_option("--distances", options->distances, "Number of readings across the mirror direction (90)")
+  command
+      .add_option("--distances", options->distances,
+                  "Number of readings at different distances from the mirror direction (90)")
       ->check(CLI::Range(2, 2000));
   command.add_option("--max-polar", options->maxPolarDegrees, "Max. polar angle of both arms, degrees (89)")
       ->check(CLI::Range(0.1, 89.9));
@@ -63,8 +67,9 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
                      outputHelp("File to write: the predicted material") + ", or its factors (.pdv)");
   command
       .add_option("--bound", options->bound,
-                  "Upper bound of the prediction: readings or none. With readings, the prediction exceeds neither the "
-                  "larger of the two nearest readings nor the prediction with light and viewer exchanged (readings)")
+                  "Upper bound of the prediction: readings or none. With readings, the prediction is at most the "
+                  "larger of two interpolated readings, that in the mirror direction at the same angle and that around "
+                  "it at the same distance, and at most the prediction with light and viewer exchanged (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 
@@ -96,9 +101,12 @@ void addMeasure(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp);
   command->add_option("--plan", options->plan, "CSV file of a plan, see goniotool plan");
   command->add_option("--out", options->out,
-                      "CSV file to write: index and r, g, b in 1/sr; with --factors also the directions");
+                      "CSV file to write: index and r, g, b in 1/sr; with --factors also the directions; with noise "
+                      "also its standard deviations");
   addFactorsOptions(*command, factors);
-  command->add_option("--noise", options->noise.relative, "Relative standard deviation of a reading (0)")
+  command
+      ->add_option("--noise", options->noise.relative,
+                   "Standard deviation of a reading as a fraction of its value; 0.01 is 1 % (0)")
       ->check(CLI::Range(0.0, 100.0));
   command
       ->add_option("--floor", options->noise.absolute,

@@ -110,10 +110,12 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
             {"blocked", readings.plan.blocked},
             {"bound", options.bound},
             {"support", supportJson(curves, support)}};
-  std::string text = std::to_string(curves.angles.size()) + " readings along the mirror direction, " +
-                     std::to_string(curves.distances.size()) + " across it at " + number(degrees(curves.fixedAngle)) +
+  std::string text = std::to_string(curves.angles.size()) + " readings in the mirror direction, " +
+                     std::to_string(curves.distances.size()) + " around it at " + number(degrees(curves.fixedAngle)) +
                      " degrees";
-  text += readings.plan.blocked > 0 ? ", " + std::to_string(readings.plan.blocked) + " obstructed\n" : "\n";
+  text += readings.plan.blocked > 0
+              ? ", " + std::to_string(readings.plan.blocked) + " left out (unreachable by the rig)\n"
+              : "\n";
   if (!options.predict.empty()) writePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
     const auto table = material->tabulated(tool.control("tabulating"));

@@ -24,7 +24,8 @@ struct PictureOptions {
   std::uint64_t seed = 1;
   bool showEnvironment = false, blurBackground = false;
 
-  /// Replaces all lights of the scene by the distant light, or its environment by the environment, if given.
+  /// With `light`, replaces all lights of the scene by this distant light. Otherwise replaces its environment by
+  /// `environment` if that is not empty, and applies rotation and background.
   /// @throws Error if the environment is neither bundled nor a readable picture; UsageError for other invalid options.
   void apply(Scene& scene) const;
   /// @throws UsageError if the size cannot be parsed.

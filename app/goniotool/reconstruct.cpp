@@ -162,8 +162,9 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--values", options->values, "CSV file of the measured values")->required();
   command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
   CLI::Option* basis = command->add_option("--basis", options->basis, "Basis file (the one beside the plan)");
-  CLI::Option* train =
-      command->add_option("--train", options->train, trainingSetHelp("Training set instead of the basis"));
+  CLI::Option* train = command->add_option(
+      "--train", options->train,
+      trainingSetHelp("Training set instead of the basis") + "; required by the method dictionaries");
   train->excludes(basis);
   command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
       ->delimiter(',')
@@ -171,14 +172,14 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--method", options->method,
-          "Method: local-ridge, ridge, sparse or dictionaries (local-ridge; ridge with --ridge or --equal-noise)")
+          "Method: local-ridge, ridge or sparse, over the principal components of the basis; or dictionaries, over the "
+          "atoms of --dictionary (needs --train) (local-ridge; ridge with --ridge or --equal-noise)")
       ->check(CLI::IsMember(reconstructionMethods()));
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary file of the method dictionaries (bundled dictionary)");
-  command->add_option(
-      "--ridge", options->ridge,
-      "Weight of the regularisation of --method ridge: a number (40 in the publication) or auto, chosen by "
-      "leave-one-out (auto)");
+  command->add_option("--ridge", options->ridge,
+                      "Weight of the regularisation of --method ridge: a number (40 in Tongbuasirilai 2023, eq. 5.14) "
+                      "or auto, chosen by leave-one-out (auto)");
   command
       ->add_option("--components", reconstruction.components,
                    "Number of components (all of the basis; with --train as many as samples)")

@@ -88,8 +88,8 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
     text += std::string("  sampling ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; equal-time error (time of 'both') " + number(100 * cost.equalTimeError) +
-            " %; equal-error time (error of 'both') " + number(cost.equalErrorTime) + " s\n";
+            number(100 * cost.error) + " %; estimated: error " + number(100 * cost.equalTimeError) +
+            " % in the time of 'both', " + number(cost.equalErrorTime) + " s to the error of 'both'\n";
   }
   json["strategies"] = list;
 }

@@ -250,16 +250,16 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->check(CLI::Range(1, factorization::maxPdvTerms));
   command
-      ->add_option("--coefficients", options->choice.coefficients,
-                   "Coefficients per channel of the codes, also of patches (powers of two from 32 to 2048)")
+      ->add_option(
+          "--coefficients", options->choice.coefficients,
+          "Coefficients per channel of the sparse codes and of the codes of patches (powers of two from 32 to 2048)")
       ->delimiter(',')
       ->check(CLI::Range(1, maxCodeCoefficients));
   command
-      ->add_option(
-          "--dictionary", options->dictionaries,
-          "Dictionary file of the codes, repeatable; a single one is used for all materials, even for those that it "
-          "was trained on; of several, each material is encoded with the first that was not trained on it (bundled "
-          "dictionary)")
+      ->add_option("--dictionary", options->dictionaries,
+                   "Dictionary file of the codes, repeatable. One file is used for all materials, even those that it "
+                   "was trained on. With several files, each material is encoded with the first one that was not "
+                   "trained on it (bundled dictionary)")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
@@ -267,8 +267,9 @@ void addStudy(CLI::App& app, Tool& tool) {
                    trainingSetHelp("Training set of the principal components") + " (none)")
       ->delimiter(',');
   command
-      ->add_option("--patches-from", options->patchesFrom,
-                   trainingSetHelp("Training set of a dictionary of patches (K-SVD)") + " (none)")
+      ->add_option(
+          "--patches-from", options->patchesFrom,
+          trainingSetHelp("Training set of a dictionary of patches (blocks of cells of the table, K-SVD)") + " (none)")
       ->delimiter(',');
   command->add_flag("--separate", options->choice.separatedComponents,
                     "Also measure components of the separated diffuse and specular parts (Sun et al. 2018)");

@@ -30,8 +30,8 @@ void writeShard(const std::filesystem::path& folder, const Shard& shard, const s
                 const StudyFacts& facts);
 
 /// The results of all materials, in the order of the study.
-/// @throws Error that names the folder or file if a shard is incomplete, missing, given twice or of another study, or
-/// if the result of a material is missing or of another study.
+/// @throws Error that names the folder or file if a shard is incomplete, missing, given twice or belongs to another
+/// study, or if the result of a material is missing or belongs to another study.
 std::vector<StoredStudy> joinShards(const std::vector<std::string>& folders);
 
 }  // namespace gonio::tool

@@ -12,8 +12,8 @@ namespace gonio::acquisition {
 
 struct AOptimalSelection {
   std::vector<std::size_t> rows;  ///< of the mapping, in the order of choice
-  /// Square root of the expected variance of all cells, relative to that before the first sample, before the first
-  /// choice and after each.
+  /// Before the first choice and after each: the square root of the expected variance, summed over all cells, relative
+  /// to its value before the first choice (so the first entry is 1).
   std::vector<double> residuals;
 };
 

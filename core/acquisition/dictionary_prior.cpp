@@ -54,7 +54,14 @@ ProjectedSignals projected(const TrainingMaterials& materials, DataTransform tra
   };
   ProjectedSignals result;
   result.subspace = findSharedSubspace(watched, options, maxLoss, control.between(0, 0.4));
-  result.signals = projectOnto(result.subspace, materials, options, control.between(0.4, 0.8));
+  result.signals.resize(Eigen::Index(count(result.subspace.ranks)),
+                        Eigen::Index(materials.names.size() * options.signalsPerMaterial()));
+  forEachProjection(
+      result.subspace, materials, options,
+      [&](std::size_t signal, std::span<const float> block) {
+        std::copy(block.begin(), block.end(), result.signals.col(Eigen::Index(signal)).begin());
+      },
+      control.between(0.4, 0.8));
   result.highest = *std::max_element(highest.begin(), highest.end());
   result.energy = result.signals.cast<double>().squaredNorm() / (1 - result.subspace.loss);
   for (int mode = 0; mode < 3; ++mode) {
@@ -120,7 +127,7 @@ Eigen::MatrixXd keptEnergies(const Ensemble& ensemble, const ProjectedSignals& s
         std::vector<Coefficient<float>> largest;
         for (Eigen::Index s = 0; s < kept.rows(); ++s) {
           control.throwIfStopped();
-          keepLargest(analysis.coefficients(s), choiceCoefficients, largest);
+          selectLargest(analysis.coefficients(s), choiceCoefficients, largest);
           // In an order of their own, so that the sum does not depend on how they were found.
           std::sort(largest.begin(), largest.end(), isLarger<float>);
           kept(s, Eigen::Index(d)) = energy(std::span<const Coefficient<float>>(largest));
@@ -143,7 +150,7 @@ CoefficientPrior priorOf(const Dictionary& dictionary, const ProjectedSignals& s
     squares += weights[s] * values.square();
   }
   std::vector<Coefficient<double>> kept;
-  keepLargest(std::span<const double>(squares.data(), std::size_t(squares.size())), atoms, kept);
+  selectLargest(std::span<const double>(squares.data(), std::size_t(squares.size())), atoms, kept);
   std::sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   CoefficientPrior prior;
   prior.means.resize(Eigen::Index(kept.size()));

@@ -35,16 +35,16 @@ struct DictionaryReconstruction {
 };
 
 /// Gaussian process regression with a kernel that consists of the atoms. A scaled signal is z(x) = sum_k c_k a_k(x),
-/// with independent c_k of mean mu_k and variance v sigma_k^2; a sample measures z with noise of variance v n. With A
-/// the atoms at the samples' nodes, the posterior mean is
+/// with independent c_k of mean mu_k and variance v sigma_k^2; a sample measures z with noise of variance v n, n =
+/// DictionaryReconstruction::noise times restVariance. With A the atoms at the samples' nodes, the posterior mean is
 ///
 ///     c = mu + S A^T (A S A^T + n I)^-1 (z - A mu),   S = diag(sigma_k^2),
 ///
 /// computed for the three channels by one decomposition of a samples x samples matrix per dictionary. The common scale
-/// v does not affect c; the evidence uses its most likely value. Where standard deviations of the values are known,
-/// they add to each sample's noise as in reconstruct(), in addition to noise of variance restVariance. Among equally
-/// good dictionaries the first is chosen. Atoms are evaluated at the samples only: O(dictionaries samples^2 atoms),
-/// then decode().
+/// v does not affect c; the evidence uses its most likely value. Where the standard deviations of the values are
+/// known, n of a sample is `noise` times (restVariance + s^2), with s the standard deviation of its scaled transformed
+/// value (root mean square of the channels). Among equally good dictionaries the first is chosen. Atoms are evaluated
+/// at the samples only: O(dictionaries samples^2 atoms), then decode().
 /// @throws Error as reconstruct(), and if the prior belongs to another ensemble.
 DictionaryReconstruction reconstructInDictionaries(const dictionary::Ensemble& ensemble, const DictionaryPrior& prior,
                                                    const SamplingPlan& plan, const MeasuredValues& values,

@@ -36,8 +36,8 @@ std::vector<Reading> readingsOf(const FactorPlan& plan, const MeasuredValues& va
         {plan.plan.samples[i].index, toFactorCoordinates(plan.axes, plan.plan.samples[i].directions), z});
   }
   if (readings.empty())
-    throw Error("found no reading " + std::string(factorCurveNames[std::size_t(curve)]) +
-                " the mirror direction, expected one or more");
+    throw Error("found no reading of the curve \"" + std::string(factorCurveNames[std::size_t(curve)]) +
+                "\", expected one or more");
   return readings;
 }
 
@@ -52,7 +52,7 @@ void sortBy(double FactorCoordinates::*coordinate, std::vector<Reading>& reading
                 std::to_string(same->index) + ", expected each position once");
 }
 
-/// The angle of the readings across, that of the one nearest to the mirror direction.
+/// The angle of the `across` readings: that of the one nearest to the mirror direction.
 double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
   // theta_d of a reading beside the mirror direction is not the fixed angle: theta_R is.
   const FactorAxes axes = plan.axes == FactorAxes::symmetricDeviation ? FactorAxes::projectedDeviation : plan.axes;
@@ -64,7 +64,7 @@ double checkAcross(const FactorPlan& plan, const std::vector<Reading>& across) {
   for (const Reading& reading : across)
     if (const double angle = angleOf(reading); std::abs(angle - fixed) > placeTolerance)
       throw Error(sampleText(reading) + "found the angle " + io::decimalText(degrees(angle), 2) +
-                  " degrees on the curve across the mirror direction, expected " + io::decimalText(degrees(fixed), 2) +
+                  " degrees on the curve \"across\", expected " + io::decimalText(degrees(fixed), 2) +
                   ", as in sample " + std::to_string(across.front().index));
   return fixed;
 }
@@ -73,14 +73,14 @@ void checkAlong(const std::vector<Reading>& along) {
   for (const Reading& reading : along)
     if (reading.place.distance > placeTolerance)
       throw Error(sampleText(reading) + "found the distance " + io::decimalText(reading.place.distance, 4) +
-                  " from the mirror direction on the curve along it, expected 0");
+                  " from the mirror direction on the curve \"along\", expected 0");
 }
 
 void store(std::array<std::vector<double>, 3>& curves, const Rgb& z) {
   for (int channel = 0; channel < 3; ++channel) curves[std::size_t(channel)].push_back(z[channel]);
 }
 
-/// The curve along of one channel as a function.
+/// The `along` curve of one channel as a function.
 class Along {
  public:
   Along(const FactorMeasurement& m, std::size_t channel)
@@ -92,14 +92,14 @@ class Along {
   std::vector<double> slopes_;
 };
 
-/// z_m1: the reading in the mirror direction at the fixed angle; without it the curve along, or the nearest reading.
+/// z_m1: the reading in the mirror direction at the fixed angle; without it the `along` curve, or the nearest reading.
 double scaleOf(const FactorMeasurement& m, std::size_t channel) {
   const bool isRead = m.distances.front() <= placeTolerance;
   const bool isAlong = m.fixedAngle >= m.angles.front() && m.fixedAngle <= m.angles.back();
   return isRead || !isAlong ? m.across[channel].front() : Along(m, channel)(m.fixedAngle);
 }
 
-/// Divides the curve across by z_m1.
+/// Divides the `across` curve by z_m1.
 void normalise(FactorMeasurement& m) {
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double scale = scaleOf(m, channel);
@@ -111,7 +111,7 @@ void normalise(FactorMeasurement& m) {
   }
 }
 
-/// Removes from the curve across the change that is due to theta_d, which differs from the fixed angle beside the
+/// Removes from the `across` curve the change that is due to theta_d, which differs from the fixed angle beside the
 /// mirror direction.
 void divideByDifference(FactorMeasurement& m, const std::vector<Reading>& across) {
   for (std::size_t channel = 0; channel < 3; ++channel) {

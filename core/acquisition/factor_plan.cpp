@@ -61,8 +61,9 @@ FactorPlan planFactors(const FactorPlanOptions& options) {
     plan(FactorCurve::across, {options.fixedAngle, last * fraction * fraction}, options, result);
   }
   if (along == 0 || along == result.curves.size())
-    throw Error("factor measurement: the arms or the horizon obstruct all readings of the curve " +
-                std::string(along == 0 ? "along" : "across") + " the mirror direction");
+    throw Error("factor measurement: the rig reaches no reading of the curve \"" +
+                std::string(factorCurveNames[std::size_t(along == 0 ? FactorCurve::along : FactorCurve::across)]) +
+                "\": each is below the horizon, beyond the maximum polar angle or obstructed by the other arm");
   return result;
 }
 

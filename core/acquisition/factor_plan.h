@@ -45,7 +45,7 @@ struct FactorPlan {
 
 /// The pairs of directions to measure. The `across` curve starts with the mirror direction at the fixed angle.
 /// O(angles + distances).
-/// @throws Error if an option is out of range, or a curve has no reading that the arms do not obstruct.
+/// @throws Error if an option is out of range, or the rig reaches no reading of a curve.
 FactorPlan planFactors(const FactorPlanOptions& options = {});
 
 /// The text of SamplingPlan::method for a factor measurement, e.g. "factors, half-out"; and its inverse, which is empty
@@ -53,9 +53,9 @@ FactorPlan planFactors(const FactorPlanOptions& options = {});
 std::string factorMethod(FactorAxes axes);
 std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 
-/// The value of FactorPlanOptions::angles for which planFactors() gives these `along` angles: their number plus, if
-/// they are evenly spaced, the number of readings that it leaves out between 0 and the first of them. @param angles
-/// increasing, rad.
+/// The value of FactorPlanOptions::angles with which planFactors() gives these `along` angles: their number. If they
+/// are evenly spaced, the readings that planFactors() leaves out below the first angle, where one arm occludes the
+/// other, count too. @param angles increasing, rad.
 int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

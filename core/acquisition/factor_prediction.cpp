@@ -29,7 +29,7 @@ class PredictedBrdf final : public Brdf {
   bool isReciprocal() const override { return bound_ == FactorBound::readings || areReciprocal(m_.axes); }
 
   struct Product {
-    Rgb z, limit;  ///< of ln(1 + rho): the product without bound, the larger one of the nearest readings
+    Rgb z, limit;  ///< of ln(1 + rho): the product without bound, the larger of the two interpolated readings
   };
   Product product(const DirectionPair& pair) const {
     const FactorCoordinates at = toFactorCoordinates(m_.axes, pair);
@@ -38,7 +38,7 @@ class PredictedBrdf final : public Brdf {
       const double along = evaluateMonotoneCubic(m_.angles, m_.along[c], alongSlopes_[c], at.angle);
       const double read = evaluateMonotoneCubic(m_.distances, m_.acrossRead[c], readSlopes_[c], at.distance);
       result.z[int(c)] = along * evaluateMonotoneCubic(m_.distances, m_.across[c], acrossSlopes_[c], at.distance);
-      // The curve along of an unscaled channel is not its readings.
+      // The `along` curve of an unscaled channel is not its readings.
       result.limit[int(c)] = m_.unscaled[c] ? read : std::max(along, read);
     }
     return result;
@@ -99,7 +99,7 @@ void addFractions(const FactorMeasurement& m, FactorSupport& support) {
 
 std::string percent(double fraction) { return std::to_string(int(std::lround(100 * fraction))) + " %"; }
 
-/// Whether the second reading across is already below half of the first, in the channel with the largest reading.
+/// Whether the second `across` reading is already below half of the first, in the channel with the largest reading.
 bool isHighlightMissed(const FactorMeasurement& m) {
   const auto brightest = std::size_t(std::ranges::max_element(m.highest) - m.highest.begin());
   const std::vector<double>& across = m.across[brightest];
@@ -125,15 +125,13 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
         "at the same angle and at the same distance.");
   if (isHighlightMissed(m))
     support.warnings.push_back(
-        "The highlight is narrower than the spacing of the readings across it. Use more readings across the mirror "
-        "direction.");
+        "The highlight is narrower than the spacing of its readings. Use more readings around the mirror direction.");
   constexpr std::array names{"red", "green", "blue"};
   for (std::size_t c = 0; c < 3; ++c)
     if (m.unscaled[c] && m.highest[c] > 0)
-      support.warnings.push_back(
-          std::string("Unreliable in ") + names[c] +
-          ": the mirror direction is black at the fixed angle, so the curve across the mirror direction is used for "
-          "all angles. Use another fixed angle.");
+      support.warnings.push_back(std::string("Unreliable in ") + names[c] +
+                                 ": the mirror direction is black at the fixed angle, so the readings around the "
+                                 "mirror direction are used for all angles. Use another fixed angle.");
 }
 
 /// Curves from 0: the first value is constant down to there.

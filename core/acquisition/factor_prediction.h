@@ -13,7 +13,7 @@ namespace gonio::acquisition {
 
 /// Upper bound of the predicted values.
 enum class FactorBound {
-  /// The prediction is at most the larger of the two nearest readings (z_i1 at the same angle, z_mj at the same
+  /// The prediction is at most the larger of two interpolated readings (z_i1 at the same angle, z_mj at the same
   /// distance), and at most the prediction for the exchanged pair. Reason: a measured material is reciprocal, so the
   /// `across` readings, taken with the viewer at the fixed angle, are also readings for every other angle of the viewer
   /// with the light at the fixed angle. A product of curves over theta_R or theta_o contradicts them where the `along`
@@ -38,7 +38,7 @@ std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurem
 struct FactorSupport {
   double contradicted = 0;  ///< exchanging light and viewer changes the unbounded prediction by more than a factor of 2
   double extrapolated = 0;  ///< outside the readings: the last reading of a curve is used
-  double bounded = 0;  ///< the unbounded prediction exceeds both of the nearest readings by more than a factor of 2
+  double bounded = 0;  ///< the unbounded prediction exceeds both readings of FactorBound::readings more than twofold
   /// Sentences for the user: where and why the prediction is unreliable; empty if nothing speaks against it. An empty
   /// list does not prove that the material is a product of two curves.
   std::vector<std::string> warnings;

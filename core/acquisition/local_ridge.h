@@ -13,22 +13,24 @@
 ///
 /// The distance of a training signal is the mean square, over the samples, of its difference from the readings, divided
 /// by the variance of the training signals (and of known noise). Its weight is max(exp(-(distance - smallest distance)
-/// / (2 h^2)), 0.005): the lower bound keeps a part of the whole training set for materials that resemble none. Given
-/// these weights the coefficients are those of a ridge regression with noise of variance s^2 in all samples.
+/// / (2 h^2)), 0.005): because of the lower bound every training signal contributes, which helps if the material
+/// resembles none of them. Given these weights the coefficients are those of a ridge regression with additional noise
+/// of variance s^2 in all samples.
 ///
-/// h and s^2 are not chosen: the result is the mean over their values (h from 0.11 to infinity, which is the ridge
-/// regression over all signals), each with the weight E^(-m/2), where E is the squared error of the prediction of
-/// samples from the others (of which also the distances are computed), and m the number of samples. With more than 40
-/// samples they are left out in 40 groups.
+/// No single pair of h and s^2 is chosen: the result is the weighted mean of the regressions for several values of h
+/// (0.11 to infinity; infinity gives the ridge regression over all signals) and of s^2. The weight of a pair is
+/// E^(-m/2), where m is the number of samples and E the squared error when each sample is predicted from the others;
+/// the distances are then computed from those others, too. More than 40 samples are left out in 40 groups instead of
+/// one by one.
 namespace gonio::acquisition {
 
 struct LocalRidge {
   Eigen::MatrixXd coefficients;  ///< of D = U Sigma: components x channels
-  /// s^2 of the combination with the largest weight, relative to the variance of a coefficient over the training set,
-  /// as eta of the ridge.
+  /// s^2 of the pair with the largest weight, relative to the variance of a coefficient over the training set, as eta
+  /// of the ridge.
   double ridge = 0;
-  double leaveOneOutError = 0;  ///< of that combination: root mean square over samples and channels
-  /// F with F F^T the covariance of the coefficients given the samples, in that combination, mean of the channels.
+  double leaveOneOutError = 0;  ///< of that pair: root mean square over samples and channels
+  /// F with F F^T the covariance of the coefficients given the samples, for that pair, mean of the channels.
   Eigen::MatrixXd posteriorFactor;
   /// Ratio of the squared differences that were found to those that this covariance predicts; 1 if all noise is known.
   double scale = 1;

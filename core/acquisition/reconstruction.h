@@ -37,7 +37,8 @@ struct ReconstructionOptions {
                        ///< the basis has: all
   int atoms = 0;  ///< `sparse` only: components per channel; 0: chosen by leave-one-out, at most half the number of
                   ///< samples
-  std::optional<double> noise;  ///< standard deviation of a mapped value, for `standardDeviation`; if empty, estimated
+  std::optional<double> noise;  ///< `ridge` only: standard deviation of a mapped value, for `standardDeviation`; if
+                                ///< empty, estimated
   bool uncertainty = true;      ///< whether to compute `standardDeviation`
   /// Whether all samples have the same weight, as in eq. 5.14 as printed: the ridge is eta alone, without the
   /// components that are not used and without the standard deviations of the values.
@@ -56,17 +57,20 @@ struct Reconstruction {
   double ridge = 0;                ///< eta that was used (LocalRidge::ridge); 0 for `sparse`
   int components = 0;              ///< number of components used
   /// Root mean squared difference between each mapped value and its prediction from all other samples (`ridge` with a
-  /// finite eta > 0): the error to expect at a cell that resembles the measured ones. NaN for one sample, and for
-  /// `sparse`.
+  /// finite eta > 0; `localRidge`: LocalRidge::leaveOneOutError): the error to expect at a cell that resembles the
+  /// measured ones. NaN for one sample, and for `sparse`.
   double leaveOneOutError = 0;
-  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells (not for `sparse`), under the
-  /// Gaussian model in which the coefficients of the ridge are the most likely ones. In this model all coefficients,
-  /// also of components that are not used and of what the basis leaves out, have variance v, and a sample has
-  /// additional noise of variance eta v. v is noise^2 / eta if `noise` was given (and eta > 0, finite). Otherwise v is
-  /// the most likely value given the samples of all channels and one more value with the training set's own variance
-  /// 1/t; each sample counts by the fraction of its noise that is not known, so that very large known noise gives the
-  /// deviation of the training set. Components that are not used are independent from cell to cell: samples carry no
-  /// information about them. A change of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
+  /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells; empty for `sparse`. A change
+  /// of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
+  ///
+  /// `localRidge`: from LocalRidge::posteriorFactor and LocalRidge::scale. `ridge`: under the Gaussian model in which
+  /// the coefficients of the ridge are the most likely ones. All coefficients have variance v, including those of
+  /// components that are not used and of what the basis leaves out; a sample has additional noise of variance eta v. If
+  /// `noise` is given (and eta > 0, finite), v = noise^2 / eta. Otherwise v is estimated as the most likely value given
+  /// the samples of all channels and one additional value with the variance 1/t of the training set; if eta is
+  /// infinite, v = 1/t. Each sample counts by the fraction of its noise that is not known, so if known noise dominates,
+  /// v is that of the training set. Components that are not used are independent from cell to cell: samples carry no
+  /// information about them.
   std::vector<float> standardDeviation;
 };
 

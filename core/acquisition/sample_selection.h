@@ -31,20 +31,21 @@ enum class SelectionMethod {
 inline constexpr std::array<std::string_view, 6> selectionMethodNames{
     "somp", "somp-first-columns", "condition-number", "random", "uniform", "a-optimal"};
 
+/// Minimum number of components of aOptimal if SelectionOptions::components is 0.
 inline constexpr int aOptimalComponents = 30;
 
 struct SelectionOptions {
   SelectionMethod method = SelectionMethod::simultaneousPursuit;
   int samples = 20;  ///< number of samples m
-  /// p, for the pursuits and aOptimal, at most those of the basis; 0: as many as samples, for aOptimal at least
-  /// aOptimalComponents.
+  /// Number p of components for the pursuits and aOptimal; limited to the number in the basis. 0: as many as samples,
+  /// but for aOptimal at least aOptimalComponents.
   int components = 0;
   MeasurableDirections measurable;
   std::uint64_t seed = 1;  ///< for conditionNumber and random
   int restarts = 5;        ///< for conditionNumber: searches from random starts; the best one is used
 };
 
-/// Number of components that the pursuits and aOptimal use of a basis that has as many.
+/// Number p of components that the pursuits and aOptimal use, before it is limited to the number in the basis.
 int usedComponents(const SelectionOptions& options);
 
 struct SampleSelection {

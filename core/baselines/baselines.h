@@ -11,7 +11,8 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/support/task_control.h"
 
-/// Factorisations from the literature, for comparison with the PDV factors at an equal number of bytes.
+/// Compact representations from the literature (factorisations, a bivariate table, a cosine series, a Gaussian
+/// process), for comparison with the PDV factors at an equal number of bytes.
 namespace gonio::factorization {
 
 struct ComparedModel {

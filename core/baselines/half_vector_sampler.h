@@ -32,10 +32,10 @@ class LinearDensity {
 /// curves. Lawrence, Rusinkiewicz and Ramamoorthi 2004, "Efficient BRDF Importance Sampling Using a Factored
 /// Representation", section 4. Samples with a reflected direction below the horizon fail (density 0).
 ///
-/// Derived here: curves are linear in cos theta_h and in phi_h between their nodes, so that the density is exactly that
-/// of the samples; a tenth of the samples is cosine-weighted, as for PDV factors, so that the density is positive
-/// beyond the last node of theta_h too; all of them where all products are 0; for a viewer along the normal, which has
-/// no azimuth, phi_h is uniform. Immutable.
+/// Differences from the paper: curves are linear in cos theta_h and in phi_h between their nodes, so that the density
+/// is exactly that of the samples. A tenth of the samples is cosine-weighted, as for PDV factors, so that the density
+/// is also positive beyond the last node of theta_h; where all products are 0, all samples are. A viewer along the
+/// normal has no azimuth, so phi_h is uniform. Immutable.
 class HalfVectorSampler {
  public:
   struct Product {

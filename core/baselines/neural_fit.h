@@ -27,9 +27,9 @@ struct NeuralFit {
 };
 
 /// Trains a network to reproduce a material: Adam (Kingma and Ba 2015) on random batches of `samples` pairs of
-/// directions, stratified in half-difference angles with theta_h = u^2 pi / 2 like the rows of a MERL table. One
-/// thread, after the material was read. Deterministic for a seed. 33 MB. @throws Error if an option is not positive or
-/// no direction has data; Cancelled.
+/// directions, stratified in half-difference angles with theta_h = u^2 pi / 2 like the rows of a MERL table.
+/// Evaluates the material in parallel, then trains on one thread. Deterministic for a seed. 33 MB. @throws Error if an
+/// option is not positive or no direction has data; Cancelled.
 NeuralFit fitNeural(const Brdf& material, const NeuralFitOptions& options = {}, const TaskControl& control = {});
 
 }  // namespace gonio::neural

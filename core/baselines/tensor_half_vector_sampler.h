@@ -16,10 +16,10 @@ namespace gonio::factorization {
 /// The method of Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor Decomposition", for
 /// isotropic materials. Samples with a reflected direction below the horizon fail (density 0).
 ///
-/// Derived here: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around theta_o is
-/// chosen at random with the weights of linear interpolation, so that the density is exactly that of the samples; a
-/// tenth of the samples is cosine-weighted, as for PDV factors, all of them where g is 0; half vectors about a viewer
-/// along the normal are uniform in phi_h. Immutable. 32 bytes per node.
+/// Differences from the paper: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around
+/// theta_o is chosen at random with the weights of linear interpolation, so that the density is exactly that of the
+/// samples. A tenth of the samples is cosine-weighted, as for PDV factors; where g is 0, all samples are. For a viewer
+/// along the normal, half vectors are uniform in phi_h. Immutable. 32 bytes per node.
 class TensorHalfVectorSampler {
  public:
   /// @param density g per solid angle of the half vector, >= 0, in the order of axes.index().

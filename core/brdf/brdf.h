@@ -17,9 +17,9 @@ class Brdf {
  public:
   virtual ~Brdf() = default;
 
-  /// Evaluates pairs.size() pairs into `values` (same size). Pairs with a direction below the horizon or without a half
-  /// vector give 0 in BRDFs over half-vector coordinates. Values are finite. A channel is negative only where a
-  /// measurement contains a colour outside the sRGB gamut (RglBrdf), and in the results of
+  /// Evaluates pairs.size() pairs into `values` (same size). Pairs with a direction below the horizon give 0; in BRDFs
+  /// over half-vector coordinates, pairs without a half vector (wi = -wo) do too. Values are finite. A channel is
+  /// negative only where a measurement contains a colour outside the sRGB gamut (RglBrdf), and in the results of
   /// models::Model::instantiateUnclamped() and editing::applyEditsUnclamped(): set it to 0 before a logarithm or root.
   virtual void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const = 0;
 

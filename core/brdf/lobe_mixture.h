@@ -62,10 +62,10 @@ class LobeMixture {
       : fractions_(fractions), lobes_(lobes...) {}
 
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
-    Direction wi = drawn<0>(wo, u.x, {u.y, u.z});
+    Direction wi = sampleLobe<0>(wo, u.x, {u.y, u.z});
     if (wi == Direction(0)) return {{0, 0, 1}, 0};
     // Moves a sample on the horizon up by a negligible amount, so that its density is positive.
-    wi.z = std::max(std::abs(wi.z), smallestCosine);
+    wi.z = std::max(std::abs(wi.z), minCosine);
     return {wi, pdf(wi, wo)};
   }
 
@@ -76,12 +76,12 @@ class LobeMixture {
   }
 
  private:
-  static constexpr double smallestCosine = 1e-9;
+  static constexpr double minCosine = 1e-9;
 
   template <std::size_t index>
-  Direction drawn(const Direction& wo, double which, const glm::dvec2& u) const {
+  Direction sampleLobe(const Direction& wo, double which, const glm::dvec2& u) const {
     if constexpr (index + 1 < sizeof...(Lobes))
-      if (!(which < fractions_[index])) return drawn<index + 1>(wo, which - fractions_[index], u);
+      if (!(which < fractions_[index])) return sampleLobe<index + 1>(wo, which - fractions_[index], u);
     return std::get<index>(lobes_).sample(wo, u);
   }
 

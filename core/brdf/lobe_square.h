@@ -36,10 +36,10 @@ inline Direction fromLobeSquare(const glm::dvec2& square, const glm::dvec2& axis
 /// angle between the half vector and either direction.
 inline double lobeSquarePerSolidAngle(double x, double cosD) {
   // The stretch falls below this bound only within about 1e-18 rad of the pole, where nothing is sampled.
-  constexpr double smallest = 1e-30;
+  constexpr double minStretch = 1e-30;
   const double x2 = x * x, x4 = x2 * x2, one = 1 + x4 * x4;
   const double stretch = 32 * pi * x4 * x2 * x / (one * one);
-  return 1 / (std::max(stretch, smallest) * 4 * std::max(cosD, 1e-12));
+  return 1 / (std::max(stretch, minStretch) * 4 * std::max(cosD, 1e-12));
 }
 
 }  // namespace gonio

@@ -10,11 +10,12 @@
 
 namespace gonio {
 
-/// Evaluates a BRDF at nodes of a grid; of two nodes that mirror each other (phi_d and -phi_d), only the first, where
-/// the BRDF is known to have the same value at both. Up to rounding the values are those of Brdf::evaluate().
-/// @param nodes ascending. @param pairs directions of each node. @param values as many, linear RGB, 1/sr.
-/// @param bothOrders whether the caller adds the values with the directions exchanged, so that their order does not
-/// matter.
+/// Evaluates a BRDF at nodes of a grid. If the BRDF is known to have equal values at nodes that mirror each other
+/// (phi_d and -phi_d), it is evaluated at the first of the two only, and the value is copied to the other. Up to
+/// rounding the values are those of Brdf::evaluate().
+/// @param nodes ascending. @param pairs the directions of each node. @param values one per node, linear RGB, 1/sr.
+/// @param bothOrders whether the caller also adds the values with light and viewer exchanged. Mirrored nodes of a
+/// folded grid, which differ by this exchange, then have equal sums even if the BRDF is not reciprocal.
 void evaluateNodes(const Brdf& brdf, const HalfDifferenceGrid& grid, std::span<const std::size_t> nodes,
                    std::span<const DirectionPair> pairs, std::span<Rgb> values, bool bothOrders = false);
 

@@ -34,9 +34,9 @@ struct RglData {
   std::shared_ptr<const RglSpectra> spectra;
 };
 
-/// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, not normalised
-/// (Dupuy and Jakob 2018, eq. 8). For an isotropic file, where `ndf` has two rows, the result has as many rows as
-/// columns.
+/// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) times the solid angle of normals per area of the
+/// square, for each incident direction, not normalised (Dupuy and Jakob 2018, eq. 8). For an isotropic file, where
+/// `ndf` has two rows, the result has as many rows as columns.
 SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGrid& incident, bool isotropic);
 
 /// A material of the EPFL RGL database in its own adaptive parameterisation: Dupuy and Jakob, "An Adaptive

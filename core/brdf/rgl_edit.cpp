@@ -57,9 +57,9 @@ void editSlice(const RglBrdf& file, const Brdf& edited, std::size_t slice, std::
       if (difference[channel] == 0) continue;
       float& value = rgb[node][channel];
       const double sum = double(value) + difference[channel];
-      const bool cut = sum < 0 && negative == NegativeColours::cut;
-      clipped += cut;
-      value = cut ? 0 : float(sum);
+      const bool clips = sum < 0 && negative == NegativeColours::clip;
+      clipped += clips;
+      value = clips ? 0 : float(sum);
     }
   }
 }

@@ -14,7 +14,7 @@ struct EditedRgl {
 };
 
 /// Treatment of changed channels that would be negative (colours outside the sRGB gamut): set to 0, or left negative.
-enum class NegativeColours { cut, kept };
+enum class NegativeColours { clip, preserve };
 
 /// The field `rgb` of an RGL file after edits: the file's values plus the difference edited - file at its own nodes.
 /// Values that the edits do not change remain bitwise equal, also negative ones. Nodes with the light below the
@@ -23,6 +23,6 @@ enum class NegativeColours { cut, kept };
 /// @param file read with IncidentDirection::viewer.
 /// @param edited the material after edits, or another material that is sampled at these nodes. @throws Cancelled.
 EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control = {},
-                        NegativeColours negative = NegativeColours::cut);
+                        NegativeColours negative = NegativeColours::clip);
 
 }  // namespace gonio

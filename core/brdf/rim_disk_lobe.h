@@ -32,8 +32,9 @@ struct RimPowerLobe {
     // A uniformly sampled point has the right azimuth and a uniform squared fraction; only the fraction is changed.
     const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
     glm::dvec2 deviation = glm::dvec2(r * std::cos(phi), r * std::sin(phi)) + glm::dvec2(wo);
-    const double drawn = squaredRimFraction(deviation, wo);
-    if (drawn > 0) deviation *= std::sqrt(-std::expm1(std::log1p(-drawn) / (exponent + 1)) / drawn);
+    const double uniformFraction = squaredRimFraction(deviation, wo);
+    if (uniformFraction > 0)
+      deviation *= std::sqrt(-std::expm1(std::log1p(-uniformFraction) / (exponent + 1)) / uniformFraction);
     const glm::dvec2 x = deviation - glm::dvec2(wo);
     return {x.x, x.y, std::sqrt(std::max(0.0, 1 - glm::dot(x, x)))};
   }

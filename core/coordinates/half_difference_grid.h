@@ -17,8 +17,8 @@ struct HalfDifferenceGrid {
   int thetaHCount = 90;
   int thetaDCount = 90;
   int phiDCount = 180;
-  /// Whether phi_d is folded to [0, pi), which only represents reciprocal materials; otherwise it covers the whole
-  /// circle (360 samples of phi_d in MERL files).
+  /// Whether phi_d is folded to [0, pi), as in MERL files, which only represents reciprocal materials; otherwise it
+  /// covers the whole circle (usually phiDCount = 360; Gonio writes such tables in the MERL layout, too).
   bool reciprocal = true;
 
   bool operator==(const HalfDifferenceGrid&) const = default;

@@ -13,7 +13,7 @@ namespace {
 float momentum(int step) { return float(step) / float(step + 3); }
 
 float keepSoft(const InvalidCellRefinement& cells, std::size_t count, std::vector<Coefficient<float>>& code) {
-  cells.keepLargest(count + 1, code);
+  cells.selectLargest(count + 1, code);
   return softThreshold(code, count);
 }
 

@@ -82,7 +82,7 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
     result.coefficients = sumOverOneDictionary(codes, weights, channel);
   } else {
     const Eigen::ArrayXf sum = sumOverFirst(ensemble, codes, weights, channel);
-    keepLargest(std::span(sum.data(), std::size_t(sum.size())), coefficients, result.coefficients);
+    selectLargest(std::span(sum.data(), std::size_t(sum.size())), coefficients, result.coefficients);
   }
   std::sort(result.coefficients.begin(), result.coefficients.end(), isLarger<float>);
   result.coefficients.resize(std::min(result.coefficients.size(), coefficients));

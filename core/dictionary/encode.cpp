@@ -8,13 +8,12 @@
 #include "core/coordinates/grid_directions.h"
 #include "core/dictionary/basis_pursuit.h"
 #include "core/dictionary/code_packing.h"
+#include "core/dictionary/compact_signal.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/gram.h"
 #include "core/dictionary/invalid_cells.h"
 #include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
 #include "core/dictionary/quantised_code.h"
-#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
@@ -27,29 +26,6 @@ constexpr double choiceLoss = 1e-7;
 /// are about a fourth smaller, and as many more coefficients lower the error by such a factor.
 constexpr double acceptedLoss = 1.35;
 constexpr double grazing = radians(85);
-
-/// A signal as a small block: its own truncated higher-order SVD.
-struct CompactSignal {
-  ModeMatrices<float> bases;  ///< size of the mode x rank
-  Sizes ranks{};
-  std::vector<float> block;
-};
-
-CompactSignal compact(const Eigen::ArrayXf& signal, const Sizes& sizes) {
-  CompactSignal result;
-  for (int mode = 0; mode < 3; ++mode) {
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(sizes[std::size_t(mode)], sizes[std::size_t(mode)]);
-    addGram(signal.data(), sizes, mode, gram);
-    const EigenBasis basis = eigenBasis(gram);
-    const int rank = rankFor(basis.values, choiceLoss / 3);
-    result.bases[std::size_t(mode)] = basis.vectors.leftCols(rank).cast<float>();
-    result.ranks[std::size_t(mode)] = rank;
-  }
-  Workspace<float> workspace;
-  const float* block = transposedModeProducts(signal.data(), sizes, result.bases, workspace);
-  result.block.assign(block, block + count(result.ranks));
-  return result;
-}
 
 /// The least count of coefficients (larger in size first) that leaves at most `mostLeft` of the energy.
 std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, double energy, double mostLeft) {
@@ -111,16 +87,13 @@ Encoder::Encoder(const Ensemble& ensemble) : ensemble_(ensemble) {
 }
 
 std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const {
-  const CompactSignal small = compact(signal, modeSizes(ensemble_.grid));
-  const double total = signal.cast<double>().square().sum();
+  const CompactSignal<float> small = compactSignal(signal.data(), modeSizes(ensemble_.grid), choiceLoss);
   std::vector<double> errors(matrices_.size());
   parallelForBlocks(matrices_.size(), 1, [&](std::size_t d, std::size_t) {
     thread_local Workspace<float> workspace;
     thread_local std::vector<Coefficient<float>> kept;
-    ModeMatrices<float> rotations;  // of the signal's bases into the dictionary's
-    for (std::size_t mode = 0; mode < 3; ++mode) rotations[mode] = small.bases[mode].transpose() * matrices_[d][mode];
-    keepLargestProjections(small.block.data(), small.ranks, rotations, coefficients, workspace, kept);
-    errors[d] = std::max(0.0, total - energy<float>(kept));
+    small.selectLargest(matrices_[d], coefficients, workspace, kept);
+    errors[d] = std::max(0.0, small.energy - energy<float>(kept));
   });
   return errors;
 }
@@ -182,7 +155,7 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
                       if (!channel) {
                         channel.emplace(attempt.signals[c], attempt.table.valid(), sizes,
                                         matrices_[std::size_t(code.dictionary)]);
-                        channel->keepLargest(attempt.options.coefficients, code.coefficients);
+                        channel->selectLargest(attempt.options.coefficients, code.coefficients);
                       }
                       if (attempt.options.method == CodingMethod::basisPursuit && rounds > 0) {
                         pursueBasis(*channel, attempt.options.coefficients, rounds, code.coefficients, silent);
@@ -192,7 +165,7 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
                       for (int round = attempt.rounds; round < attempt.rounds + rounds; ++round) {
                         control.throwIfStopped();
                         channel->update(code.coefficients, float(round) / float(round + 3));
-                        channel->keepLargest(attempt.options.coefficients, code.coefficients);
+                        channel->selectLargest(attempt.options.coefficients, code.coefficients);
                       }
                     },
                     {.stop = control.stop, .progress = {}});

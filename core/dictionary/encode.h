@@ -48,8 +48,9 @@ struct EncodeOptions {
 /// The options of the published method (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling
 /// and Acquisition", eq. 4.37 to 4.39 and section 4.3.2.4): one projection of the unscaled transformed values, in which
 /// invalid cells repeat the last valid value along theta_h (signalsOf()), without refinement; and an unweighted gamma
-/// error. The published number of coefficients, 262 per channel, has the size of the factors of Bagher et al. 2016 in
-/// half precision.
+/// error. The published number of coefficients, 262 per channel, was chosen there for a comparison at the size of the
+/// factors of Bagher et al. 2016 (here 2.7 kB for the code in half precision, 3.3 kB for the factors in single
+/// precision).
 EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
 /// The code of one transform.

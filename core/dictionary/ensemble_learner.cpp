@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/dictionary/correlation.h"
 #include "core/dictionary/gram.h"
 #include "core/dictionary/procrustes.h"
 #include "core/math/decompositions.h"
@@ -49,20 +50,17 @@ Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, 
 }  // namespace
 
 template <typename Scalar>
-EnsembleLearner<Scalar>::EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries,
-                                         int sparsity)
+EnsembleLearner<Scalar>::EnsembleLearner(std::span<const CompactSignal<Scalar>> signals, const Sizes& sizes,
+                                         int dictionaries, int sparsity)
     : signals_(signals),
       sizes_(sizes),
       sparsity_(sparsity),
-      energies_(std::size_t(signals.cols())),
       dictionaries_(std::size_t(dictionaries)),
-      memberships_(energies_.size()),
-      errors_(energies_.size()),
-      coefficients_(energies_.size()) {
-  assert(signals.rows() == Eigen::Index(count(sizes)) && dictionaries >= 1 && sparsity >= 0);
-  for (std::size_t i = 0; i < energies_.size(); ++i)
-    energies_[i] = signals.col(Eigen::Index(i)).template cast<double>().squaredNorm();
-  totalEnergy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
+      memberships_(signals.size()),
+      errors_(signals.size()),
+      coefficients_(signals.size()) {
+  assert(dictionaries >= 1 && sparsity >= 0);
+  for (const CompactSignal<Scalar>& signal : signals) totalEnergy_ += signal.energy;
 }
 
 template <typename Scalar>
@@ -73,7 +71,7 @@ void EnsembleLearner<Scalar>::start(std::vector<ModeMatrices<double>> dictionari
 
 template <typename Scalar>
 void EnsembleLearner<Scalar>::start(std::uint64_t seed, const TaskControl& control) {
-  std::vector<int> order(energies_.size());
+  std::vector<int> order(signals_.size());
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(seed);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[std::size_t(random() % i)]);
@@ -91,7 +89,15 @@ ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int
   for (int mode = 0; mode < 3; ++mode) {
     const Eigen::MatrixXd gram = sumOver(
         members, sizes_[std::size_t(mode)],
-        [&](int i, Eigen::MatrixXd& sum) { addGram(signals_.col(i).data(), sizes_, mode, sum); }, control);
+        [&](int i, Eigen::MatrixXd& sum) {
+          const CompactSignal<Scalar>& signal = signals_[std::size_t(i)];
+          const int rank = signal.ranks[std::size_t(mode)];
+          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, rank);
+          addGram(signal.block.data(), signal.ranks, mode, inner);
+          const Eigen::MatrixXd basis = signal.bases[std::size_t(mode)].template cast<double>();
+          sum += basis * inner * basis.transpose();
+        },
+        control);
     result[std::size_t(mode)] = eigenBasis(gram).vectors;
   }
   return result;
@@ -100,27 +106,25 @@ ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int
 template <typename Scalar>
 double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
   const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries_);
-  std::vector<Coefficients> coefficients(energies_.size());
-  std::vector<int> memberships(energies_.size());
-  std::vector<double> errors(energies_.size());
+  std::vector<Coefficients> coefficients(signals_.size());
+  std::vector<int> memberships(signals_.size());
+  std::vector<double> errors(signals_.size());
   parallelForBlocks(
-      energies_.size(), 4,
+      signals_.size(), 4,
       [&](std::size_t begin, std::size_t end) {
         Workspace<Scalar> workspace;
         Coefficients kept;
         for (std::size_t i = begin; i < end; ++i) {
           double most = -1;
           for (std::size_t d = 0; d < matrices.size(); ++d) {
-            const Scalar* projection =
-                transposedModeProducts(signals_.col(Eigen::Index(i)).data(), sizes_, matrices[d], workspace);
-            keepLargest(std::span(projection, count(sizes_)), std::size_t(sparsity_), kept);
+            signals_[i].selectLargest(matrices[d], std::size_t(sparsity_), workspace, kept);
             const double captured = energy<Scalar>(kept);
             if (!(captured > most)) continue;
             most = captured;
             memberships[i] = int(d);
             coefficients[i].swap(kept);
           }
-          errors[i] = std::max(energies_[i] - most, 0.0);
+          errors[i] = std::max(signals_[i].energy - most, 0.0);
         }
       },
       control);
@@ -132,18 +136,16 @@ double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
 
 /// Each signal's largest coefficients over its own dictionary.
 template <typename Scalar>
-void EnsembleLearner<Scalar>::keepCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
-                                               const TaskControl& control) {
+void EnsembleLearner<Scalar>::selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
+                                                 const TaskControl& control) {
   const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries);
   parallelForBlocks(
-      energies_.size(), 4,
+      signals_.size(), 4,
       [&](std::size_t begin, std::size_t end) {
         Workspace<Scalar> workspace;
-        for (std::size_t i = begin; i < end; ++i) {
-          const Scalar* projection = transposedModeProducts(signals_.col(Eigen::Index(i)).data(), sizes_,
-                                                            matrices[std::size_t(memberships_[i])], workspace);
-          keepLargest(std::span(projection, count(sizes_)), std::size_t(sparsity_), coefficients_[i]);
-        }
+        for (std::size_t i = begin; i < end; ++i)
+          signals_[i].selectLargest(matrices[std::size_t(memberships_[i])], std::size_t(sparsity_), workspace,
+                                    coefficients_[i]);
       },
       control);
 }
@@ -155,7 +157,7 @@ double EnsembleLearner<Scalar>::iterate(const TaskControl& control, int passes) 
   std::vector<ModeMatrices<double>> renewed = dictionaries_;
   const std::vector<std::vector<int>> groups = members();
   for (int pass = 0; pass < passes; ++pass) {
-    if (pass > 0) keepCoefficients(renewed, stop);
+    if (pass > 0) selectCoefficients(renewed, stop);
     for (int mode = 0; mode < 3; ++mode) renew(mode, groups, renewed, stop);
   }
   reseedEmpty(groups, renewed, stop);
@@ -180,8 +182,12 @@ void EnsembleLearner<Scalar>::renew(int mode, const std::vector<std::vector<int>
         members[d], sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) {
           thread_local Workspace<Scalar> workspace;
-          addCorrelation<Scalar>(transposedModeProducts(signals_.col(i).data(), sizes_, matrices, workspace, mode),
-                                 sizes_, mode, coefficients_[std::size_t(i)], sum);
+          const CompactSignal<Scalar>& signal = signals_[std::size_t(i)];
+          const int rank = signal.ranks[std::size_t(mode)];
+          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, sizes_[std::size_t(mode)]);
+          addCorrelation<Scalar>(signal.block.data(), signal.ranks, signal.inBases(matrices), mode,
+                                 coefficients_[std::size_t(i)], workspace, inner);
+          sum.noalias() += signal.bases[std::size_t(mode)].template cast<double>() * inner;
         },
         control);
   }

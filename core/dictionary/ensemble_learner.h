@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/dictionary/compact_signal.h"
 #include "core/dictionary/largest_coefficients.h"
-#include "core/dictionary/mode_products.h"
 #include "core/support/task_control.h"
 
 namespace gonio::dictionary {
@@ -25,8 +25,8 @@ namespace gonio::dictionary {
 template <typename Scalar>
 class EnsembleLearner {
  public:
-  /// @param signals one per column, of count(sizes) values; must outlive this object. Zero columns are allowed.
-  EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries, int sparsity);
+  /// @param signals of `sizes`; signals that are 0 are allowed; must outlive this object.
+  EnsembleLearner(std::span<const CompactSignal<Scalar>> signals, const Sizes& sizes, int dictionaries, int sparsity);
 
   /// Divides the signals at random into as many parts of equal size as there are dictionaries, and initialises each
   /// dictionary with the higher-order SVD of one part.
@@ -51,16 +51,15 @@ class EnsembleLearner {
   using Coefficients = std::vector<Coefficient<Scalar>>;
   std::vector<std::vector<int>> members() const;
   ModeMatrices<double> leadingVectors(std::span<const int> members, const TaskControl& control) const;
-  void keepCoefficients(const std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control);
+  void selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control);
   void renew(int mode, const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,
              const TaskControl& control) const;
   void reseedEmpty(const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,
                    const TaskControl& control) const;
 
-  const Matrix<Scalar>& signals_;
+  std::span<const CompactSignal<Scalar>> signals_;
   Sizes sizes_;
   int sparsity_;
-  std::vector<double> energies_;
   double totalEnergy_ = 0;
   std::vector<ModeMatrices<double>> dictionaries_;
   std::vector<int> memberships_;

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/full_sweep.h"
 
+#include "core/dictionary/correlation.h"
 #include "core/dictionary/dictionary.h"
-#include "core/dictionary/largest_coefficients.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/procrustes.h"
 #include "core/math/parallel.h"
 
@@ -42,9 +43,8 @@ class Pass {
           thread_local Workspace<float> workspace;
           energies[signal] = values.cast<double>().square().sum();
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
-            const float* projection = transposedModeProducts(values.data(), sizes_, matrices(e, signal), workspace);
-            keepLargest(std::span(projection, count(sizes_)), std::size_t(ensembles_[e].sparsity),
-                        coefficients[e][signal]);
+            selectLargestProjections(values.data(), sizes_, matrices(e, signal), std::size_t(ensembles_[e].sparsity),
+                                     workspace, coefficients[e][signal]);
             coefficients[e][signal].shrink_to_fit();
           }
         },
@@ -66,8 +66,8 @@ class Pass {
           thread_local Workspace<float> workspace;
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             Eigen::MatrixXd& z = parts[material].emplace_back(Eigen::MatrixXd::Zero(size, size));
-            addCorrelation<float>(transposedModeProducts(values.data(), sizes_, matrices(e, signal), workspace, mode),
-                                  sizes_, mode, coefficients[e][signal], z);
+            addCorrelation<float>(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace,
+                                  z);
           }
         },
         [&](std::size_t material) {

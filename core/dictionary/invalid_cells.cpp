@@ -43,8 +43,8 @@ InvalidCellRefinement::InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<c
   transposedModeProduct(signal_, sizes, 2, matrices[2], slices_.data());
 }
 
-void InvalidCellRefinement::keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const {
-  keepLargestOfSlices(slices_.data(), sizes_, matrices_, count, kept);
+void InvalidCellRefinement::selectLargest(std::size_t count, std::vector<Coefficient<float>>& selected) const {
+  selectLargestOfSlices(slices_.data(), sizes_, matrices_, count, selected);
 }
 
 void InvalidCellRefinement::project(std::vector<Coefficient<float>>& code) const {

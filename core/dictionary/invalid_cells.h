@@ -29,7 +29,7 @@ class InvalidCellRefinement {
                         const ModeMatrices<float>& matrices);
 
   /// The `count` largest coefficients of the signal, in no particular order.
-  void keepLargest(std::size_t count, std::vector<Coefficient<float>>& kept) const;
+  void selectLargest(std::size_t count, std::vector<Coefficient<float>>& selected) const;
   /// Sets the values of a code to the projections of the signal on its atoms. For a MERL table, 16,200
   /// multiplications per distinct pair of atoms of modes 1 and 2.
   void project(std::vector<Coefficient<float>>& code) const;

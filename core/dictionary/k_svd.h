@@ -31,8 +31,8 @@ struct KSvdResult {
 /// equal to another one, is replaced by the signal with the largest residual. Updates of atoms never increase the
 /// error; matching pursuit can, because it does not find the optimum if signals use several atoms.
 ///
-/// The dictionary has length x atoms numbers, compared with the squares of three mode sizes of the ensemble's
-/// dictionaries. Same bits for any number of threads. An iteration is O(signals x sparsity x atoms x length).
+/// The dictionary consists of length x atoms numbers; a dictionary of an ensemble consists of n0^2 + n1^2 + n2^2, n the
+/// sizes of the modes. Same bits for any number of threads. An iteration is O(signals x sparsity x atoms x length).
 /// @param signals one per column; some may be 0. @throws Error if fewer signals than atoms differ from 0, a value is
 /// not finite, or a count is below 1; Cancelled if stopped in the first iteration.
 KSvdResult learnKSvd(const Eigen::MatrixXd& signals, const KSvdOptions& options, const TaskControl& control = {});

@@ -29,9 +29,11 @@ bool isLarger(const Coefficient<Scalar>& a, const Coefficient<Scalar>& b) {
 template <typename Scalar>
 class LargestCoefficients {
  public:
-  /// @param kept the result, in no particular order; its memory is reused. @param count maximum number of coefficients.
-  LargestCoefficients(std::vector<Coefficient<Scalar>>& kept, std::size_t count) : kept_(kept), count_(count) {
-    kept_.clear();
+  /// @param selected the result, in no particular order; its memory is reused. @param count maximum number of
+  /// coefficients.
+  LargestCoefficients(std::vector<Coefficient<Scalar>>& selected, std::size_t count)
+      : selected_(selected), count_(count) {
+    selected_.clear();
   }
 
   /// Values of smaller absolute value are not among the largest.
@@ -48,32 +50,33 @@ class LargestCoefficients {
       if (!(highest > 0 && highest >= threshold_)) continue;
       for (std::size_t i = begin; i < end; ++i)
         if (values[i] != 0 && std::abs(values[i]) >= threshold_)
-          kept_.push_back({std::uint32_t(firstIndex + i), values[i]});
-      if (kept_.size() >= 2 * count_ + 64) prune();
+          selected_.push_back({std::uint32_t(firstIndex + i), values[i]});
+      if (selected_.size() >= 2 * count_ + 64) prune();
     }
   }
   /// Reduces the result to `count`. Call it after the last block.
   void prune() {
-    if (kept_.size() <= count_) return;
+    if (selected_.size() <= count_) return;
     if (count_ > 0) {
-      std::nth_element(kept_.begin(), kept_.begin() + std::ptrdiff_t(count_ - 1), kept_.end(), isLarger<Scalar>);
-      threshold_ = std::abs(kept_[count_ - 1].value);
+      std::nth_element(selected_.begin(), selected_.begin() + std::ptrdiff_t(count_ - 1), selected_.end(),
+                       isLarger<Scalar>);
+      threshold_ = std::abs(selected_[count_ - 1].value);
     }
-    kept_.resize(count_);
+    selected_.resize(count_);
   }
 
  private:
-  std::vector<Coefficient<Scalar>>& kept_;
+  std::vector<Coefficient<Scalar>>& selected_;
   std::size_t count_;
   Scalar threshold_ = 0;
 };
 
 /// Hard thresholding: the `count` entries of largest absolute value, without zeros, in no particular order. They
-/// minimise the error with that many coefficients if the dictionary is orthonormal. @param kept the result; its memory
-/// is reused.
+/// minimise the error with that many coefficients if the dictionary is orthonormal. @param selected the result; its
+/// memory is reused.
 template <typename Scalar>
-void keepLargest(std::span<const Scalar> values, std::size_t count, std::vector<Coefficient<Scalar>>& kept) {
-  LargestCoefficients<Scalar> largest(kept, count);
+void selectLargest(std::span<const Scalar> values, std::size_t count, std::vector<Coefficient<Scalar>>& selected) {
+  LargestCoefficients<Scalar> largest(selected, count);
   largest.add(values, 0);
   largest.prune();
 }

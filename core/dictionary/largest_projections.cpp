@@ -12,7 +12,8 @@ namespace {
 constexpr float rounding = 1.001f;
 
 /// The columns in falling order of their norms.
-std::vector<Eigen::Index> byNorm(const Eigen::VectorXf& norms) {
+template <typename Norms>
+std::vector<Eigen::Index> byNorm(const Norms& norms) {
   std::vector<Eigen::Index> order(std::size_t(norms.size()));
   std::iota(order.begin(), order.end(), Eigen::Index(0));
   std::ranges::stable_sort(order, [&](Eigen::Index a, Eigen::Index b) { return norms[a] > norms[b]; });
@@ -21,30 +22,34 @@ std::vector<Eigen::Index> byNorm(const Eigen::VectorXf& norms) {
 
 }  // namespace
 
-void keepLargestProjections(const float* signal, const Sizes& sizes, const ModeMatrices<float>& matrices,
-                            std::size_t count, Workspace<float>& workspace, std::vector<Coefficient<float>>& kept) {
-  kept.clear();
+template <typename Scalar>
+void selectLargestProjections(const Scalar* signal, const Sizes& sizes, const ModeMatrices<Scalar>& matrices,
+                              std::size_t count, Workspace<Scalar>& workspace,
+                              std::vector<Coefficient<Scalar>>& selected) {
+  selected.clear();
   if (count == 0) return;
   workspace.first.resize(std::size_t(sizes[0]) * std::size_t(sizes[1]) * std::size_t(matrices[2].cols()));
   transposedModeProduct(signal, sizes, 2, matrices[2], workspace.first.data());
-  keepLargestOfSlices(workspace.first.data(), sizes, matrices, count, kept);
+  selectLargestOfSlices(workspace.first.data(), sizes, matrices, count, selected);
 }
 
-void keepLargestOfSlices(const float* projected2, const Sizes& sizes, const ModeMatrices<float>& matrices,
-                         std::size_t count, std::vector<Coefficient<float>>& kept) {
-  kept.clear();
+template <typename Scalar>
+void selectLargestOfSlices(const Scalar* projected2, const Sizes& sizes, const ModeMatrices<Scalar>& matrices,
+                           std::size_t count, std::vector<Coefficient<Scalar>>& selected) {
+  selected.clear();
   if (count == 0) return;
-  using Map = Eigen::Map<const Eigen::MatrixXf>;
+  using Map = Eigen::Map<const Matrix<Scalar>>;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   const Eigen::Index n0 = sizes[0], n1 = sizes[1];
   const Eigen::Index slices = matrices[2].cols(), fibres = matrices[1].cols(), coefficients = matrices[0].cols();
-  const Eigen::VectorXf sliceNorms = rounding * Map(projected2, n0 * n1, slices).colwise().norm();
+  const Vector sliceNorms = Scalar(rounding) * Map(projected2, n0 * n1, slices).colwise().norm();
 
-  LargestCoefficients<float> largest(kept, count);
-  Eigen::MatrixXf projected(n0, fibres), chosen(n0, fibres), values(coefficients, fibres);
+  LargestCoefficients<Scalar> largest(selected, count);
+  Matrix<Scalar> projected(n0, fibres), chosen(n0, fibres), values(coefficients, fibres);
   for (const Eigen::Index slice : byNorm(sliceNorms)) {
     if (sliceNorms[slice] < largest.threshold()) break;
     projected.noalias() = Map(projected2 + n0 * n1 * slice, n0, n1) * matrices[1];
-    const Eigen::VectorXf fibreNorms = rounding * projected.colwise().norm();
+    const Vector fibreNorms = Scalar(rounding) * projected.colwise().norm();
     std::vector<Eigen::Index> large;
     for (Eigen::Index fibre = 0; fibre < fibres; ++fibre)
       if (fibreNorms[fibre] >= largest.threshold()) {
@@ -59,5 +64,14 @@ void keepLargestOfSlices(const float* projected2, const Sizes& sizes, const Mode
   }
   largest.prune();
 }
+
+template void selectLargestProjections(const float*, const Sizes&, const ModeMatrices<float>&, std::size_t,
+                                       Workspace<float>&, std::vector<Coefficient<float>>&);
+template void selectLargestProjections(const double*, const Sizes&, const ModeMatrices<double>&, std::size_t,
+                                       Workspace<double>&, std::vector<Coefficient<double>>&);
+template void selectLargestOfSlices(const float*, const Sizes&, const ModeMatrices<float>&, std::size_t,
+                                    std::vector<Coefficient<float>>&);
+template void selectLargestOfSlices(const double*, const Sizes&, const ModeMatrices<double>&, std::size_t,
+                                    std::vector<Coefficient<double>>&);
 
 }  // namespace gonio::dictionary

@@ -32,7 +32,7 @@ PrincipalComponents learnPrincipalComponents(
     appendColumns(*table, pca.mapping, columns, missing);
     control.report(readFraction * double(material + 1) / double(materials));
   }
-  keepRows(columns, keepCommonCells(pca.mapping, missing));
+  selectRows(columns, removeMarkedCells(pca.mapping, missing));
   pca.mapping.reference = rowMedians(columns);
   pca.mean = mapAndCentre(pca.mapping.reference, columns, control.between(readFraction, mappedFraction));
   std::vector<float> variance;

@@ -38,7 +38,7 @@ struct ColumnFile {
       file.read((column * cells + begin) * valueBytes, std::span(result.values).subspan(column * count, count));
     std::vector<std::size_t> relative(kept.begin(), kept.end());
     for (std::size_t& row : relative) row -= begin;
-    keepRows(result, relative);
+    selectRows(result, relative);
     return result;
   }
 };
@@ -71,7 +71,7 @@ std::vector<std::size_t> fill(ColumnFile& file, MappedCells& mapping, const Tabu
     file.write(3 * material, three);
     control.report(double(material + 1) / double(materials));
   }
-  return keepCommonCells(mapping, missing);
+  return removeMarkedCells(mapping, missing);
 }
 
 }  // namespace

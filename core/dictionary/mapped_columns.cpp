@@ -45,7 +45,7 @@ void appendColumns(const TabulatedBrdf& table, const MappedCells& mapping, TallM
   }
 }
 
-std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector<char>& missing) {
+std::vector<std::size_t> removeMarkedCells(MappedCells& mapping, const std::vector<char>& missing) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < missing.size(); ++i)
     if (!missing[i]) kept.push_back(i);
@@ -59,7 +59,7 @@ std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector
   return kept;
 }
 
-void keepRows(TallMatrix& columns, std::span<const std::size_t> rows) {
+void selectRows(TallMatrix& columns, std::span<const std::size_t> rows) {
   const auto before = std::size_t(columns.rows);
   if (rows.size() == before) return;
   for (std::size_t column = 0; column < std::size_t(columns.columns); ++column)

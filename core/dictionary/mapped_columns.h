@@ -20,9 +20,9 @@ void appendColumns(const TabulatedBrdf& table, const MappedCells& mapping, TallM
 
 /// Removes the marked cells from the mapping. @return the indices of those that remain.
 /// @throws Error if none remains.
-std::vector<std::size_t> keepCommonCells(MappedCells& mapping, const std::vector<char>& missing);
+std::vector<std::size_t> removeMarkedCells(MappedCells& mapping, const std::vector<char>& missing);
 /// Removes all other rows, in place.
-void keepRows(TallMatrix& columns, std::span<const std::size_t> rows);
+void selectRows(TallMatrix& columns, std::span<const std::size_t> rows);
 
 /// The median of each row.
 std::vector<float> rowMedians(const TallMatrix& columns);

@@ -75,10 +75,10 @@ class ByteReader {
 
 /// @throws Error for more coefficients than a file can have.
 inline void checkCount(std::size_t coefficients) {
-  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
-  if (coefficients > most)
+  constexpr std::size_t maxCount = std::numeric_limits<std::uint16_t>::max();
+  if (coefficients > maxCount)
     throw Error("found a code with " + std::to_string(coefficients) + " coefficients, expected at most " +
-                std::to_string(most));
+                std::to_string(maxCount));
 }
 /// @throws Error also for a dictionary that a file cannot name.
 inline void checkLimits(const ChannelCode& channel, const HalfDifferenceGrid& grid) {

@@ -23,10 +23,11 @@ struct PatchCode {
   std::size_t coefficients() const;
 };
 
-/// Encodes patches with at most `coefficients` coefficients in total. Each patch gets as many as it needs to reach an
-/// error that is the same for all patches, by orthogonal matching pursuit, at most `maxPerPatch`. The patches are
-/// encoded twice: once with `maxPerPatch` coefficients, whose prefixes are the codes for larger errors, and once with
-/// the error that was found. @throws Error as orthogonalMatchingPursuit(); Cancelled.
+/// Encodes patches by orthogonal matching pursuit with at most `coefficients` coefficients in total. Each patch gets as
+/// many coefficients, at most `maxPerPatch`, as it needs to reach an error that is the same for all patches. The
+/// patches are encoded twice: first with `maxPerPatch` coefficients each, to find this error (the prefixes of these
+/// codes are the codes for larger errors), then with the error that was found. @throws Error as
+/// orthogonalMatchingPursuit(); Cancelled.
 PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
                         int maxPerPatch = 32, const TaskControl& control = {});
 

@@ -14,7 +14,7 @@
 /// classical alternative to the ensemble of orthonormal dictionaries.
 namespace gonio::dictionary {
 
-/// Atoms for patches of signals (patch_code.h). The signals are those of the ensemble: log-plus, with cell scaling.
+/// Atoms for patches of signals (patch_code.h). The signals are the log-plus signals of an ensemble, with cell scaling.
 struct PatchDictionary {
   HalfDifferenceGrid grid;
   Sizes patch;    ///< cells per mode: phi_d, theta_d, theta_h

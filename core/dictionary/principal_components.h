@@ -67,9 +67,9 @@ struct PcaOptions {
 
 /// Learns the components. @param materials number of training materials. @param load returns the table of a material;
 /// all must have the same grid. Called for one material after another, so that only one table is in memory. Memory: 4
-/// bytes x 3 x materials x cells (411 columns of 1.1 million cells: 1.8 GB) and a few tens of MB; beyond
-/// options.maxBytes, half of that limit, 16 bytes x (3 x materials)^2, and the components themselves, 4 bytes x
-/// components x cells.
+/// bytes x 3 x materials x cells (411 columns of 1.1 million cells: 1.8 GB) and a few tens of MB. If the columns need
+/// more than options.maxBytes, they are in a temporary file, and the memory is the sum of options.maxBytes / 2, 16
+/// bytes x (3 x materials)^2, and 4 bytes x components x cells for the components.
 /// @throws Error if there are no materials, their grids differ, no cell is valid in all of them, the components alone
 /// need more than options.maxBytes, or the temporary file cannot be written; Cancelled.
 PrincipalComponents learnPrincipalComponents(

@@ -3,6 +3,7 @@
 #include "core/dictionary/shared_subspace.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/dictionary/dictionary.h"
 #include "core/dictionary/gram.h"
@@ -59,8 +60,9 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
   return subspace;
 }
 
-Matrix<float> projectOnto(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
-                          const TaskControl& control) {
+void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
+                       const std::function<void(std::size_t signal, std::span<const float> block)>& work,
+                       const TaskControl& control) {
   const Sizes sizes = modeSizes(materials.grid);
   const ModeMatrices<float> bases = leadingColumns(subspace);
   // The mode that shrinks most goes first.
@@ -70,24 +72,21 @@ Matrix<float> projectOnto(SharedSubspace& subspace, const TrainingMaterials& mat
            double(subspace.ranks[std::size_t(b)]) / sizes[std::size_t(b)];
   });
   const std::size_t signals = materials.names.size() * options.signalsPerMaterial();
-  Matrix<float> projected(Eigen::Index(count(subspace.ranks)), Eigen::Index(signals));
-  std::vector<double> energies(signals);
+  std::vector<double> energies(signals), projected(signals);
   forEachSignal(
       materials, options,
       [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
         thread_local Workspace<float> workspace;
         energies[signal] = values.cast<double>().square().sum();
         const float* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
-        projected.col(Eigen::Index(signal)) = Eigen::Map<const Eigen::VectorXf>(block, projected.rows());
+        const auto size = Eigen::Index(count(subspace.ranks));
+        projected[signal] = Eigen::Map<const Eigen::VectorXf>(block, size).cast<double>().squaredNorm();
+        work(signal, {block, std::size_t(size)});
       },
       [](std::size_t) {}, control);
-  double total = 0, kept = 0;
-  for (std::size_t signal = 0; signal < signals; ++signal) {
-    total += energies[signal];
-    kept += projected.col(Eigen::Index(signal)).cast<double>().squaredNorm();
-  }
+  const double total = std::accumulate(energies.begin(), energies.end(), 0.0);
+  const double kept = std::accumulate(projected.begin(), projected.end(), 0.0);
   subspace.loss = total > 0 ? std::max(0.0, 1 - kept / total) : 0;
-  return projected;
 }
 
 }  // namespace gonio::dictionary

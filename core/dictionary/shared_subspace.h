@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <span>
+
 #include "core/dictionary/mode_products.h"
 #include "core/dictionary/training_materials.h"
 
@@ -24,9 +26,10 @@ struct SharedSubspace {
 SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
                                   const TaskControl& control = {});
 
-/// The signals projected onto the subspace, one per column, in single precision; sets the subspace's `loss`. One pass
-/// over the materials.
-Matrix<float> projectOnto(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
-                          const TaskControl& control = {});
+/// Calls `work(signal, block)` with the projection of each signal onto the subspace, of `ranks`, in the order and on
+/// the threads of forEachSignal(); sets the subspace's `loss`. One pass over the materials.
+void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
+                       const std::function<void(std::size_t signal, std::span<const float> block)>& work,
+                       const TaskControl& control = {});
 
 }  // namespace gonio::dictionary

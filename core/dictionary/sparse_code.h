@@ -17,8 +17,8 @@ namespace gonio::dictionary {
 struct ChannelCode {
   int dictionary = 0;
   std::vector<Coefficient<float>> coefficients;  ///< by decreasing absolute value
-  /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells of
-  /// low importance, and the inverse of the logarithm would amplify that.
+  /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells with
+  /// a small factor of cell scaling, and the inverse of the logarithm would amplify that.
   float highest = std::numeric_limits<float>::max();
   float step = 0;  ///< of which all values are multiples (quantised()); 0: not quantised
 };

@@ -11,6 +11,8 @@ namespace gonio::dictionary {
 
 namespace {
 
+/// Fraction of its energy that a signal may omit in the rounds: little beside their errors of 1e-3 or more.
+constexpr double signalLoss = 1e-5;
 // Fractions of the progress: the passes that find the subspace, the rounds in it, the last sweep.
 constexpr double subspaceShare = 0.15, roundsShare = 0.6;
 
@@ -54,7 +56,13 @@ class Training {
     if (state.ensembles.empty())
       state.subspace =
           findSharedSubspace(materials_, options_.signals, options_.subspaceLoss, part(0, subspaceShare / 2));
-    signals_ = projectOnto(state.subspace, materials_, options_.signals, part(subspaceShare / 2, subspaceShare));
+    signals_.resize(materials_.names.size() * options_.signals.signalsPerMaterial());
+    forEachProjection(
+        state.subspace, materials_, options_.signals,
+        [&](std::size_t signal, std::span<const float> block) {
+          signals_[signal] = compactSignal(block.data(), state.subspace.ranks, signalLoss);
+        },
+        part(subspaceShare / 2, subspaceShare));
   }
 
   bool settled(const std::vector<double>& errors) const {
@@ -66,7 +74,8 @@ class Training {
 
   void learn(std::size_t e) {
     TrainingState& state = result_.state;
-    EnsembleLearner<float> learner(signals_, state.subspace.ranks, options_.dictionaries, options_.sparsities[e]);
+    EnsembleLearner<float> learner(std::span<const CompactSignal<float>>(signals_), state.subspace.ranks,
+                                   options_.dictionaries, options_.sparsities[e]);
     const double each = roundsShare / double(options_.sparsities.size());
     if (e < state.ensembles.size()) {
       learner.start(state.ensembles[e]);
@@ -110,7 +119,7 @@ class Training {
   const TaskControl& control_;
   const std::function<void(const TrainingState&)>& checkpoint_;
   TrainingResult result_;
-  Matrix<float> signals_;
+  std::vector<CompactSignal<float>> signals_;
   std::vector<std::vector<int>> memberships_;
   std::vector<AssignedEnsemble> assigned_;
 };

@@ -15,7 +15,7 @@ struct TrainingOptions {
   /// section 4.3.2.2: 4 ensembles of 8).
   std::vector<int> sparsities{32, 64, 128, 256};
   SignalOptions signals;
-  int iterations = 12;         ///< maximum number of rounds per ensemble
+  int iterations = 24;         ///< maximum number of rounds per ensemble
   int passes = 4;              ///< per round, with fixed memberships (EnsembleLearner)
   double tolerance = 5e-4;     ///< an ensemble is finished when a round lowers its error by less than this fraction
   double subspaceLoss = 3e-5;  ///< fraction of the energy that the shared subspace may leave out
@@ -47,7 +47,7 @@ struct TrainingResult {
 /// @param resume state to continue from, of the same materials and options.
 /// @param checkpoint called after each round with the state.
 /// @throws Cancelled if stopped before there is a dictionary; Error if there are no materials.
-/// Memory: the signals in the subspace (822 signals of 137 materials: about 350 MB), and a few tables.
+/// Memory: the signals as small blocks (822 signals of 137 materials: about 0.3 GB), and a few tables.
 TrainingResult train(const TrainingMaterials& materials, const TrainingOptions& options,
                      const TaskControl& control = {}, const TrainingState* resume = nullptr,
                      const std::function<void(const TrainingState&)>& checkpoint = {});

@@ -58,8 +58,8 @@ constexpr ParameterSpec controls[] = {
                  "Brightens the highlights and dims the diffuse term so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),
     strengthControl("coat-strength", "Coat strength", "x",
-                    "Strength of the clear coat: 0 removes it; above 1 a coat with the reflectance of lacquer (0.04) "
-                    "is added to it.",
+                    "Multiplies the strength of the clear coat by this factor x: 0 removes the coat; above 1, x - 1 "
+                    "times the reflectance of lacquer (0.04) is also added.",
                     "F_0' = x F_0 + 0.04 max(0, x - 1)"),
     strengthControl("edge-brightness", "Edge brightness", "x",
                     "Brightens or dims the highlights towards grazing angles by this factor; at normal "

@@ -61,7 +61,7 @@ void append(std::vector<ActiveEdit>& steps, const DifferentialEdit& edit, double
 void append(std::vector<ActiveEdit>& steps, const FactorEdit& edit, double strength) {
   assert(edit.original && edit.edited);
   steps.push_back({factorization::makePdvBrdf(*edit.edited),
-                   edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength});
+                   edit.preserveDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength});
 }
 
 std::vector<ActiveEdit> activate(std::span<const Edit> edits) {

@@ -115,7 +115,7 @@ nlohmann::json toJson(const FactorEdit& edit) {
   return {{"type", "factors"},
           {"original", factorsToJson(*edit.original)},
           {"edited", factorsToJson(*edit.edited)},
-          {"keepDetail", edit.keepDetail}};
+          {"keepDetail", edit.preserveDetail}};
 }
 
 FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& where) {
@@ -123,7 +123,7 @@ FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& whe
   FactorEdit edit;
   edit.original = std::make_shared<const PdvFactors>(factorsFromJson(object.object("original")));
   edit.edited = std::make_shared<const PdvFactors>(factorsFromJson(object.object("edited")));
-  edit.keepDetail = object.flag("keepDetail");
+  edit.preserveDetail = object.flag("keepDetail");
   return edit;
 }
 

@@ -11,8 +11,8 @@
 namespace gonio::editing {
 
 /// An edit of the PDV factor curves of a material (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023,
-/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 4.25). With keepDetail, the change of
-/// the factor model is added to the measurement,
+/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 4.25). With preserveDetail, the change
+/// of the factor model is added to the measurement,
 ///   edited = max(0, measured + strength (pdv(edited) - pdv(original))),
 /// so that detail that the factors do not explain is preserved. Without it, the model replaces the measurement:
 ///   edited = (1 - strength) measured + strength pdv(edited).
@@ -22,12 +22,13 @@ struct FactorEdit {
 
   Curves original;  ///< factors of the measurement, before the edit
   Curves edited;
-  bool keepDetail = true;
+  bool preserveDetail = true;
 
   /// Whether the edit leaves every base bitwise unchanged.
-  bool isIdentity() const { return keepDetail && sameCurves(original, edited); }
+  bool isIdentity() const { return preserveDetail && sameCurves(original, edited); }
   bool operator==(const FactorEdit& other) const {
-    return sameCurves(original, other.original) && sameCurves(edited, other.edited) && keepDetail == other.keepDetail;
+    return sameCurves(original, other.original) && sameCurves(edited, other.edited) &&
+           preserveDetail == other.preserveDetail;
   }
   /// Whether the curves are equal; compares the numbers only if the objects differ.
   static bool sameCurves(const Curves& a, const Curves& b) { return a == b || (a && b && *a == *b); }

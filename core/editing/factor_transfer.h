@@ -11,8 +11,8 @@ namespace gonio::editing {
 /// - F2: the curve of the target is stretched by the ratio of the half-width after the edit to that before it, term by
 ///   term; the rest of the change is added to the first term, as a function of |Dp| in units of the half-width;
 /// - F3: the difference, for the first term.
-/// Terms that the edit removed are removed. If `target` equals edit.original, returns the edit itself. keepDetail is
-/// copied. @throws Error if form or transform differ, or either side has no curves.
+/// Terms that the edit removed are removed. If `target` equals edit.original, returns the edit itself. preserveDetail
+/// is copied. @throws Error if form or transform differ, or either side has no curves.
 FactorEdit transferredEdit(const FactorEdit& edit, const FactorEdit::Curves& target);
 
 }  // namespace gonio::editing

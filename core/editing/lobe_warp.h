@@ -8,9 +8,9 @@
 
 namespace gonio::editing {
 
-/// Cosine of 85 degrees, the maximum polar angle of warped directions, up to which models are fitted: beyond it, the
-/// ratio of measurement to fit is an extrapolation of the fit, which would show as a pattern in a highlight that gets
-/// much narrower.
+/// Cosine of 85 degrees, the maximum polar angle of warped directions. Models are fitted up to this angle. Beyond it
+/// the fit is an extrapolation, and its ratio to the measurement would show as a pattern in a highlight that gets much
+/// narrower.
 inline constexpr double minWarpCosine = 0.08715574274765817;
 
 /// Scales the slopes h_x / h_z and h_y / h_z of a pair's half vector by `scale`: rotates both directions by the

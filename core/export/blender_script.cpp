@@ -45,9 +45,9 @@ if __name__ == "__main__":
 
 }  // namespace
 
-std::string blenderMaterialScript(const std::string& origin, std::string_view made, const std::string& description,
+std::string blenderMaterialScript(const std::string& origin, std::string_view content, const std::string& description,
                                   std::string_view makeMaterial) {
-  return commentLines(origin, "# ") + scriptStart + "# " + std::string(made) +
+  return commentLines(origin, "# ") + scriptStart + "# " + std::string(content) +
          "\nimport math\nimport sys\n\nimport bpy\n\nGONIO = " + description + "\n" + nodeFunction + "\n\n" +
          std::string(makeMaterial) + mainFunction;
 }

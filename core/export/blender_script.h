@@ -8,11 +8,11 @@
 namespace gonio::exports {
 
 /// A Python script for Blender 3.4 and later that creates a material and assigns it to the selected mesh, or saves it
-/// if Blender runs with --background. @param origin first comment lines: the origin of the material. @param made
+/// if Blender runs with --background. @param origin first comment lines: the origin of the material. @param content
 /// comment lines after them: what the script creates. @param description Python code of the dictionary GONIO. @param
 /// makeMaterial Python code that defines make_material(), which returns the material; it can call node(tree, kinds, x,
 /// y).
-std::string blenderMaterialScript(const std::string& origin, std::string_view made, const std::string& description,
+std::string blenderMaterialScript(const std::string& origin, std::string_view content, const std::string& description,
                                   std::string_view makeMaterial);
 
 }  // namespace gonio::exports

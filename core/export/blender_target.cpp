@@ -148,7 +148,7 @@ ExportTarget blenderTarget() {
           .description =
               "A Python script that creates a material from a Diffuse and several Glossy nodes, each weighted by the "
               "viewing angle: run it in Blender, or with blender --background --python.",
-          .holds =
+          .limitations =
               "An approximation by GGX lobes with colours that depend only on the viewing angle; isotropic. The stated "
               "accuracy is that of Blender 3.4; later versions use a different masking term, so results differ "
               "near the horizon.",

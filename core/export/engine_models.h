@@ -9,7 +9,7 @@
 namespace gonio::exports {
 
 /// Default Lit of Unreal Engine (Karis 2013, "Real Shading in Unreal Engine 4"): Lambert, GGX with an approximated
-/// joint Smith term, Schlick with F_0 = 0.08 specular for dielectrics.
+/// joint Smith term, Schlick with F_0 = 0.08 * specular for dielectrics.
 const SurfaceShader& unrealShader();
 
 /// Lit of Unity's High Definition Render Pipeline (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", with the

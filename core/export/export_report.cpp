@@ -22,8 +22,8 @@ void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const R
 }
 
 std::string originText(const ExportSource& source, double snr) {
-  char accuracy[80] = ". Rendered images are identical (sphere-studio).";
-  if (std::isfinite(snr)) std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (sphere-studio).", snr);
+  char accuracy[80] = ". Rendered images are identical (comparison scene).";
+  if (std::isfinite(snr)) std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (comparison scene).", snr);
   return source.origin + accuracy;
 }
 

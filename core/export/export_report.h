@@ -16,7 +16,7 @@ RenderedComparison exportComparison(const ExportSource& source, const ExportOpti
 void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control);
 
-/// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (sphere-studio)."
+/// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (comparison scene)."
 std::string originText(const ExportSource& source, double snr);
 
 /// The text as comment lines that begin with `mark` ("# ", "// "). Accepts "\n" and "\r\n"; ends with "\n".

@@ -100,9 +100,9 @@ ExportTarget glslTarget() {
   return {.id = "glsl",
           .label = "GLSL function",
           .description = "A self-contained function gonioBrdf(wi, wo) for your own shaders, GLSL 3.30 or GLSL ES 3.00.",
-          .holds =
+          .limitations =
               "An approximation by a diffuse lobe and up to six GGX lobes; isotropic, or anisotropic with one fixed "
-              "direction; reciprocal. Single scattering.",
+              "brushing direction; reciprocal. Single scattering.",
           .suffixes = {glslSuffix},
           .usesSnr = true,
           .make = makeGlsl};

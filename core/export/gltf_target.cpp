@@ -147,11 +147,10 @@ ExportTarget gltfTarget() {
       .description =
           "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's import. "
           "Extensions for specular, clearcoat, sheen and anisotropy are included where they have an effect.",
-      .holds =
-          "An approximation by one highlight, a coat and a sheen; isotropic, or anisotropic with one fixed direction. "
-          "The "
-          "stated accuracy is that of the formula in appendix B of the glTF 2.0 specification; viewers may approximate "
-          "it.",
+      .limitations =
+          "An approximation by one highlight, a coat and a sheen; isotropic, or anisotropic with one fixed brushing "
+          "direction. The stated accuracy is that of the formula in appendix B of the glTF 2.0 specification; viewers "
+          "may approximate it.",
       .suffixes = {".gltf"},
       .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
         return makeSurfaceExport(

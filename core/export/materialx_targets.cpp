@@ -139,9 +139,9 @@ ExportTarget materialXTarget() {
           .description =
               "A MaterialX 1.39 document that adds a diffuse lobe and up to four generalized_schlick_bsdf lobes: the "
               "closest approximation of a measured material in MaterialX.",
-          .holds =
+          .limitations =
               "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic, or anisotropic "
-              "with one fixed direction. Multiple scattering is compensated as in MaterialX.",
+              "with one fixed brushing direction. Multiple scattering is compensated as in MaterialX.",
           .suffixes = {lobesSuffix},
           .usesSnr = true,
           .make = makeSchlickLobes};
@@ -151,9 +151,9 @@ ExportTarget openPbrTarget() {
   return {.id = "openpbr",
           .label = "OpenPBR (MaterialX)",
           .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists can edit further.",
-          .holds =
+          .limitations =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "direction.",
+              "brushing direction.",
           .suffixes = {openPbrSuffix},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeSurfaceExport(
@@ -169,9 +169,9 @@ ExportTarget standardSurfaceTarget() {
   return {.id = "standard-surface",
           .label = "Standard Surface (MaterialX)",
           .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
-          .holds =
+          .limitations =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "direction.",
+              "brushing direction.",
           .suffixes = {standardSuffix},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeSurfaceExport(

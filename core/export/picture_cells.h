@@ -13,9 +13,9 @@ namespace gonio::exports {
 /// of a picture of a sphere under lights of all sizes. Viewers, up to 77 degrees, are weighted by their area in the
 /// picture; directions of the light are dense where the half vector is near the normal. A residual is the light that
 /// reaches the viewer from a patch of directions: single nodes, 2 x 2 nodes, 4 x 4 nodes and so on up to the
-/// hemisphere. The square of the light from a patch is divided by the solid angle of the patch plus 0.5 sr, that of a
-/// large area light: patches smaller than the area light count by the square of their light, larger ones by the square
-/// of its mean times their solid angle. Residuals are linear in the BRDF.
+/// hemisphere. Its square is divided by the sum of the patch's solid angle and 0.5 sr, the solid angle of a large area
+/// light. Thus a patch that is small compared with this area light counts by its squared light, and a large patch by
+/// its solid angle times the square of its mean light per steradian. Residuals are linear in the BRDF.
 class PictureCells {
  public:
   /// @param isotropic true: one azimuth of the viewer and, by mirror symmetry, half of the light's azimuths, about

@@ -101,9 +101,10 @@ ExportTarget principledTarget() {
               "A Python script that creates a material from one Principled BSDF node, which artists can edit further "
               "and other programs can import: "
               "run it in Blender, or with blender --background --python.",
-          .holds =
+          .limitations =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this node.",
+              "brushing direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this "
+              "node.",
           .suffixes = {principledSuffix},
           .scene = &principledSceneFormat(),
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {

@@ -11,7 +11,7 @@ namespace gonio::exports {
 /// principledShader().
 ExportTarget principledTarget();
 
-/// The script, for Blender 3.4 and 4.x. @param origin text of the first lines.
+/// The script, for Blender 3.4 and later; the formula is that of 3.4. @param origin text of the first lines.
 std::string principledScript(const SurfaceValues& values, const std::string& name, const std::string& origin);
 
 }  // namespace gonio::exports

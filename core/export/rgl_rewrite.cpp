@@ -34,7 +34,7 @@ bool RglRewrite::has(RglColours colours) const {
   return file_.contains(colours == RglColours::rgb ? "rgb" : "spectra");
 }
 
-bool RglRewrite::keeps(const std::string& name) const {
+bool RglRewrite::isCopied(const std::string& name) const {
   constexpr std::array<std::string_view, 5> rewritten{"description", "rgb", "spectra", "wavelengths", "visible_ndf"};
   return std::ranges::find(rewritten, name) == rewritten.end() && !(edited_.changed && name == "luminance");
 }
@@ -53,7 +53,7 @@ std::vector<std::byte> RglRewrite::bytes(RglColours colours, const std::string& 
   if (!edited_.changed && has(colours) && complete) return {bytes_.begin(), bytes_.end()};
   std::vector<TensorField> fields{TensorField::text("description", file_.text("description") + "\n" + description)};
   for (const auto& [name, tensor] : file_.fields())
-    if (keeps(name)) fields.push_back(ownField(name, tensor));
+    if (isCopied(name)) fields.push_back(ownField(name, tensor));
   const RglData data = this->data();
   if (!file_.contains("vndf"))
     fields.push_back(TensorField::floats("vndf", shapeOf(data.incident, data.vndf), data.vndf.values));

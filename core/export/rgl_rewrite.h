@@ -22,7 +22,7 @@ class RglRewrite {
 
  private:
   bool has(RglColours colours) const;
-  bool keeps(const std::string& name) const;
+  bool isCopied(const std::string& name) const;
   std::vector<io::TensorField> newColours(RglColours colours) const;
 
   std::span<const std::byte> bytes_;

@@ -41,7 +41,7 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
   return {.id = id,
           .label = label,
           .description = description,
-          .holds =
+          .limitations =
               "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; the stored "
               "values of an RGL file are copied unchanged. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},

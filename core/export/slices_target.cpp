@@ -49,7 +49,7 @@ ExportTarget slicesTarget() {
   return {.id = "slices",
           .label = "Slices (OpenEXR)",
           .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
-          .holds =
+          .limitations =
               "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector "
               "tilted towards x, the brushing direction. No renderer reads this file.",
           .suffixes = {slicesSuffix},

@@ -11,8 +11,8 @@ namespace gonio::exports {
 /// wavelength: spectralBasis() times three numbers from 0 to 8, fitted by least squares so that its colour under D65,
 /// for the observer of core/math/spectrum.h, is the edited colour. This preserves the shape of the spectrum; equal
 /// factors in all channels scale all wavelengths equally. A remaining difference of colour is added as its spectrum in
-/// spectralBasis(). Spectra of nodes with unchanged colour are bitwise unchanged. Values do not fall below 0 (negative
-/// ones do not fall), so very dark and saturated colours may not be reached.
+/// spectralBasis(). Spectra of nodes with unchanged colour are bitwise unchanged. No value becomes negative, and values
+/// that are negative in the file are not lowered, so very dark and saturated colours may not be reached.
 class SpectralEdit {
  public:
   /// @param data with spectra, where `rgb` contains their colours. @param edited other colours at the same nodes.

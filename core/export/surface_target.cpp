@@ -27,7 +27,7 @@ ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suf
   made.facts = {{"metalness", "Metalness", values.metalness},
                 {"roughness", "Roughness", values.roughness},
                 {"coat", "Coat", values.coat}};
-  if (!source.brdf->isIsotropic() && !shader.takes(SurfaceField::anisotropy))
+  if (!source.brdf->isIsotropic() && !shader.isFitted(SurfaceField::anisotropy))
     made.warnings.push_back(meanAzimuthWarning());
   made.parts.push_back(textPart(suffix, text(source, values, originText(source, made.snr))));
   return made;

@@ -129,7 +129,7 @@ std::vector<SurfaceValues> surfaceStarts(const SurfaceShader& shader, const Reci
   dielectric.metalness = 0.1;
   dielectric.baseColour = glm::clamp(lobes.diffuse, 0.01, 0.99);
   std::vector<SurfaceValues> starts{metal, dielectric};
-  if (!shader.takes(SurfaceField::coat)) return starts;
+  if (!shader.isFitted(SurfaceField::coat)) return starts;
   for (SurfaceValues values : {metal, dielectric}) {
     values.roughness = root(lobes.lobes.front());
     values.coat = 0.5;
@@ -141,12 +141,12 @@ std::vector<SurfaceValues> surfaceStarts(const SurfaceShader& shader, const Reci
 
 }  // namespace
 
-bool SurfaceShader::takes(SurfaceField field) const {
+bool SurfaceShader::isFitted(SurfaceField field) const {
   return std::ranges::find(limits, field, &SurfaceLimit::field) != limits.end();
 }
 
 SurfaceValues fitSurface(const SurfaceShader& shader, const Brdf& material, const TaskControl& control) {
-  const PictureCells cells(material.isIsotropic() || !shader.takes(SurfaceField::anisotropy));
+  const PictureCells cells(material.isIsotropic() || !shader.isFitted(SurfaceField::anisotropy));
   const auto starts = surfaceStarts(shader, fitReciprocalLobes(material, cells, 2, control.between(0, 0.2)));
   const SurfaceSearch search(shader, material, cells);
   std::vector<std::pair<double, SurfaceValues>> found;

@@ -63,7 +63,8 @@ struct SurfaceShader {
   /// The shader's own formula as a BRDF, 1/sr, without the cosine, including its layering.
   std::unique_ptr<const Brdf> (*brdf)(const SurfaceValues&);
 
-  bool takes(SurfaceField field) const;
+  /// Whether a fit of this shader changes the parameter.
+  bool isFitted(SurfaceField field) const;
 };
 
 /// Fits the shader's own formula to a material within its limits: least squared residuals of PictureCells. Starts from

@@ -109,7 +109,7 @@ ExportTarget merlTarget() {
   return {.id = "merl",
           .label = "MERL file",
           .description = "A file in the layout of the MERL database, which research code and several renderers read.",
-          .holds = "Isotropic, reciprocal materials at 90 x 90 x 180 half-difference angles.",
+          .limitations = "Isotropic, reciprocal materials at 90 x 90 x 180 half-difference angles.",
           .suffixes = {".binary"},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeMerl(".binary", {}, source, options, control);
@@ -122,7 +122,7 @@ ExportTarget merlCircleTarget() {
           .description =
               "The layout of the MERL database with phi_d from 0 to 360 degrees: Gonio reads it, most other programs "
               "do not.",
-          .holds = "Isotropic materials at 90 x 90 x 360 half-difference angles; not necessarily reciprocal.",
+          .limitations = "Isotropic materials at 90 x 90 x 360 half-difference angles; not necessarily reciprocal.",
           .suffixes = {"_360.binary"},
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeMerl("_360.binary", circleGrid, source, options, control);
@@ -133,7 +133,7 @@ ExportTarget utiaTarget() {
   return {.id = "utia",
           .label = "UTIA file",
           .description = "A file in the layout of the UTIA BRDF database, for its published code and for Gonio.",
-          .holds =
+          .limitations =
               "Isotropic and anisotropic materials at 288 x 288 directions: 15 degrees of polar angle by 7.5 of "
               "azimuth, too coarse for sharp highlights.",
           .suffixes = {".bin"},
@@ -145,7 +145,7 @@ ExportTarget csvTarget() {
       .id = "csv",
       .label = "BRDF values (CSV)",
       .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
-      .holds =
+      .limitations =
           "Polar angle of the light 0 to 75 degrees in steps of 15, of the viewer 0 to 85 in steps of 5, azimuth in "
           "steps of 15; for anisotropic materials also the azimuth of the light in steps of 30.",
       .suffixes = {".csv"},

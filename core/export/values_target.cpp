@@ -126,7 +126,7 @@ ExportTarget valuesTarget() {
           .description =
               "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
               "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
-          .holds =
+          .limitations =
               "An approximation by a diffuse lobe and one highlight, and for Arnold also a coat. The stated accuracy "
               "is the lowest of the three.",
           .suffixes = {valuesSuffix},

@@ -14,7 +14,8 @@ namespace gonio::exports {
 /// set of closures, such as Cycles, can represent:
 ///   w_0(theta_o) / pi + sum_j w_j(theta_o) D_j G_j / (4 cos theta_i cos theta_o).
 /// D and the separable masking G are those of Walter et al. 2007, "Microfacet Models for Refraction through Rough
-/// Surfaces", eq. 33-34, without a Fresnel term. Not reciprocal.
+/// Surfaces", eq. 33-34, as in Cycles of Blender 3.4 (later versions use height-correlated masking), without a Fresnel
+/// term. Not reciprocal.
 struct ViewLobes {
   std::vector<double> alphas;  ///< GGX alphas, ascending
   std::vector<double> thetas;  ///< knots of the viewer's polar angle, rad, ascending; weights are constant beyond them

@@ -49,10 +49,10 @@ template <typename Axes, typename ReadingsOf>
 NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t secondCount,
                               std::size_t thirdCount, const ReadingsOf& readingsOf, const TaskControl& control) {
   // The last nodes lie exactly on the limit.
-  const double smallestCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
+  const double minCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
   NodeSamples<Axes> samples = emptySamples(axes);
   const auto sampleNode = [&](std::size_t i, const auto& node) {
-    if (!node.valid || node.pair.wi.z < smallestCosine || node.pair.wo.z < smallestCosine) return;
+    if (!node.valid || node.pair.wi.z < minCosine || node.pair.wo.z < minCosine) return;
     Rgb sum(0);
     double count = 0;
     for (const HalfDifference& at : node.at) {

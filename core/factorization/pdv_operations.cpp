@@ -34,7 +34,7 @@ PdvFactors takeCurve(const PdvFactors& target, const PdvFactors& other, FurtherT
   if (target.transform != other.transform)
     throw Error("the transforms of the factors are " + std::string(dataTransformNames[std::size_t(other.transform)]) +
                 " and " + std::string(dataTransformNames[std::size_t(target.transform)]) + "; expected the same");
-  PdvFactors result = terms == FurtherTerms::keep ? target : target.truncated(1);
+  PdvFactors result = terms == FurtherTerms::preserve ? target : target.truncated(1);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const std::vector<double>& taken = other.channels[channel][0].*curve;
     result.channels[channel][0].*curve =

@@ -10,9 +10,9 @@
 /// Operations on factors for editing a material; all return new values. Curves are in the transformed domain: with
 /// DataTransform::logPlus, scaling a curve by 2 doubles ln(1 + rho), not rho.
 ///
-/// The first term of a model describes the highlight; further terms correct it for this material. They are valid only
-/// together with these curves, so operations that replace a curve by another material's drop them by default.
-/// Operations that stretch |Dp| change all terms.
+/// The first term of a model describes the highlight; further terms correct it for this material and are valid
+/// only together with its own curves, so operations that replace a curve by that of another material drop the further
+/// terms by default. Operations that stretch |Dp| change all terms.
 namespace gonio::factorization {
 
 // Curves: values at nodes.
@@ -34,7 +34,7 @@ std::vector<double> smoothed(std::span<const double> curve, double radius);
 
 // Models.
 
-enum class FurtherTerms { drop, keep };
+enum class FurtherTerms { drop, preserve };
 
 /// The target with F1 (specular strength vs. angle) of another material's first term, per channel. @throws Error if the
 /// transforms differ.

@@ -35,17 +35,18 @@ struct FitResult {
 };
 
 /// Fits a model to a BRDF. Isotropic BRDFs are fitted as a table: parameters along two axes get the same value and the
-/// rotation is 0. Anisotropic ones are fitted by cells over all azimuths of both directions (FitData), with separate
-/// parameters per axis and the direction of the grain, from several starting directions of the grain, evenly spread
-/// over 180 degrees; parameters are returned in canonical form, with x, the narrower axis, along the grain and a
-/// rotation in [-pi/2, pi/2).
-/// Variable projection: the linear parameters are solved inside each trial, within their bounds and in the metric's own
-/// domain; the others by a bounded least-squares solver from several starts, first on a stratified subset of the cells,
-/// then refined on a larger one. Parameters are shared or per channel according to the model's specs. Deterministic. A
-/// stop request returns the best result so far (`cancelled`); fit() never throws Cancelled. Under 3 s per model for a
-/// table, about twice that for anisotropic data.
-/// @param choices values of all parameters, of which only the choices are used; they are not fitted. Empty: the
-/// defaults, except that optional lobes of layered models are only enabled if each lowers the error by at least 5 %.
+/// rotation is 0. Anisotropic BRDFs are fitted to cells over all azimuths of both directions (FitData). The fit then
+/// has separate parameters for the two axes and the direction of the grain; it starts from several directions of the
+/// grain, evenly spread over 180 degrees. It returns parameters in canonical form: x, the axis along which the
+/// highlight is narrower, is along the grain, and the rotation is in [-pi/2, pi/2). Variable projection: the linear
+/// parameters are solved inside each trial, within their bounds and in the metric's own domain; the others by a bounded
+/// least-squares solver from several starts, first on a stratified subset of the cells, then refined on a larger one.
+/// Parameters are shared or per channel according to the model's specs. Deterministic. A stop request returns the best
+/// result so far (`cancelled`); fit() never throws Cancelled. Under 3 s per model for a table, about twice that for
+/// anisotropic data.
+/// @param choices values of all parameters. Only those of the choices are used, i.e. of parameters that select one of
+/// several named formulas (ParameterSpec::choices); choices are not fitted. Empty: the defaults, except that optional
+/// lobes of layered models are only enabled if each lowers the error by at least 5 %.
 FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options = {},
               const TaskControl& control = {}, const models::ParameterValues& choices = {});
 

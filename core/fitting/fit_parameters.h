@@ -19,7 +19,7 @@ enum class FitRole {
   fixed  ///< not changed: a choice, a parameter that is inactive with the current choices, or a grain in isotropic data
 };
 
-/// @param base values of all parameters; only the choices are used.
+/// @param base values of all parameters; only those of the choices (parameters with ParameterSpec::choices) are used.
 FitRole fitRole(const models::ModelSpec& spec, const models::ParameterValues& base, std::size_t parameter,
                 DataSymmetry symmetry = DataSymmetry::isotropic);
 std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const models::ParameterValues& base, FitRole role,

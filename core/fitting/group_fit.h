@@ -30,9 +30,10 @@ std::vector<models::ParameterValues> startingPoints(const models::Model& model, 
 std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, const models::ParameterValues& about);
 
 /// Fits the parameters of several colour channels together: evaluates starts over the soft ranges, refines the best of
-/// them on the cells of `search`, and the best of these on the cells of `polish`. Parameters of shadowing are only
-/// released late, since they have a small effect. Deterministic for any number of threads. Over the cells of `polish`
-/// the result is never worse than the best start. A stop request ends the fit early with the best result so far.
+/// them on the cells of `search`, and the best of these on the cells of `polish`. Parameters of the group
+/// `shadowing` have a small effect: they are fixed in the first search and fitted in the later ones. Deterministic for
+/// any number of threads. Over the cells of `polish` the result is never worse than the best start. A stop request ends
+/// the fit early with the best result so far.
 /// @param base values of all parameters that are not fitted here.
 /// @param fraction of the total progress that this fit reports.
 /// @return `base` with the parameters of `channels` (all channels of shared ones) replaced.

@@ -35,7 +35,7 @@ class MetricTransform {
       case metrics::MetricDomain::cubeRoot:
         return visitor([](double x) { return fastCbrt(x); },
                        [](double x) {
-                         const double root = fastCbrt(std::max(std::abs(x), smallest));
+                         const double root = fastCbrt(std::max(std::abs(x), minMagnitude));
                          return 1 / (3 * root * root);
                        });
       case metrics::MetricDomain::log:
@@ -48,10 +48,10 @@ class MetricTransform {
       case metrics::MetricDomain::gamma:
         if (gamma_ == 2)
           return visitor([](double x) { return std::copysign(std::sqrt(std::abs(x)), x); },
-                         [](double x) { return 0.5 / std::sqrt(std::max(std::abs(x), smallest)); });
+                         [](double x) { return 0.5 / std::sqrt(std::max(std::abs(x), minMagnitude)); });
         return visitor([gamma = gamma_](double x) { return std::copysign(gammaTransformed(std::abs(x), gamma), x); },
                        [gamma = gamma_](double x) {
-                         const double bounded = std::max(std::abs(x), smallest);
+                         const double bounded = std::max(std::abs(x), minMagnitude);
                          return gammaTransformed(bounded, gamma) / (gamma * bounded);
                        });
       case metrics::MetricDomain::logRelative:
@@ -108,8 +108,8 @@ class MetricTransform {
   }
 
  private:
-  static constexpr double smallest = 1e-6;  ///< lower bound of |x| for the slopes of roots
-  static constexpr double kink = 1e-4;      ///< half-width of the rounded minimum of |d|
+  static constexpr double minMagnitude = 1e-6;  ///< lower bound of |x| for the slopes of roots
+  static constexpr double kink = 1e-4;          ///< half-width of the rounded minimum of |d|
   static constexpr double offset = logRelativeOffset;
 
   const metrics::MetricRecord* record_;

@@ -7,7 +7,7 @@
 
 namespace gonio {
 
-/// Two faces form a crease, without a common shading normal, if the angle between their normals is larger (rad).
+/// Two faces form a crease, without a common shading normal, if the angle between their normals exceeds this (rad).
 inline constexpr double creaseAngle = radians(40);
 
 /// Twice the area times the unit normal of a triangle, by the right-hand rule from its winding. Computed in double

@@ -41,8 +41,8 @@ struct InterpolationMaterial {
   std::shared_ptr<const TabulatedBrdf> table;
   /// The factors of a material that consists of PDV factors; they are used unchanged. Null: the table is factorised.
   std::shared_ptr<const factorization::PdvFactors> factors = nullptr;
-  /// The code of a material that is a code over the ensemble. If null, or if its transform differs from the first
-  /// code's, the table is encoded.
+  /// The code of a material that is a code over the ensemble. If null, or if its transform or cell scaling differs from
+  /// that of the first code, the table is encoded.
   std::shared_ptr<const dictionary::SparseCode> code = nullptr;
   /// The material in its native form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files).
   /// Null: the material is the table.
@@ -98,8 +98,8 @@ class Interpolation {
   /// The blend of the materials' tables, on the grid of the first. @throws Error as brdf(); Cancelled.
   Table table(std::span<const double> weights, const TaskControl& control = {}) const;
 
-  // Components of the blend; empty in other spaces. They are those of the fits even if a weight is 1, where brdf()
-  // gives the material itself. @throws Error as brdf().
+  // The blend in the form of its space; empty if the space has another form. Computed from the fits, factors or codes
+  // even if a weight is 1, where brdf() gives the material itself. @throws Error as brdf().
 
   /// The blended parameters of the model, in `parameters` and `differential`.
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
@@ -113,8 +113,8 @@ class Interpolation {
 
   /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply differentialEdits() to the
   /// tables before mixing. In `dictionary` they contain all coefficients. About 50 ms and 18 MB per material.
-  /// Differences from brdf(): no limit on the number of coefficients, bounds of the codes per material instead of the
-  /// blend, single precision.
+  /// Differences from brdf(): no limit on the number of coefficients; transformed values are limited by the maximum of
+  /// each material's code (ChannelCode::highest) instead of that of the blended code; single precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
  protected:

@@ -9,8 +9,8 @@ namespace gonio::editing {
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
                                                    const TaskControl& control);
-/// The space `differential` with keepDetail, else `parameters`.
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool keepDetail,
+/// The space `differential` with preserveDetail, else `parameters`.
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool preserveDetail,
                                                        const InterpolationOptions& options, const TaskControl& control);
 std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationMaterial> ends,
                                                     const InterpolationOptions& options, const TaskControl& control);

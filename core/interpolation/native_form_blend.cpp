@@ -38,7 +38,7 @@ std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& cont
 
 std::shared_ptr<const RglBrdf> rglBlend(const RglBrdf& nodes, const Brdf& blend, const TaskControl& control) {
   const auto file = nodes.withIncident(IncidentDirection::viewer);
-  EditedRgl colours = editedColours(*file, blend, control, NegativeColours::kept);
+  EditedRgl colours = editedColours(*file, blend, control, NegativeColours::preserve);
   SliceStack<float> luminance = samplingLuminance(colours.rgb);
   return file->withColours(std::move(colours.rgb), std::move(luminance));
 }

@@ -69,7 +69,7 @@ class DifferentialInterpolation final : public ParameterInterpolation {
 
 }  // namespace
 
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool keepDetail,
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool preserveDetail,
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
   const models::Model& model = options.model ? *options.model : models::ggx();
@@ -79,7 +79,7 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
     fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
     control.throwIfStopped();
   }
-  if (keepDetail)
+  if (preserveDetail)
     return std::make_shared<const DifferentialInterpolation>(ends, model, std::move(fitted),
                                                              TaskControl{control.stop, {}});
   return std::make_shared<const ParameterInterpolation>(ends, model, std::move(fitted));

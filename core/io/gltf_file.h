@@ -14,9 +14,9 @@
 namespace gonio::io {
 
 /// @param folder for relative URIs of buffers; empty: no other files are opened.
-/// @throws Error that states the member, what was found and what was expected; also for files that require compressed
-/// geometry (Draco, meshopt, quantisation) or sparse accessors, without triangles, over 2 GB or 100 million triangles;
-/// as TriangleMesh.
+/// @throws Error that states the member, what was found and what was expected; Error if the file requires compressed
+/// geometry (Draco, meshopt, quantisation) or sparse accessors, has no triangles, or has more than 2 GB or 100 million
+/// triangles; Error as the constructor of TriangleMesh.
 TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder = {});
 
 }  // namespace gonio::io

@@ -14,8 +14,8 @@
 /// are parsed strictly, unlike in common loaders, which read invalid numbers as 0.
 namespace gonio::io {
 
-/// @throws Error that names the file and the line, what was found and what was expected; also without faces, over 2 GB
-/// or 100 million triangles; as TriangleMesh. @throws Cancelled.
+/// @throws Error that names the file and the line, what was found and what was expected; Error if there are no faces,
+/// or more than 2 GB or 100 million triangles; Error as the constructor of TriangleMesh; Cancelled.
 TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control = {});
 /// The same for bytes; errors name no file.
 TriangleMesh readObj(const ByteSource& source, const TaskControl& control = {});

@@ -14,8 +14,8 @@
 /// ignored. Parsed strictly by our own reader, because Assimp 5.2 crashed on damaged files.
 namespace gonio::io {
 
-/// @throws Error that states the line of the header or the element, what was found and what was expected; also without
-/// faces, over 2 GB or 100 million triangles; as TriangleMesh.
+/// @throws Error that states the line of the header or the element, what was found and what was expected; Error if
+/// there are no faces, or more than 2 GB or 100 million triangles; Error as the constructor of TriangleMesh.
 TriangleMesh readPly(const ByteSource& source);
 
 /// The mesh with its shading normals as binary little-endian PLY, float32 and int32. Writes a vertex for each distinct

@@ -28,14 +28,14 @@ struct ScatteredSamples {
       ++belowHorizonCount;
       return;
     }
-    Rgb kept = value;
+    Rgb clamped = value;
     for (int channel = 0; channel < 3; ++channel)
-      if (kept[channel] < 0) {
-        kept[channel] = 0;
+      if (clamped[channel] < 0) {
+        clamped[channel] = 0;
         ++clampedCount;
       }
     directions.push_back(pair);
-    values.push_back(kept);
+    values.push_back(clamped);
   }
 };
 

@@ -29,7 +29,7 @@ class TextLines {
   /// @param text must outlive the lines.
   explicit TextLines(std::string_view text) : rest_(text) {}
   std::optional<TextLine> next();
-  /// Number of bytes left, an upper bound of the numbers that can follow.
+  /// Number of bytes left: an upper bound for how many numbers can follow.
   std::size_t bytesLeft() const { return rest_.size(); }
   /// Number of the last line read; 0 before the first.
   std::size_t number() const { return number_; }

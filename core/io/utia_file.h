@@ -12,8 +12,9 @@
 /// Files of the UTIA BRDF database (Filip and Vávra 2014, "Template-Based Sampling of Anisotropic BRDFs"). Two layouts:
 /// - `.bin`: little-endian float64 [3][288][288], the planes of red, green and blue, 1,990,656 bytes without a header;
 /// - `.exr`: an OpenEXR image of 288 x 288 pixels.
-/// Rows are incident directions, columns viewing directions, each with index polar angle index * 48 + azimuth index, in
-/// steps of 15 and 7.5 degrees. Values are read as BRDF values in 1/sr, as the database's published code returns them.
+/// Rows are incident directions, columns viewing directions; the index of a direction is
+///   (index of the polar angle) * 48 + index of the azimuth, in steps of 15 and 7.5 degrees.
+/// Values are read as BRDF values in 1/sr, as the database's published code returns them.
 /// The absolute scale is not documented beyond that; other readers rescale it (dj_brdf by Dupuy).
 namespace gonio::io {
 

@@ -11,8 +11,8 @@ namespace gonio::models {
 /// Microfacets with slope r = tan theta_h and density p / (pi beta^2 Gamma(1/p)) exp(-(r / beta)^(2p)): the exponential
 /// power distribution of Holzschuch and Pacanowski 2017 (A Two-Scale Microfacet Reflectance Model Combining Reflection
 /// and Diffraction, section 4.3), which is Beckmann's for p = 1. Smith's masking has no closed form, but depends only
-/// on p and cot theta / mean slope: a table over p, computed once, provides a table over the angle. The constructor
-/// takes a few microseconds.
+/// on p and cot theta / mean slope. The constructor interpolates it over p, from a table that is computed once, at
+/// fixed nodes of cot theta / mean slope; this takes a few microseconds.
 class ExponentialPowerDistribution {
  public:
   /// The range of p in the table.

@@ -51,7 +51,9 @@ constexpr ParameterSpec parameters[] = {
     denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large values are "
                                                       "glossy."),
     denominator("q-y", "Incidence falloff", "q_y", 10, 0.01, "How much all values decrease towards grazing angles."),
-    denominator("q-xx", "Falloff", "q_xx", 1e10, 0.01, "Where the highlight begins to fall off twice as steeply."),
+    denominator("q-xx", "Falloff", "q_xx", 1e10, 0.01,
+                "Where the falloff of the highlight changes from 1/x to 1/x^2: the larger the value, the closer to the "
+                "peak."),
     denominator("q-xy", "Narrowing", "q_xy", 1e6, 0.01, "How much the highlight narrows towards grazing angles."),
     denominator("q-yy", "Grazing falloff", "q_yy", 10, 0.01,
                 "How much all values decrease very close to grazing incidence."),

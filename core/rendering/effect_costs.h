@@ -8,12 +8,12 @@
 
 namespace gonio {
 
-/// Comparison of the planned picture with the picture in which one effect is switched.
+/// Comparison of the planned picture with a picture in which one effect is switched off if it is planned, else on.
 struct EffectCost {
   Effect effect;
   double seconds = 0;       ///< measured rendering time that the effect adds
   double secondsNoise = 0;  ///< its uncertainty: the spreads of both pictures, see EffectCostOptions::repeats
-  double difference = 0;    ///< RMS of the difference of both pictures, relative to the RMS of the picture
+  double difference = 0;    ///< RMS of the difference of both pictures, relative to the RMS of the planned picture
   double noise = 0;         ///< the same for two pictures with different seeds: the part due to noise
 
   /// Whether the time is within its uncertainty, so that the effect may cost nothing.

@@ -69,7 +69,7 @@ struct Film {
   std::vector<Rgb> radiance;     ///< sums, linear RGB
   std::vector<double> coverage;  ///< number of samples that hit an object or a visible environment
   /// Features for noise filters: sums of the normal at the first hit (0 without a hit) and, in w, of the squared
-  /// luminance. Empty unless keepFeatures() was called.
+  /// luminance. Empty unless enableFeatures() was called.
   std::vector<glm::vec4> features;
   RayCounters counters;
   SampleLuminances luminances;
@@ -82,7 +82,7 @@ struct Film {
         coverage(radiance.size(), 0) {}
 
   /// Enables `features`, 16 bytes per pixel. Call it before the first sample.
-  void keepFeatures() { features.assign(radiance.size(), glm::vec4(0)); }
+  void enableFeatures() { features.assign(radiance.size(), glm::vec4(0)); }
 
   /// The mean of the samples, premultiplied by its alpha; black without samples.
   Image image() const {

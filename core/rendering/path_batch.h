@@ -53,7 +53,7 @@ class PathTracer::PathBatch {
     Direction origin;        ///< of rays that leave the surface, if the object sends any
     DirectionSample sample;  ///< from the material, local; pdf 0 if there is none
     Direction toward;        ///< the sample in world coordinates
-    std::size_t query;       ///< index of the sample's query of the path's material
+    std::size_t query;       ///< index of the sample in the queries of the path's material
   };
   /// A light sample that waits for its BRDF value.
   struct LightQuery {
@@ -86,7 +86,7 @@ class PathTracer::PathBatch {
   void sampleMaterials(int reflection);
   void evaluateQueries();
   void addSampledLights();
-  /// @param query of the path's material, whose value is a factor of `radiance`.
+  /// Adds `radiance` times the value of a query. @param query index in the queries of the path's material.
   void addRadiance(const Path& path, std::size_t query, const Rgb& radiance);
   bool isBlocked(const LightQuery& query, const Path& path);
   /// Adds the light that the sampled directions hit, moves continuing paths to their next surface, and removes the

@@ -33,8 +33,8 @@ class RecordedPaths {
   /// visible environment. @param samples per pixel.
   RecordedPaths(std::vector<Row> rows, Image others, int samples);
 
-  /// What renderPicture() renders of a material with the lobe of the paths, up to rounding: linear RGB radiance,
-  /// bitwise equal for any number of threads. @throws Cancelled.
+  /// The picture that renderPicture() returns for a material with the lobe of the paths, up to rounding: linear RGB
+  /// radiance, bitwise equal for any number of threads. @throws Cancelled.
   Image picture(const Brdf& brdf, const TaskControl& control = {}) const;
 
  private:

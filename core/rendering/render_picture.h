@@ -33,9 +33,9 @@ Image renderPicture(const std::shared_ptr<const RenderMaterial>& material, const
 std::optional<RecordedPaths> recordPaths(const Scene& scene, const RenderOptions& options,
                                          const TaskControl& control = {});
 
-/// The scene of all rendered SNRs in Gonio, "sphere-studio": a sphere in the studio environment with the default
-/// camera.
+/// The scene of all rendered SNRs in Gonio: a sphere in the studio environment with the default camera.
 Scene comparisonScene();
-inline constexpr const char* comparisonSceneName = "sphere-studio";
+/// Its name in result files, and that of the same scene in lists (bundledSceneNames()). openScene() accepts both.
+inline constexpr const char *comparisonSceneName = "sphere-studio", *bundledComparisonScene = "sphere";
 
 }  // namespace gonio

@@ -32,7 +32,7 @@ class RenderedComparison {
   const Image& reference() const { return reference_.image; }
   /// @throws Cancelled.
   ComparisonPicture render(const Brdf& test, const TaskControl& control = {}) const;
-  /// The same picture, traced anew: the work of a renderer, whose time is to be measured. @throws Cancelled.
+  /// The same picture without recorded paths, to measure the time that a renderer needs. @throws Cancelled.
   ComparisonPicture trace(const Brdf& test, const TaskControl& control = {}) const;
   /// Rendered SNR of a picture from render(), dB; special cases as metrics::signalToNoiseRatio().
   double signalToNoiseRatio(const ComparisonPicture& picture) const;

@@ -278,7 +278,8 @@ Scene sceneOfFile(const std::filesystem::path& path, int materials) {
 
 Scene openScene(const std::string& nameOrPath, int materials) {
   Scene scene;
-  const std::string_view name = nameOrPath == comparisonSceneName ? "sphere" : std::string_view(nameOrPath);
+  const std::string_view name =
+      nameOrPath == comparisonSceneName ? bundledComparisonScene : std::string_view(nameOrPath);
   const auto bundled = std::ranges::find(bundledScenes(), name, &BundledScene::name);
   if (bundled != bundledScenes().end()) {
     scene = parseScene(std::string(bundled->json), materials);

@@ -17,9 +17,9 @@ namespace gonio {
 /// @throws Error that names the member, what was found and what was expected.
 Scene parseScene(const std::string& text, int materials, const std::optional<std::filesystem::path>& folder = {});
 
-/// Opens a bundled scene by its name (comparisonSceneName is another name of "sphere"), a scene file (.json), or a
-/// mesh, which is scaled to the unit sphere and placed on the ground in the studio. @throws Error that names the file
-/// or lists the names.
+/// Opens a bundled scene by its name (comparisonSceneName is another name of bundledComparisonScene), a scene file
+/// (.json), or a mesh, which is scaled to the unit sphere and placed on the ground in the studio. @throws Error that
+/// names the file or lists the names.
 Scene openScene(const std::string& nameOrPath, int materials = 1);
 
 /// The names of the bundled scenes, in the order of lists.

@@ -35,10 +35,10 @@ struct StudyOptions {
   std::function<void(const Image&)> referenceRendered = {};
 };
 
-/// Builds representations of one material and measures each: errors by every metric, rendered SNR, bytes, and the
-/// current times on this machine of encoding, an evaluation and a frame (median of three, or fewer if they take more
-/// than a second). Errors exclude angles beyond build.fit.maxPolarAngle. Deterministic except for times. About two
-/// seconds per representation on two cores.
+/// Builds representations of one material and measures each: errors by every metric, rendered SNR, bytes, and how long
+/// encoding, an evaluation and a frame take on this machine at the moment (a frame: median of three, or fewer if they
+/// take more than a second). Errors exclude angles beyond build.fit.maxPolarAngle. Deterministic except for times.
+/// About two seconds per representation on two cores.
 /// @return one record per representation, in order. A stop request returns the completed records; runStudy() never
 /// throws Cancelled.
 /// @throws Error as RepresentationBuilder::build().

@@ -14,7 +14,7 @@ struct EvaluationTime {
   double median = 0, lowerQuartile = 0, upperQuartile = 0;
 };
 
-/// Measures the current time of an evaluation on this machine, as processor time: one thread evaluates a batch of
+/// Measures how much processor time an evaluation takes on this machine at the moment: one thread evaluates a batch of
 /// 16,384 pairs of directions, uniform over the hemisphere, seven times, or at least three times if that takes more
 /// than half a second. Takes a few ms for most BRDFs. @throws Cancelled.
 EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control = {});

@@ -75,7 +75,8 @@ struct RepresentationChoice {
                                              RepresentationFamily::nonparametric};
   std::vector<const models::Model*> models;               ///< empty: all registered models
   std::vector<const factorization::Baseline*> baselines;  ///< empty: all of studiedBaselines()
-  /// Of PDV factors; also determines the budgets of baselines: the bytes of files with as many terms of three factors.
+  /// Of PDV factors. The budgets of baselines are the sizes in bytes of PDV files of three factors with these numbers
+  /// of terms.
   std::vector<int> terms{1, 2, 3, 5, 8, 10, 14, 20};
   std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< per channel
   std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< per channel

@@ -55,9 +55,10 @@ py::tuple edit(const PyMaterial& material, const std::string& id, const std::str
 }
 
 PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original, const PyFactors& changed,
-                          bool keepDetail, double strength, const py::object& progress) {
+                          bool preserveDetail, double strength, const py::object& progress) {
   if (!(strength >= 0 && strength <= 1)) throw Error("strength: expected a number from 0 to 1");
-  return edited(material, {.content = FactorEdit{original.factors, changed.factors, keepDetail}, .strength = strength},
+  return edited(material,
+                {.content = FactorEdit{original.factors, changed.factors, preserveDetail}, .strength = strength},
                 progress);
 }
 

@@ -214,7 +214,8 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
 py::list targets() {
   py::list list;
   for (const exports::ExportTarget& target : exports::exportTargets())
-    list.append(py::make_tuple(target.id, target.label, target.description, target.holds, target.scene != nullptr));
+    list.append(
+        py::make_tuple(target.id, target.label, target.description, target.limitations, target.scene != nullptr));
   return list;
 }
 

@@ -251,7 +251,8 @@ class Plan:
 
     @property
     def wi(self) -> NDArray[np.float64]:
-        """Directions toward the light, shape (samples, 3). For isotropic materials, a pair may be turned about the normal."""
+        """Directions toward the light, shape (samples, 3). For an isotropic material, you may rotate wi and wo
+        together about the normal."""
         return self._handle.directions[0]
 
     @property
@@ -351,12 +352,13 @@ class Reconstruction:
     material: Material
     """The reconstructed material, a table on the grid of the basis."""
     ridge: float
-    """Ridge parameter eta that was used; 0 for "sparse"."""
+    """Ridge parameter eta that was used; for "local-ridge" the noise variance s^2 of the combination with the largest weight
+    (docs/acquisition.md), converted to eta; 0 for "sparse"."""
     components: int
     """Number of components of the basis that were used."""
     leave_one_out_error: float
-    """Root mean square error of predicting each sample's mapped value (see Basis) from all other samples; NaN for "sparse" and
-    for one sample."""
+    """Root mean square error of predicting each sample's mapped value (see Basis) from all other samples, for "local-ridge" in
+    the combination with the largest weight; NaN for "sparse" and for one sample."""
     deviation: Optional[NDArray[np.float32]] = field(repr=False)
     """Uncertainty: standard deviation of the mapped value (see Basis) of each cell, shape (n_h, n_d, n_phi); NaN in invalid
     cells; None for "sparse"."""

@@ -83,13 +83,14 @@ class FactorPrediction:
     angles: NDArray[np.float64] = field(repr=False)
     """Angles of the "along" readings, rad."""
     along: NDArray[np.float64] = field(repr=False)
-    """Curve "along": z = ln(1 + rho) in the mirror direction, shape (angles, 3); 1 in a channel that is unscaled."""
+    """Curve "along": z = ln(1 + rho) in the mirror direction, shape (angles, 3); 1 in a channel in which the mirror
+    direction at the fixed angle is black (`unscaled`)."""
     distances: NDArray[np.float64] = field(repr=False)
     """Distances of the "across" readings from the mirror direction: |Dp|, or theta_h in rad, depending on the axes."""
     across: NDArray[np.float64] = field(repr=False)
     """Curve "across": z at the fixed angle divided by z in the mirror direction there, shape (distances, 3). For the axes
     "symmetric-deviation" it is also multiplied by z(fixed angle) / z(theta_d) of the curve "along". In a channel that is
-    unscaled, it is z itself."""
+    `unscaled`, it is z itself."""
     contradicted: float
     """Fraction at which exchanging light and viewer changes the unbounded prediction by more than a factor of 2."""
     extrapolated: float
@@ -97,8 +98,8 @@ class FactorPrediction:
     bounded: float
     """Fraction at which the product is more than twice as large as the readings at the same angle and at the same distance."""
     unscaled: tuple[bool, bool, bool]
-    """Whether the mirror direction of a channel is black at the fixed angle; the curve "across" is then used for all
-    angles."""
+    """For each channel, whether the mirror direction at the fixed angle is black; the curve "across" is then used for all
+    angles without scaling."""
     warnings: list[str]
     """Sentences that state where and why the prediction is unreliable."""
 

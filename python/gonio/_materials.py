@@ -322,7 +322,7 @@ class LibraryEntry:
     name: str
     """Name of the material."""
     description: str
-    """Description, with who measured or fitted it."""
+    """Description, including who measured or fitted the material."""
     origin: str
     """"measured", "near-measured copy" (a neural fit of a measurement) or "published fit" (parameters from a paper)."""
     kind: str

@@ -119,8 +119,10 @@ def models() -> dict[str, Model]:
 
 
 def artist_controls() -> tuple[Parameter, ...]:
-    """The controls that work on every model, for gonio.edit(controls=...): roughness, specular-strength, tint, saturation,
-    contrast, coat-strength, edge-brightness. At 1 each changes nothing; `description` states what other values do."""
+    """The controls for gonio.edit(controls=...): roughness, specular-strength, tint, saturation, contrast, coat-strength,
+    edge-brightness. They have the same meaning for every model. A control has no effect if the model has no parameter for it,
+    such as coat-strength for GGX; tint and saturation work for every model. At 1 each changes nothing; `description` states
+    what other values do."""
     return _described(_core.artist_controls()).parameters
 
 

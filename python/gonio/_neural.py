@@ -61,7 +61,7 @@ class NeuralBrdf:
 def train_neural(material: Material, steps: int = 40000, learning_rate: float = 0.01, seed: int = 1,
                  progress: Progress = None) -> NeuralBrdf:
     """Trains a network to reproduce a material, by Adam on the loss of Sztrajman et al. 2021: the mean of
-    |ln(1 + rho_net cos theta_i) - ln(1 + rho cos theta_i)|, rho_net the output of the network. Takes 0.15 to 0.3 ms
+    |ln(1 + rho_net cos theta_i) - ln(1 + rho cos theta_i)|, rho_net the BRDF value of the network. Takes 0.15 to 0.3 ms
     per step, 6 to 12 s with the defaults.
 
     Args:

@@ -122,8 +122,8 @@ class Record:
     """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
-    """"table", "fits", "factors", "codes", "components", "nonparametric", "published-nonparametric", "baselines",
-    "published", "alternatives" or "neural"."""
+    """"table", "fits", "factors", "codes", "components", "patches", "nonparametric", "published-nonparametric",
+    "baselines", "published", "alternatives" or "neural"."""
     representation: str
     """Id of the representation: "ggx", "factors-3d", "code", "lawrence", ..."""
     label: str
@@ -164,7 +164,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         terms: Numbers of terms for "factors", "published" and "alternatives". They also set the budgets of "baselines": the sizes of .pdv
             files with as many terms in the form "3d".
         coefficients: Numbers of coefficients per channel for the codes of "codes", "patches", "published" and "alternatives".
-        dictionary: The ensemble of dictionaries for all these codes; None: the bundled one.
+        dictionary: The ensemble of dictionaries for the codes of "codes", "published" and "alternatives"; None: the bundled one.
         components: Numbers of principal components per channel for "components"; numbers larger than the basis are omitted.
         basis: Principal components for "components", on the grid of the material's table (gonio.learn_basis()); required
             for "components".

@@ -157,8 +157,8 @@ def published_deviation_nodes(materials: Sequence[Material] = (), progress: Prog
     the materials (Tongbuasirilai 2023, eq. 4.24). Takes about 0.1 s per material.
 
     Args:
-        materials: The database; (): the 137 measured and near-measured bundled materials, the nodes of which are
-            stored.
+        materials: The database; (): the 137 measured and near-measured bundled materials. Their nodes are stored with Gonio
+            and not computed again.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Returns:
@@ -334,7 +334,7 @@ class Code:
 
         Args:
             as_table: True: the code is decoded to a table (50 ms), which is fast to evaluate. False: values are computed from
-                the coefficients when they are evaluated, about 0.25 to 1 µs per pair of directions for 64 to 1,024
+                the coefficients when they are evaluated, about 0.2 to 0.7 µs per pair of directions for 64 to 1,024
                 coefficients.
             name: Name of the material.
         """
@@ -363,8 +363,9 @@ def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Di
             their energy; None: no such limit.
         max_bytes: Use fewer coefficients if the file would be larger than this; None: no such limit.
         rendered_snr: Use the smallest number of coefficients that reaches this rendered SNR in dB; None: no such limit.
-        method: "omp" (the largest coefficients, as orthogonal matching pursuit chooses them) or "basis-pursuit" (those of the
-            smallest sum of absolute values; docs/dictionaries.md).
+        method: "omp" (the largest coefficients, which orthogonal matching pursuit would choose) or "basis-pursuit" (the
+            coefficients are chosen by minimising half the squared error plus lambda times the sum of their absolute values;
+            docs/dictionaries.md).
         as_published: Encode the transformed values without cell scaling, by one projection (Tongbuasirilai 2023,
             eq. 4.37 to 4.39; docs/dictionaries.md).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.

@@ -48,7 +48,7 @@ def test_files_and_errors(paint, tmp_path):
     assert again.curves == plan.curves
     symmetric, _ = gonio.open_factor_readings(path, "symmetric-deviation")
     assert gonio.predict_from_factors(symmetric, values).contradicted == 0
-    with pytest.raises(gonio.Error, match="curve across"):
+    with pytest.raises(gonio.Error, match='curve "across"'):
         gonio.predict_from_factors(gonio.open_factor_readings(path, "half-difference")[0], values)
     with pytest.raises(gonio.Error, match="expected projected-deviation"):
         gonio.plan_factors("pdv")

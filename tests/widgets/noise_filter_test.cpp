@@ -96,7 +96,7 @@ class NoiseFilterTest : public QObject {
     const std::vector<glm::vec4> shaders = read(picture_->featureTexture());
     const RenderMaterials bound = bindMaterials(scene, RenderMaterials{material});
     Film film(side, side);
-    film.keepFeatures();
+    film.enableFeatures();
     PathTracer(scene, bound, planEffects(scene, bound), 3).accumulate(film, 128);
     double normals = 0, squares = 0, all = 0;
     for (int y = 0; y < side; ++y)

@@ -23,13 +23,13 @@ editing::Edit brighterEdit(const models::Model& model) {
   return {.content = edit, .strength = 0.7};
 }
 
-editing::Edit widerEdit(const TabulatedBrdf& table, int terms, double factor, bool keepDetail) {
+editing::Edit widerEdit(const TabulatedBrdf& table, int terms, double factor, bool preserveDetail) {
   const auto found =
       factorization::factorizePdv(table, {.form = factorization::PdvForm::twoFactors, .terms = terms}).factors;
   return {.content = editing::FactorEdit{.original = std::make_shared<const factorization::PdvFactors>(found),
                                          .edited = std::make_shared<const factorization::PdvFactors>(
                                              factorization::widenF2(found, factor)),
-                                         .keepDetail = keepDetail},
+                                         .preserveDetail = preserveDetail},
           .strength = 0.8};
 }
 
@@ -61,16 +61,16 @@ class PreviewEditsTest : public QObject {
     for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors})
       for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root}) {
         const auto found = factorization::factorizePdv(*table, {.form = form, .transform = transform, .terms = 2});
-        for (const bool keepDetail : {true, false}) {
+        for (const bool preserveDetail : {true, false}) {
           editing::FactorEdit edit{
               .original = std::make_shared<const factorization::PdvFactors>(found.factors.truncated(1)),
               .edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(found.factors, 2)),
-              .keepDetail = keepDetail};
+              .preserveDetail = preserveDetail};
           const double snr = agreement(*spheres_, table, {{edit, "", 0.8}}, sphereScene(), 50);
           const auto what = QString("form %1, transform %2, detail %3: %4 dB")
                                 .arg(int(form))
                                 .arg(int(transform))
-                                .arg(keepDetail)
+                                .arg(preserveDetail)
                                 .arg(snr);
           qInfo("%s", qPrintable(what));
           QVERIFY2(snr > 50, qPrintable(what));

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 struct PlotStyle;
 
-/// An error over the number of samples, with one dot per measured number.
+/// An error over the number of samples, with a dot for each number at which it was measured.
 class ErrorCurve : public QWidget {
   Q_OBJECT
 

@@ -27,11 +27,11 @@ QCustomPlot* newChart(QWidget* parent, const char* name) {
 
 FactorCurves::FactorCurves(QWidget* parent)
     : QWidget(parent), m_along(newChart(this, "along")), m_across(newChart(this, "across")), m_hint(new QLabel) {
-  m_along->setAccessibleName(tr("Readings along the mirror direction"));
-  m_across->setAccessibleName(tr("Readings across the mirror direction"));
-  m_along->setToolTip(tr("Readings along the mirror direction, vs. the angle"));
+  m_along->setAccessibleName(tr("Readings in the mirror direction"));
+  m_across->setAccessibleName(tr("Readings around the mirror direction"));
+  m_along->setToolTip(tr("Readings in the mirror direction, vs. the angle"));
   m_across->setToolTip(
-      tr("Readings across the mirror direction at the fixed angle, relative to the reading in the mirror direction"));
+      tr("Readings around the mirror direction at the fixed angle, relative to the reading in the mirror direction"));
   m_hint->setAlignment(Qt::AlignCenter);
   m_hint->setWordWrap(true);
   m_hint->setForegroundRole(QPalette::PlaceholderText);
@@ -58,9 +58,9 @@ void FactorCurves::refresh() {
   m_hint->setVisible(isEmpty);
   draw(*m_along, m_content.angles, m_content.along, style);
   draw(*m_across, m_content.distances, m_content.across, style);
-  m_along->xAxis->setLabel(tr("%1, along the mirror direction").arg(m_content.angleTitle));
+  m_along->xAxis->setLabel(tr("%1, in the mirror direction").arg(m_content.angleTitle));
   m_along->yAxis->setLabel(tr("ln(1 + ρ)"));
-  m_across->xAxis->setLabel(tr("%1, across the mirror direction").arg(m_content.distanceTitle));
+  m_across->xAxis->setLabel(tr("%1, from the mirror direction").arg(m_content.distanceTitle));
   m_across->yAxis->setLabel(tr("ln(1 + ρ), relative"));
   for (QCustomPlot* chart : {m_along, m_across}) chart->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -20,7 +20,7 @@ class SampleChart : public QWidget {
  public:
   explicit SampleChart(QWidget* parent = nullptr);
 
-  /// The mark is kept if the sample still exists.
+  /// The mark stays if the sample still exists.
   void setSamples(std::vector<DirectionPair> samples);
   const std::vector<DirectionPair>& samples() const { return m_samples; }
   /// The sample that is marked, from 0; -1: none.

@@ -26,7 +26,7 @@ class CurveEditor : public QWidget {
 
   void setAxis(const CurveAxis& axis);
   const CurveAxis& axis() const { return m_view.axis; }
-  /// @param ghost the curves before any edit, drawn faintly. Control points are kept if the nodes are equal and the
+  /// @param ghost the curves before any edit, drawn faintly. Control points stay if the nodes are equal and the
   /// curves come from this widget's own edits; otherwise they are chosen anew.
   void setCurves(const std::vector<double>& nodes, const ChannelCurves& curves, const ChannelCurves& ghost);
   void clear();

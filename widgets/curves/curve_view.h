@@ -63,7 +63,7 @@ class CurveView {
                  const QPen& pen) const;
 };
 
-/// Faint pen of a channel before any edit.
+/// Faint pen for the curve of a channel before any edit.
 QPen ghostPen(int channel, const PlotStyle& style, double opacity);
 /// Pen of the mean of the channels.
 QPen meanPen(const PlotStyle& style);

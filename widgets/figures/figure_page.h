@@ -10,7 +10,7 @@
 namespace gonio::widgets {
 
 /// The page of a figure, scaled to the width of the widget or to fit as a whole. The user can draw a square on a
-/// picture, the part that insets magnify, or move the existing square.
+/// picture to mark the part that insets magnify, or move the existing square.
 class FigurePage : public QWidget {
   Q_OBJECT
 

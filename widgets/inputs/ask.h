@@ -7,8 +7,8 @@
 
 namespace gonio::widgets {
 
-/// Asks a question and waits for the answer. Unlike QMessageBox::question(), whose box is on the stack, this is safe if
-/// the parent is deleted meanwhile; the answer is then No.
+/// Asks a question and waits for the answer. This is safe if the parent is deleted meanwhile; the answer is then No.
+/// QMessageBox::question() is not, because its box is on the stack.
 inline bool ask(QWidget* parent, const QString& title, const QString& question) {
   const QPointer<QMessageBox> box =
       new QMessageBox(QMessageBox::Question, title, question, QMessageBox::Yes | QMessageBox::No, parent);

@@ -7,7 +7,7 @@
 namespace gonio::widgets {
 
 /// A field for one number: hard range, unit suffix, simple arithmetic, four significant digits. Enter or leaving the
-/// field commits, Esc restores, arrow keys step (Shift a tenth). Text that the user did not change keeps the exact
+/// field commits, Esc restores, arrow keys step (Shift a tenth). Text that the user did not change preserves the exact
 /// value, including digits that are not shown. The wheel only works if the field has the focus.
 class NumberField : public QLineEdit {
   Q_OBJECT

@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// A pixmap scaled to a size with its aspect ratio kept, averaged over areas (unlike painting a large pixmap small).
+/// A pixmap scaled to a size with the same aspect ratio, averaged over areas (unlike painting a large pixmap small).
 /// Cached, so that it can be called in every paint event.
 QPixmap scaledPixmap(const QPixmap& pixmap, const QSize& size);
 

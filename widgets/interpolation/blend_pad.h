@@ -26,7 +26,7 @@ class BlendPad : public QWidget {
  public:
   explicit BlendPad(QWidget* parent = nullptr);
 
-  /// Sets two (a line) to four corners. The point is kept if possible, else moved to the nearest valid place.
+  /// Sets two (a line) to four corners. The point stays if possible, else moves to the nearest valid place.
   void setCorners(std::vector<BlendCorner> corners);
   int materials() const { return int(m_corners.size()); }
   /// Shows a blend position (blend_position.h), which this class calls its place; emits nothing.

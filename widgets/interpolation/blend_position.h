@@ -24,8 +24,8 @@ QPointF centrePosition(int materials);
 /// The nearest valid position, in the geometry of the pad.
 QPointF nearestPosition(int materials, const QPointF& position);
 
-/// Position on the path of the strip of images from the first material: to the second of two, to the middle of the
-/// second and third, or to the fourth. @param t in [0, 1].
+/// The position at t on the path that the strip of images shows. It starts at the first material and ends at the second
+/// of two, midway between the second and the third of three, or at the fourth of four. @param t in [0, 1].
 QPointF pathPosition(int materials, double t);
 
 /// Corners of the pad in a unit square, y down: an equilateral triangle with the first material on top, or the square.

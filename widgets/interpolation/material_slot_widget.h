@@ -20,8 +20,8 @@ struct SlotContent {
   bool removable = false;  ///< whether the slot itself can be removed, even if it is empty
 };
 
-/// A drop target for one material: from the library or the desktop, the open document, or a file. Buttons provide the
-/// same with the keyboard; Delete empties it.
+/// A drop target for one material: a material of the library, or a file. Buttons put the open document's material or a
+/// file in it; Delete empties it.
 class MaterialSlotWidget : public QFrame {
   Q_OBJECT
 

@@ -24,7 +24,7 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
   const auto curves = std::make_shared<const factorization::PdvFactors>(std::move(factors));
   editing::FactorEdit edit;
   edit.original = edit.edited = curves;
-  edit.keepDetail = false;
+  edit.preserveDetail = false;
   return edit;
 }
 

@@ -13,7 +13,7 @@ class LibraryModel;
 class QuickLook;
 struct CommonNotes;
 
-/// The selection in a library's grid, which is kept when the library is listed again, and the user's actions on it
+/// The selection in a library's grid, which stays when the library is listed again, and the user's actions on it
 /// (double-click, keys, menu).
 class LibrarySelection : public QObject {
   Q_OBJECT
@@ -53,7 +53,7 @@ class LibrarySelection : public QObject {
 
  private:
   void showMenu(const QPoint& position);
-  /// Selects the listed materials of m_kept and keeps the others for later.
+  /// Selects the listed materials of m_kept and stores the others for later.
   void restore();
   /// Handles a key of the grid; returns whether it had an effect.
   bool key(int key, Qt::KeyboardModifiers modifiers);

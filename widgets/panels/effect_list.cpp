@@ -30,7 +30,7 @@ constexpr EffectText texts[effectCount] = {
      QT_TRANSLATE_NOOP("EffectList", "Shadows that an object casts on itself; only where it is not convex")},
     {QT_TRANSLATE_NOOP("EffectList", "Interreflection"),
      QT_TRANSLATE_NOOP("EffectList", "Light after two or more reflections")},
-    {QT_TRANSLATE_NOOP("EffectList", "Tangent frames"),
+    {QT_TRANSLATE_NOOP("EffectList", "Anisotropic frames"),
      QT_TRANSLATE_NOOP("EffectList", "Tangent directions on the surface, which anisotropic materials need")},
     {QT_TRANSLATE_NOOP("EffectList", "Area light sampling"),
      QT_TRANSLATE_NOOP("EffectList", "Samples points on area lights, which lowers the noise")},

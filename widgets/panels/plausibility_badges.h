@@ -33,8 +33,8 @@ class PlausibilityBadge : public QAbstractButton {
   State m_state = State::unknown;
 };
 
-/// A badge per plausibility check. Pressing one shows its meaning, the worst value and its directions, advice, and a
-/// button to display it.
+/// A badge per plausibility check. Pressing one shows its meaning, the worst value with its directions, advice, and a
+/// button that plots the checked quantity.
 class PlausibilityBadges : public QWidget {
   Q_OBJECT
 

@@ -49,7 +49,7 @@ class ParameterPanel : public QWidget {
   QVBoxLayout* m_layout;
   QWidget* m_content = nullptr;
   std::vector<ParameterRow*> m_rows;
-  bool m_coefficientsShown = false;  ///< kept from one model to the next
+  bool m_coefficientsShown = false;  ///< the same for the next model
 };
 
 }  // namespace gonio::widgets

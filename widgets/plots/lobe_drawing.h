@@ -39,8 +39,9 @@ struct LobePicture {
   plots::ValueScale scale;
 };
 
-/// Draws the surface, the normal, the light and mirror directions, the name and the value of the circle on the ground.
-/// The surface consists of shaded quadrilaterals, drawn from back to front, so that it can be exported as SVG.
+/// Draws the surface, the normal, the light and mirror directions, the name of the series, and a circle in the plane of
+/// the material with the value that its radius stands for. The surface consists of shaded quadrilaterals, drawn from
+/// back to front, so that it can be exported as SVG.
 void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
               const PlotStyle& style);
 

@@ -19,7 +19,7 @@ struct MaterialEstimate {
 };
 
 /// Estimates a subject's sampling density and albedo in another thread: about 10 ms, or about 100 ms for a blend of
-/// codes with different dictionaries. While an estimate runs, only the newest further request is kept.
+/// codes with different dictionaries. While an estimate runs, only the newest further request waits.
 class MaterialEstimator : public QObject {
   Q_OBJECT
 

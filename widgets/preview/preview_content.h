@@ -30,8 +30,9 @@ class PreviewContent : public QObject {
  public:
   explicit PreviewContent(QObject* parent = nullptr);
 
-  /// Sets the first subject. A lobe is estimated in the background; until then subject.lobe is used, or after a change
-  /// from one edit or model to another the previous lobe. An unchanged subject does not restart the picture.
+  /// Sets the first subject. Its lobe (sampling density) is estimated in the background. Until then the previous lobe
+  /// is used if neither the previous nor the new subject is an unedited measurement, else subject.lobe. An unchanged
+  /// subject does not restart the picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});
   /// Sets the second subject of comparisons. It costs nothing if it is empty or the mode is off.
   void setSecond(const PreviewSubject& subject, const QString& name);

@@ -24,7 +24,7 @@ OrbitCamera zoomed(const OrbitCamera& camera, double steps, double x = 0, double
 /// Rotation of the environment for a drag by dx pixels, rad.
 double environmentTurn(double dx);
 
-/// Direction to a light whose mirror highlight on the sphere is at a picture position (x, y in [-1, 1], y up); beside
+/// Direction to a light with its mirror highlight on the sphere at a picture position (x, y in [-1, 1], y up); beside
 /// the sphere, at its silhouette.
 Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect);
 

@@ -40,7 +40,7 @@ class PreviewSide : public QObject {
  private:
   void adopt(const MaterialEstimate& estimate);
 
-  PreviewSubject m_subject;  ///< with the lobe that is used for rendering
+  PreviewSubject m_subject;  ///< with the lobe (sampling density) that is used for rendering
   PreviewSubject m_given;
   int m_number = 0;  ///< of the subject and its lobe
   QString m_name;

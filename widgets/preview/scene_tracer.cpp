@@ -27,11 +27,11 @@ void traceProgressively(const PathTracer& tracer, const QSize& size, int samples
   };
   for (const int divisor : coarseDivisors) {
     Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
-    coarse.keepFeatures();
+    coarse.enableFeatures();
     pass(coarse, 1);
   }
   Film film(size.width(), size.height());
-  film.keepFeatures();
+  film.enableFeatures();
   while (film.samples < samples) pass(film, std::min(std::max(1, film.samples), samples - film.samples));
 }
 

@@ -42,8 +42,11 @@ void AcquisitionCharts::build() {
   m_sliceText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_uncertainty->setChecked(true);
   m_uncertainty->setToolTip(
-      tr("Shows the uncertainty of the reconstruction in false colour: the standard deviation of the mapped value "
-         "ln(ρ cos θi cos θo + 0.001) in each cell, given the samples (0.1 is about 10 % of ρ, except in dark cells)"));
+      tr("Shows the uncertainty of the reconstruction in false colour: the standard deviation of the mapped value in "
+         "each cell, given the samples.\n"
+         "Mapped value: ln((ρ w + 0.001) / (m + 0.001)), w = max(cos θi cos θo, 0.001), m the median of ρ w in the "
+         "training set.\n"
+         "0.1 is about 10 % of ρ, except in dark cells."));
   m_slice->setRange(0, HalfDifferenceGrid().phiDCount - 1);
   m_slice->setValue(HalfDifferenceGrid().phiDCount / 2);
   auto* label = new QLabel(tr("Slice φd"));

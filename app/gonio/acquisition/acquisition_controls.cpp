@@ -28,8 +28,8 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   m_reconstruction = rowBox(
       tr("Method that computes the whole material from the measured values; all except Sparse give an uncertainty"));
   const std::pair<QString, QString> methods[] = {
-      {tr("Local ridge"), tr("Ridge regression over up to %1 components that weighs training materials by how well "
-                             "they agree with the measured values")
+      {tr("Local ridge"), tr("Ridge regression over up to %1 components; each training material is weighted by how "
+                             "well it agrees with the measured values")
                               .arg(maxComponents)},
       {tr("Ridge, automatic η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
                                     "sample best from all others (leave-one-out)")

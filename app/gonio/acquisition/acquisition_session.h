@@ -61,8 +61,8 @@ class AcquisitionSession : public QObject {
   const AcquisitionResultPtr& result() const { return m_result; }
   const std::vector<CurvePoint>& curve() const { return m_curve; }
 
-  /// Writes the reconstructed table into a folder, as a MERL file named after it, and makes it the document's material:
-  /// one undo step.
+  /// Writes the reconstructed table into a folder, as a MERL file with the name resultName(), and makes it the
+  /// document's material: one undo step.
   void open(Document& document, const QString& folder);
   /// The same for any table. @param name of the material.
   void openTable(Document& document, std::shared_ptr<const TabulatedBrdf> table, const QString& name,

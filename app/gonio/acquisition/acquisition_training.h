@@ -20,9 +20,11 @@ struct TrainingSet {
 
 /// materials::libraryTrainingPaths().
 TrainingSet libraryTraining();
-/// The bundled library's measured materials, its near-measured copies of MERL, and its published fits.
+/// The measured materials of the bundled library.
 TrainingSet measuredTraining();
+/// Its near-measured copies of MERL.
 TrainingSet nearMeasuredTraining();
+/// Its published fits.
 TrainingSet fittedTraining();
 /// The material files of a folder without subfolders; no ids if there are none.
 TrainingSet folderTraining(const QString& folder);

@@ -93,7 +93,8 @@ QLayout* FactorPage::buildSettings() {
     m_axes->setItemData(m_axes->count() - 1, axes.explanation, Qt::ToolTipRole);
   }
   m_axes->setToolTip(
-      tr("Angle and distance from the mirror direction over which the two curves run.\n"
+      tr("The two curves: the first over an angle, in the mirror direction; the second over the distance from the "
+         "mirror direction.\n"
          "The material is predicted as a product of the curves: ln(1 + ρ) = F1(angle) F2(distance)."));
   m_axes->setCurrentIndex(int(acquisition::FactorAxes::symmetricDeviation));
   m_fixedAngle = rowField(tr("Fixed angle"), {}, 0, maxFixedAngle, radians(1), QStringLiteral("°"), degrees(1));
@@ -101,9 +102,10 @@ QLayout* FactorPage::buildSettings() {
   m_readings = rowField(tr("Readings per curve"), {}, leastReadings, mostReadings, 1, {});
   m_readings->setValue(acquisition::FactorPlanOptions().angles);
   m_bound->setChecked(true);
-  m_bound->setToolTip(tr(
-      "Limits the prediction to the larger of the two nearest readings (at the same angle and at the same distance),\n"
-      "and to the prediction with light and viewer exchanged. If off, the published equation is used unchanged."));
+  m_bound->setToolTip(
+      tr("Limits the prediction to the larger of two values, the first curve at the same angle and the second curve at "
+         "the same distance,\n"
+         "and to the prediction with light and viewer exchanged. If off, the published equation is used unchanged."));
   m_openReadings->setToolTip(tr(
       "Opens measured or saved readings of both curves and predicts the material from them.\n"
       "CSV with the columns index, curve (along or across), theta_i, phi_i, theta_o, phi_o in degrees, and r, g, b in "
@@ -264,7 +266,8 @@ QStringList FactorPage::facts() const {
                .arg(m_result->curves.angles.size())
                .arg(m_result->curves.distances.size());
   if (m_opened) texts.back() = texts.back().arg(m_opened->name());
-  if (const int blocked = m_result->readings.plan.blocked; blocked > 0) texts << tr("%1 obstructed").arg(blocked);
+  if (const int blocked = m_result->readings.plan.blocked; blocked > 0)
+    texts << tr("%1 left out (unreachable by the rig)").arg(blocked);
   return texts;
 }
 

@@ -33,7 +33,7 @@ struct WavelengthSubjects {
 };
 
 /// Controls what the preview shows: the edited material, or a comparison of two of the measured, fitted and edited
-/// material and a reference. Keeps preview, bar and document consistent. The comparison is not part of the document.
+/// material and a reference. Synchronises preview, bar and document. The comparison is not part of the document.
 class ComparisonController : public QObject {
   Q_OBJECT
 
@@ -55,7 +55,7 @@ class ComparisonController : public QObject {
 
   /// Uses this code of the document's material as the base of the edited material; null: the measurement.
   void setCode(std::shared_ptr<const MaterialCode> code);
-  /// Null if the code is of another material.
+  /// Null if the code belongs to another material.
   const MaterialCode* code() const;
 
   /// Shows the measured and the edited material at one wavelength; nullopt: in RGB.
@@ -103,7 +103,7 @@ class ComparisonController : public QObject {
   /// The subject of the pair on this side; null if there is none.
   const Named* pairSide(widgets::ComparedSubject side) const;
   void showBanner();
-  /// Null if the wavelength is of another material than the document's.
+  /// Null if the wavelength belongs to another material than the document's.
   const WavelengthSubjects* wavelength() const;
   bool isEdited() const;
   void chooseUsualSides();

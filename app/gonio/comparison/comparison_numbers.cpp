@@ -47,8 +47,8 @@ ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const Com
 
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const QString scene =
-      ComparisonNumbersText::tr("Computed from images of both materials in the scene %1").arg(comparisonSceneName);
+  const QString scene = ComparisonNumbersText::tr(
+      "Computed from images of both materials in the comparison scene (bundled scene \"sphere\")");
   std::vector<ComparisonLine> lines{
       {ComparisonNumbersText::tr("Rendered SNR"), ComparisonNumbersText::tr("dB"), scene,
        numbers ? numbers->renderedSnr : none},

@@ -74,9 +74,9 @@ void ComparisonPanel::subjectsChanged() {
   m_current = false;
   m_tasks.drop(comparisonKey);
   if (!hasBoth()) m_numbers.reset();
-  m_title->setText(hasBoth() ? tr("%1 against %2, scene %3")
-                                   .arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]), comparisonSceneName)
-                             : tr("Open and fit a material to compare it with its fit."));
+  m_title->setText(
+      hasBoth() ? tr("%1 against %2, comparison scene").arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]))
+                : tr("Open and fit a material to compare it with its fit."));
   fillTable(m_numbers ? &*m_numbers : nullptr);
   if (isVisible()) m_delay.start();
 }

@@ -71,7 +71,7 @@ class BackgroundTasks : public QObject {
   std::optional<double> progress(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
 
-  /// Holds new tasks until release(), at most this long, to keep the processors free for urgent work.
+  /// Holds new tasks until release(), at most this long, so that the processors are free for urgent work.
   void hold(int maxMilliseconds);
   void release();
 
@@ -115,7 +115,7 @@ class BackgroundTasks : public QObject {
   QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while tasks are held
   std::vector<std::function<void()>> m_held;
   int m_lastId = 0;
-  std::vector<std::shared_ptr<Task>> m_tasks;  ///< tasks whose results are still needed, oldest first
+  std::vector<std::shared_ptr<Task>> m_tasks;  ///< tasks with results that are still needed, oldest first
 };
 
 }  // namespace gonio::app

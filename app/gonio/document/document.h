@@ -21,8 +21,8 @@ struct EditState {
   IncidentDirection incident = IncidentDirection::viewer;
 };
 
-/// The edit that the panel of a kind of content shows and changes: the selected one if it is of that kind, else the
-/// last of that kind; -1: none.
+/// The edit that the panel of a kind of content shows and changes: the selected one if it has that kind, else the last
+/// one that has it; -1: none.
 template <class Content>
 int activeIndex(const EditState& state) {
   const auto holds = [&](int i) { return std::holds_alternative<Content>(state.edits[std::size_t(i)].content); };
@@ -32,8 +32,8 @@ int activeIndex(const EditState& state) {
   return index;
 }
 
-/// An open material and its edits. The material is immutable. Every change of the edits by the user is an undo step,
-/// but not opening, the automatic first fit, saving, selecting an edit, camera and light.
+/// An open material and its edits. The material is immutable. Every change of the edits by the user is an undo step.
+/// Opening, the automatic first fit, saving, selecting an edit, and changes of camera and light are not.
 class Document : public QObject {
   Q_OBJECT
 
@@ -103,7 +103,7 @@ class Document : public QObject {
   /// The fit from which an edit starts; null if its values come from a .gonio file.
   const fitting::FitResult* fitOf(const editing::DifferentialEdit& edit) const;
   /// Adds an edit for the automatic fit after opening, which has no effect yet. No undo step; the edit is also added to
-  /// earlier steps, so that undoing them keeps it.
+  /// earlier steps, so that it remains when they are undone.
   void adoptFit(const fitting::FitResult& fit);
   /// Restarts the active differential edit from a fit, or adds a new one if there is none. One undo step, never part of
   /// an interaction.

@@ -10,7 +10,7 @@
 
 namespace gonio::app {
 
-/// What to do with a document whose measured file changed after it was saved.
+/// What to do with a document if its measured file changed after it was saved.
 enum class ChangedSource { withEdits, withoutEdits, cancel };
 
 /// Actions on a document that take time or access files: opening, fitting, saving. They run in the background, except
@@ -77,7 +77,7 @@ class DocumentController : public QObject {
   void start(const QString& path, const QString& documentPath, bool recovered);
   void install(const Opened& opened);
   void offerChangedSource(Opened opened);
-  /// @param choices the conventions to keep, as for fitting::fit().
+  /// @param choices the conventions to use, as for fitting::fit().
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void dropTasks();

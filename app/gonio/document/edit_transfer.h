@@ -11,8 +11,8 @@ class QMimeData;
 namespace gonio::app {
 
 /// The change of an edit transferred to another fit of the same model: logarithmic parameters by ratio, choices by
-/// value, all others by difference, clamped to the hard ranges. Parameters that the edit did not change keep the new
-/// fit's values.
+/// value, all others by difference, clamped to the hard ranges. Parameters that the edit did not change have the
+/// new fit's values.
 models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
 
 /// A document's edits for the clipboard: as JSON, and the same as text so that they can be pasted into a .gonio file.

@@ -12,7 +12,7 @@ class Command : public QUndoCommand {
  public:
   using QUndoCommand::QUndoCommand;
 
-  /// Memory kept alive by this step.
+  /// Memory that this step holds.
   virtual std::size_t bytes() const = 0;
   /// Frees the content. Undo and redo of this step then have no effect.
   void forget();

@@ -24,7 +24,7 @@ struct LoadedMaterial {
   /// The BRDF that is shown, edited and exported: the measurement in its native form, or a table if the preview cannot
   /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
-  std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< of the base
+  std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< sampling density of the base
   TableStatistics statistics;                           ///< on a coarse grid if the base is not a table
   std::array<Rgb, 4> albedo;
 

@@ -124,14 +124,15 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
        MaterialCodeText::tr("Transform applied to the BRDF values before encoding. Log-plus and cosine-log were both "
                             "tried; the one with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
-       MaterialCodeText::tr(
-           "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than a squared "
-           "error of ρ,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
+       MaterialCodeText::tr("Mean of (√ρ − √ρ')² over the cells with polar angles up to 85°, weighted by projected "
+                            "solid angle; ρ' is the decoded value.\nCloser to perception than the squared error of ρ, "
+                            "which the highlight dominates. The transform with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
-       MaterialCodeText::tr("Dictionary of each channel, out of %1: the one with the most energy in its largest "
-                            "coefficients; one for all channels, unless separate ones lower the error by more than a "
-                            "quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) "
-                            "during training.")
+       MaterialCodeText::tr(
+           "Dictionary of each channel, chosen from %1 as the one with the most energy in its largest coefficients. "
+           "All channels use the same dictionary unless separate ones lower the error by more than a "
+           "quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) "
+           "during training.")
            .arg(code.dictionary->ensemble.dictionaries.size())}};
 }
 

@@ -111,7 +111,7 @@ QStringList BatchDialog::existing() const {
 }
 
 void BatchDialog::showFiles() {
-  m_description->setText(widgets::toQString(target().holds));
+  m_description->setText(widgets::toQString(target().limitations));
   const bool hasFolder = QFileInfo(m_folder->text()).isDir();
   const QStringList there = existing();
   const bool blocked = !there.isEmpty() && !m_replace->isChecked();

@@ -204,7 +204,7 @@ ExportTrialPtr ExportDialog::trial() const {
 bool ExportDialog::withScene() const { return m_withScene->isEnabled() && m_withScene->isChecked(); }
 
 void ExportDialog::showTarget() {
-  m_description->setText(widgets::toQString(target().description) + '\n' + widgets::toQString(target().holds));
+  m_description->setText(widgets::toQString(target().description) + '\n' + widgets::toQString(target().limitations));
   m_pictures->setExportedName(tr("Export for %1").arg(widgets::toQString(target().label)));
   m_snr->setEnabled(target().usesSnr);
   m_withScene->setEnabled(target().scene != nullptr);

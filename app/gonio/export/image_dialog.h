@@ -26,7 +26,8 @@ class ComparisonController;
 class PictureSettings;
 
 /// File > Export Image: the scene of the preview rendered with a selected size and quality, with estimates of time and
-/// noise; or the preview's picture itself, for a comparison with names, scale and numbers. The choices are remembered.
+/// noise; or the preview's picture itself, to which names, scale and numbers can be added if it is a comparison. The
+/// choices are remembered.
 class ImageDialog : public QDialog {
   Q_OBJECT
 

@@ -15,7 +15,7 @@ FileExports::Caption comparisonCaption(const ComparisonController& comparison, c
           reference = comparison.subject(sides[1])](const TaskControl& control) {
     const ComparisonReferencePtr made = comparisonReference(reference, control.between(0, 0.5));
     const ComparisonNumbers numbers = compareSubjects(test, *made, control.between(0.5, 1));
-    return ComparisonController::tr("%1: BRDF SNR %2 dB; rendered SNR %3 dB, PSNR %4 dB (sphere in the studio)")
+    return ComparisonController::tr("%1: BRDF SNR %2 dB; rendered SNR %3 dB, PSNR %4 dB (comparison scene)")
         .arg(names, comparisonValue(numbers.brdfSnr), comparisonValue(numbers.renderedSnr),
              comparisonValue(numbers.renderedPsnr));
   };

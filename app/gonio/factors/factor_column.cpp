@@ -50,10 +50,9 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .label = FactorColumnText::tr("|Δp|, distance from the mirror direction"),
               .symbol = FactorColumnText::tr("|Δp|"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
-              .help = FactorColumnText::tr(
-                  "Dotted lines: edges of the unit disk of directions for the θR under the pointer in F1, at the near "
-                  "horizon\n"
-                  "(behind the mirror direction) and at the far horizon."),
+              .help = FactorColumnText::tr("Dotted lines: distances from the mirror direction to the nearest and the "
+                                           "farthest point of the horizon (near and far horizon),\n"
+                                           "for the θR under the pointer in F1."),
               .tick = 0.25,
               .squareRoot = true};
     default:

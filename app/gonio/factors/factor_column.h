@@ -41,7 +41,7 @@ class FactorColumn : public QWidget {
   widgets::ResidualStrip& residuals() const { return *m_residuals; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
-  /// Sets the transform of the values, shown at the axis of F1, whose curves contain the magnitude.
+  /// Sets the transform of the values, shown at the axis of F1, because the curves of F1 contain the magnitude.
   void setTransform(DataTransform transform);
 
  Q_SIGNALS:

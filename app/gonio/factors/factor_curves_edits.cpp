@@ -48,7 +48,7 @@ void FactorCurvesPanel::apply(const FactorEdit& content, const QString& text) {
 void FactorCurvesPanel::addEdit() {
   const FactorEdit edit = current();
   if (edit.original)
-    app::addEdit(m_document, {FactorEdit{edit.original, edit.original, edit.keepDetail}});
+    app::addEdit(m_document, {FactorEdit{edit.original, edit.original, edit.preserveDetail}});
   else
     m_addWhenKnown = true;
 }

@@ -44,7 +44,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_channel(new QComboBox),
       m_form(new QComboBox),
       m_logarithmic(new QCheckBox(tr("&Logarithmic"))),
-      m_keepDetail(new QCheckBox(tr("&Preserve measured detail"))),
+      m_preserveDetail(new QCheckBox(tr("&Preserve measured detail"))),
       m_factorise(new QPushButton(tr("&Factorise"))),
       m_resetAll(new QPushButton(tr("&Reset All"))),
       m_save(new QPushButton(tr("&Save..."))),
@@ -71,16 +71,16 @@ void FactorCurvesPanel::buildControls() {
       tr("Two curves describe round highlights; three add the variation with the azimuth about the mirror direction.\n"
          "Changing the form factorises the measurement again and deletes the edits of the factor curves."));
   m_logarithmic->setToolTip(tr("Switches the value axis between logarithmic, over four decades, and linear from 0"));
-  m_keepDetail->setToolTip(
+  m_preserveDetail->setToolTip(
       tr("On: adds the change of the curves to the measurement, which retains the detail that they do not "
          "explain.\nOff: shows the curves alone."));
-  m_keepDetail->setChecked(true);
+  m_preserveDetail->setChecked(true);
   m_factorise->setToolTip(tr("Computes the factor curves of the open material"));
   m_save->setToolTip(tr("Saves the current curves as a file (.pdv) that opens as a material"));
   m_resetAll->setToolTip(tr("Restores all curves of the measurement, with its detail"));
   auto* top = new widgets::FlowLayout;
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_save, m_factorise})
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_preserveDetail, m_resetAll,
+                                                         m_save, m_factorise})
     top->addWidget(widget);
   top->addWidget(new widgets::CurveLegend);
   auto* columns = new QHBoxLayout;
@@ -119,11 +119,11 @@ void FactorCurvesPanel::connectDocument() {
     m_refused = false;
     request();
   });
-  connect(m_keepDetail, &QCheckBox::clicked, this, [this](bool keep) {
+  connect(m_preserveDetail, &QCheckBox::clicked, this, [this](bool preserve) {
     FactorEdit edit = current();
     if (!edit.original) return;
-    edit.keepDetail = keep;
-    apply(edit, keep ? tr("Preserve measured detail") : tr("Discard measured detail"));
+    edit.preserveDetail = preserve;
+    apply(edit, preserve ? tr("Preserve measured detail") : tr("Discard measured detail"));
   });
   connect(&m_document, &Document::materialChanged, this, [this] {
     m_tasks.drop(swapKey);
@@ -221,8 +221,8 @@ void FactorCurvesPanel::refresh() {
   m_factorise->setVisible(m_refused && !m_measured);
   m_terms->setMeasured(m_measured);
   m_columns[2]->setVisible(!flat);
-  m_keepDetail->setChecked(edit.keepDetail);
-  m_keepDetail->setEnabled(known);
+  m_preserveDetail->setChecked(edit.preserveDetail);
+  m_preserveDetail->setEnabled(known);
   m_save->setEnabled(known);
   m_resetAll->setEnabled(m_document.active<FactorEdit>());
   m_form->setEnabled(m_document.material() != nullptr);

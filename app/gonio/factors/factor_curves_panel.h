@@ -30,7 +30,7 @@ class FactorCurvesPanel : public QWidget {
 
   FactorColumn& column(FactorAxis axis) const { return *m_columns[std::size_t(axis)]; }
   FactorTermsView& termsView() const { return *m_terms; }
-  QCheckBox& keepDetail() const { return *m_keepDetail; }
+  QCheckBox& preserveDetail() const { return *m_preserveDetail; }
   /// Whether the factors of the document's material are known, or nothing is shown.
   bool isSettled() const;
   void operate(FactorAxis axis, FactorOperation operation);
@@ -80,7 +80,7 @@ class FactorCurvesPanel : public QWidget {
   Document& m_document;
   BackgroundTasks& m_tasks;
   QComboBox *m_channel, *m_form;
-  QCheckBox *m_logarithmic, *m_keepDetail;
+  QCheckBox *m_logarithmic, *m_preserveDetail;
   QPushButton *m_factorise, *m_resetAll, *m_save;
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;

@@ -81,13 +81,13 @@ void FigureController::cancel() { m_tasks.cancel(m_measureKey); }
 
 std::function<void(const FigureMeasurement&)> FigureController::collector() {
   // Through the thread of the tasks; the figure may be deleted by then.
-  return [maker = QPointer(this), tasks = &m_tasks](const FigureMeasurement& measurement) {
+  return [controller = QPointer(this), tasks = &m_tasks](const FigureMeasurement& measurement) {
     QMetaObject::invokeMethod(
         tasks,
-        [maker, measurement] {
-          if (!maker) return;
-          maker->m_known = measurement;
-          maker->draw();
+        [controller, measurement] {
+          if (!controller) return;
+          controller->m_known = measurement;
+          controller->draw();
         },
         Qt::QueuedConnection);
   };

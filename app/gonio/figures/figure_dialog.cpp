@@ -59,7 +59,7 @@ FigureDialog::FigureDialog(const Parts& parts, QWidget* parent)
       m_pictures(new FigurePictureSettings),
       m_page(new FigurePageSettings),
       m_view(new FigureView(parts.tasks)),
-      m_files(new FigureFileButtons(m_view->maker(), parts.exports, parts.tasks)) {
+      m_files(new FigureFileButtons(m_view->controller(), parts.exports, parts.tasks)) {
   setWindowTitle(tr("Figure"));
   build();
   connectParts();
@@ -167,7 +167,7 @@ void FigureDialog::remember() {
 }
 
 void FigureDialog::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && m_view->maker().isMeasuring()) return m_view->maker().cancel();
+  if (event->key() == Qt::Key_Escape && m_view->controller().isMeasuring()) return m_view->controller().cancel();
   QDialog::keyPressEvent(event);
 }
 

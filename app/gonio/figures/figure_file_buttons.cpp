@@ -34,10 +34,10 @@ QString withOfferedSuffix(const QString& path, const QStringList& filters, const
 
 }  // namespace
 
-FigureFileButtons::FigureFileButtons(FigureController& maker, FileExports& exports, BackgroundTasks& tasks,
+FigureFileButtons::FigureFileButtons(FigureController& controller, FileExports& exports, BackgroundTasks& tasks,
                                      QWidget* parent)
     : QWidget(parent),
-      m_maker(maker),
+      m_controller(controller),
       m_exports(exports),
       m_tasks(tasks),
       m_openKey(QStringLiteral("figure description %1").arg(quintptr(this))),
@@ -78,11 +78,12 @@ void FigureFileButtons::setSaving(bool enabled) {
 }
 
 FigureToWrite FigureFileButtons::figure() const {
-  return {.description = m_maker.description(), .known = m_maker.known(), .measured = m_maker.collector()};
+  return {
+      .description = m_controller.description(), .known = m_controller.known(), .measured = m_controller.collector()};
 }
 
 void FigureFileButtons::askForDescription() {
-  ask([this] { return figureDescriptionSave(m_maker.description()); }, false);
+  ask([this] { return figureDescriptionSave(m_controller.description()); }, false);
 }
 void FigureFileButtons::askForNumbers() {
   ask([this] { return figureNumbersSave(figure()); }, true);
@@ -107,7 +108,7 @@ void FigureFileButtons::ask(const std::function<FileSave()>& make, bool measures
     const QString path = withOfferedSuffix(file, filters, dialog->selectedNameFilter());
     widgets::rememberDialogFolder(figurePurpose, path);
     m_baseName = QFileInfo(path).completeBaseName();
-    if (measures) m_maker.cancel();
+    if (measures) m_controller.cancel();
     m_exports.save(path, make());
   });
 }

@@ -19,7 +19,8 @@ class FigureFileButtons : public QWidget {
   Q_OBJECT
 
  public:
-  FigureFileButtons(FigureController& maker, FileExports& exports, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  FigureFileButtons(FigureController& controller, FileExports& exports, BackgroundTasks& tasks,
+                    QWidget* parent = nullptr);
   ~FigureFileButtons() override;
 
   /// Reads a description in the background.
@@ -42,7 +43,7 @@ class FigureFileButtons : public QWidget {
   FigureToWrite figure() const;
   void showFailure(const QString& path, const QString& text);
 
-  FigureController& m_maker;
+  FigureController& m_controller;
   FileExports& m_exports;
   BackgroundTasks& m_tasks;
   const QString m_openKey;

@@ -11,7 +11,8 @@ class QListWidget;
 
 namespace gonio::app {
 
-/// A list to check the numbers below the pictures of a figure, in the order in which they are checked.
+/// A list of check boxes that selects the numbers below the pictures of a figure. The numbers appear in the order in
+/// which the user checks them.
 class FigureNumbersList : public QWidget {
   Q_OBJECT
 

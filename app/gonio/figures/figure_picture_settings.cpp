@@ -27,7 +27,7 @@ const QString fileEntry = QStringLiteral("file...");
 }  // namespace
 
 FigurePictureSettings::FigurePictureSettings(QWidget* parent) : QWidget(parent) {
-  m_scene = nameBox(sceneTitle(comparisonSceneName), bundledSceneNames(), tr("Scene or mesh file..."));
+  m_scene = nameBox(sceneTitle(bundledComparisonScene), bundledSceneNames(), tr("Scene or mesh file..."));
   m_environment = nameBox(tr("From scene"), bundledEnvironmentNames(), tr("Environment file..."));
   m_size = new QSpinBox;
   m_samples = new QSpinBox;
@@ -53,15 +53,15 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
   box->setMinimumContentsLength(12);
   box->addItem(usual, QString());
   for (const std::string& name : names)
-    if (name != comparisonSceneName) box->addItem(sceneTitle(name), QString::fromStdString(name));
+    if (name != bundledComparisonScene) box->addItem(sceneTitle(name), QString::fromStdString(name));
   box->addItem(file, fileEntry);
   return box;
 }
 
 void FigurePictureSettings::build() {
-  m_scene->setToolTip(tr(
-      "Scene of the images; all objects have the material. Outside figures, the rendered SNR uses the first scene of "
-      "this list"));
+  m_scene->setToolTip(tr("Scene of the images; all objects have the material. Outside figures, the rendered SNR always "
+                         "uses the scene %1.")
+                          .arg(sceneTitle(bundledComparisonScene)));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);
   m_size->setSuffix(tr(" pixels"));
@@ -100,7 +100,8 @@ FigurePictures FigurePictureSettings::pictures() const {
 
 void FigurePictureSettings::setPictures(const FigurePictures& pictures) {
   const QSignalBlocker quiet(this);
-  selectName(*m_scene, m_sceneName = pictures.scene == comparisonSceneName ? "" : pictures.scene);
+  const bool isComparison = pictures.scene == comparisonSceneName || pictures.scene == bundledComparisonScene;
+  selectName(*m_scene, m_sceneName = isComparison ? "" : pictures.scene);
   selectName(*m_environment, m_environmentName = pictures.environment);
   m_size->setValue(pictures.size);
   m_samples->setValue(pictures.samples);

@@ -30,7 +30,7 @@ std::optional<QRectF> squareOf(const std::optional<figures::FigureInset>& inset)
 FigureView::FigureView(BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_tasks(tasks),
-      m_maker(new FigureController(tasks, this)),
+      m_controller(new FigureController(tasks, this)),
       m_page(new widgets::FigurePage),
       m_status(new QLabel),
       m_bar(new QProgressBar),
@@ -74,7 +74,7 @@ void FigureView::connectParts() {
   m_resized.setSingleShot(true);
   m_resized.setInterval(resizeDelayMilliseconds);
   connect(m_page, &widgets::FigurePage::resized, &m_resized, qOverload<>(&QTimer::start));
-  connect(&m_resized, &QTimer::timeout, this, [this] { m_maker->setPageWidth(m_page->pageWidth()); });
+  connect(&m_resized, &QTimer::timeout, this, [this] { m_controller->setPageWidth(m_page->pageWidth()); });
   connect(m_page, &widgets::FigurePage::squareDrawn, this, [this](const QRectF& square) {
     // Three decimals: drawing by hand is no more exact.
     const auto rounded = [](double fraction) { return std::round(fraction * 1000) / 1000; };
@@ -82,24 +82,24 @@ void FigureView::connectParts() {
     Q_EMIT insetDrawn(
         {.x = std::min(rounded(square.x()), most), .y = std::min(rounded(square.y()), most), .size = size});
   });
-  connect(m_maker, &FigureController::drawn, this, &FigureView::showFigure);
-  connect(m_maker, &FigureController::refused, this, [this](const QString& reason) {
+  connect(m_controller, &FigureController::drawn, this, &FigureView::showFigure);
+  connect(m_controller, &FigureController::refused, this, [this](const QString& reason) {
     m_cells = m_missing = 0;
     m_page->setMessage(reason);
     refresh();
   });
-  connect(m_maker, &FigureController::failed, this, [this](const QString& text) {
+  connect(m_controller, &FigureController::failed, this, [this](const QString& text) {
     m_failure = text;
     refresh();
   });
-  connect(m_maker, &FigureController::progressed, this, &FigureView::refresh);
+  connect(m_controller, &FigureController::progressed, this, &FigureView::refresh);
   connect(m_measure, &QPushButton::clicked, this, [this] {
     m_failure.clear();
     m_notice.clear();
     if (m_tasks.isWritingFiles())
       m_tasks.cancelTopmost();
     else
-      m_maker->isMeasuring() ? m_maker->cancel() : m_maker->measure();
+      m_controller->isMeasuring() ? m_controller->cancel() : m_controller->measure();
     refresh();
   });
 }
@@ -113,7 +113,7 @@ void FigureView::setDescription(const figures::FigureDescription& description) {
   m_failure.clear();
   m_notice.clear();
   m_page->setSquare(squareOf(description.inset));
-  m_maker->setDescription(description);
+  m_controller->setDescription(description);
   if (const QString empty = emptyText(); !empty.isEmpty()) {
     m_cells = m_missing = 0;
     m_page->setMessage(empty);
@@ -122,7 +122,7 @@ void FigureView::setDescription(const figures::FigureDescription& description) {
 }
 
 QString FigureView::emptyText() const {
-  const figures::FigureDescription& figure = m_maker->description();
+  const figures::FigureDescription& figure = m_controller->description();
   if (figure.materials.empty()) return tr("Add materials, one for each row of the figure.");
   if (figure.representations.empty()) return tr("Add representations, one for each column of the figure.");
   return {};
@@ -138,7 +138,9 @@ void FigureView::showFigure(const DrawnFigure& figure) {
 }
 
 QString FigureView::status() const { return m_status->text(); }
-bool FigureView::isSettled() const { return !m_resized.isActive() && !m_maker->isDrawing() && !m_maker->isMeasuring(); }
+bool FigureView::isSettled() const {
+  return !m_resized.isActive() && !m_controller->isDrawing() && !m_controller->isMeasuring();
+}
 
 QString FigureView::restText() const {
   if (!m_failure.isEmpty()) return tr("Cannot measure the cells of the figure: %1").arg(m_failure.section('\n', 0, 0));
@@ -150,13 +152,13 @@ QString FigureView::restText() const {
         .arg(m_cells);
   if (m_cells == 0) return {};
   QString text = tr("Every cell is measured.");
-  if (m_maker->description().errorMaps)
+  if (m_controller->description().errorMaps)
     text += ' ' + tr("Scale of the error maps: 0 to %1.").arg(widgets::formatNumber(m_errorMaximum));
   return text;
 }
 
 void FigureView::refresh() {
-  const bool measuring = m_maker->isMeasuring(), writing = m_tasks.isWritingFiles(), busy = measuring || writing;
+  const bool measuring = m_controller->isMeasuring(), writing = m_tasks.isWritingFiles(), busy = measuring || writing;
   const auto task = writing ? m_tasks.topmost() : std::nullopt;
   m_measure->setText(writing ? tr("Cancel") : measuring ? tr("Stop") : tr("&Measure"));
   m_measure->setToolTip(writing     ? tr("Cancels saving; no file is written")
@@ -164,7 +166,7 @@ void FigureView::refresh() {
                                     : tr("Encodes and renders the missing cells in the background"));
   m_measure->setEnabled(busy || m_missing > 0);
   m_bar->setVisible(busy);
-  m_bar->setValue(int((task ? task->fraction : m_maker->progress().value_or(0)) * barSteps));
+  m_bar->setValue(int((task ? task->fraction : m_controller->progress().value_or(0)) * barSteps));
   m_status->setText(task ? tr("%1: %2 of %3 cells are measured.").arg(task->title).arg(m_cells - m_missing).arg(m_cells)
                     : measuring ? tr("Measuring: %1 of %2 cells are done.").arg(m_cells - m_missing).arg(m_cells)
                                 : restText());

@@ -25,7 +25,7 @@ class FigureView : public QWidget {
   explicit FigureView(BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   void setDescription(const figures::FigureDescription& description);
-  FigureController& maker() const { return *m_maker; }
+  FigureController& controller() const { return *m_controller; }
   widgets::FigurePage& page() const { return *m_page; }
   QPushButton& measureButton() const { return *m_measure; }
   /// The text beside the button: progress, missing cells or an error.
@@ -49,7 +49,7 @@ class FigureView : public QWidget {
   void refresh();
 
   BackgroundTasks& m_tasks;
-  FigureController* m_maker;
+  FigureController* m_controller;
   widgets::FigurePage* m_page;
   QLabel* m_status;
   QProgressBar* m_bar;

@@ -54,10 +54,11 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
   const QString gridExplanation = SourceFactsText::tr("Half-difference grid: θh × θd × φd.");
-  const QString errorExplanation = SourceFactsText::tr(
-                                       "Rendered SNR of the table against %1 in the scene %2;\n"
-                                       "30 dB is a root mean square error of about 3 %.")
-                                       .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
+  const QString errorExplanation =
+      SourceFactsText::tr(
+          "Rendered SNR of the table against %1 in the comparison scene (bundled scene \"sphere\");\n"
+          "30 dB is a root mean square error of about 3 %.")
+          .arg(sourceText(loaded));
   if (!own)
     return {SourceFactsText::tr("Sampled table"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),

@@ -19,8 +19,8 @@ QString shortName(const QString& path) { return path.section('/', -1); }
 
 }  // namespace
 
-BlendMaterial takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
-                           const TaskControl& control) {
+BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                                const TaskControl& control) {
   BlendMaterial end;
   end.name = name;
   const std::string& description = material.material.source.description;
@@ -35,7 +35,7 @@ BlendMaterial takeBlendEnd(const LoadedMaterial& material, const QString& name, 
   return end;
 }
 
-BlendMaterial readBlendEnd(const QString& id, const TaskControl& control) {
+BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control) {
   editing::EditDocument source;
   LoadedMaterialPtr material;
   const std::string path = id.toStdString();
@@ -49,22 +49,22 @@ BlendMaterial readBlendEnd(const QString& id, const TaskControl& control) {
   source.sourceSha256 = material->material.source.sha256;
   const QString name =
       isDocument(id) ? shortName(id).section('.', 0, -2) : QString::fromStdString(material->material.name);
-  return takeBlendEnd(*material, name, source, control.between(loadFraction, 1));
+  return makeBlendMaterial(*material, name, source, control.between(loadFraction, 1));
 }
 
 BlendMaterials::BlendMaterials(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
-  for (int i = 0; i < widgets::minBlended; ++i) m_places.push_back({{}, {}, m_nextKey++});
+  for (int i = 0; i < widgets::minBlended; ++i) m_slots.push_back({{}, {}, m_nextKey++});
 }
 
 QString BlendMaterials::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
 
-const BlendMaterial* BlendMaterials::at(int place) const {
-  const auto& end = m_places[std::size_t(place)].end;
+const BlendMaterial* BlendMaterials::at(int slot) const {
+  const auto& end = m_slots[std::size_t(slot)].end;
   return end ? &*end : nullptr;
 }
 
-bool BlendMaterials::isReading(int place) const { return m_tasks.isRunning(taskKey(m_places[std::size_t(place)].key)); }
+bool BlendMaterials::isReading(int slot) const { return m_tasks.isRunning(taskKey(m_slots[std::size_t(slot)].key)); }
 
 bool BlendMaterials::isReading() const {
   for (int i = 0; i < count(); ++i)
@@ -73,33 +73,33 @@ bool BlendMaterials::isReading() const {
 }
 
 bool BlendMaterials::isComplete() const {
-  return std::all_of(m_places.begin(), m_places.end(), [](const Place& place) { return place.end.has_value(); });
+  return std::all_of(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return slot.end.has_value(); });
 }
 
 std::vector<editing::InterpolationMaterial> BlendMaterials::ends() const {
   std::vector<editing::InterpolationMaterial> ends;
-  for (const Place& place : m_places) ends.push_back(place.end->material);
+  for (const Slot& slot : m_slots) ends.push_back(slot.end->material);
   return ends;
 }
 
-int BlendMaterials::placeOf(int key) const {
+int BlendMaterials::slotOf(int key) const {
   for (int i = 0; i < count(); ++i)
-    if (m_places[std::size_t(i)].key == key) return i;
+    if (m_slots[std::size_t(i)].key == key) return i;
   return -1;
 }
 
-void BlendMaterials::fill(int place, const QString& title, const QString& name,
+void BlendMaterials::fill(int slot, const QString& title, const QString& name,
                           std::function<BlendMaterial(const TaskControl&)> make) {
-  const int key = m_places[std::size_t(place)].key;
-  m_places[std::size_t(place)].failure.clear();
+  const int key = m_slots[std::size_t(slot)].key;
+  m_slots[std::size_t(slot)].failure.clear();
   m_tasks.run<BlendMaterial>(
       {title, taskKey(key)}, std::move(make),
       [this, key](const BlendMaterial& end) {
-        m_places[std::size_t(placeOf(key))].end = end;
+        m_slots[std::size_t(slotOf(key))].end = end;
         Q_EMIT changed();
       },
       [this, key, name](const QString& error) {
-        m_places[std::size_t(placeOf(key))].failure = error;
+        m_slots[std::size_t(slotOf(key))].failure = error;
         Q_EMIT stateChanged();
         Q_EMIT failed(tr("Cannot use %1").arg(name), error);
       },
@@ -107,44 +107,44 @@ void BlendMaterials::fill(int place, const QString& title, const QString& name,
   Q_EMIT stateChanged();
 }
 
-void BlendMaterials::read(int place, const QString& id) {
-  fill(place, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
-       [id](const TaskControl& control) { return readBlendEnd(id, control); });
+void BlendMaterials::read(int slot, const QString& id) {
+  fill(slot, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
+       [id](const TaskControl& control) { return readBlendMaterial(id, control); });
 }
 
-void BlendMaterials::takeCurrent(int place) {
+void BlendMaterials::useCurrent(int slot) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
-  fill(place, tr("Preparing %1 for interpolation").arg(name), name,
+  fill(slot, tr("Preparing %1 for interpolation").arg(name), name,
        [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
-         return takeBlendEnd(*material, name, source, control);
+         return makeBlendMaterial(*material, name, source, control);
        });
 }
 
-void BlendMaterials::clear(int place) {
-  Place& one = m_places[std::size_t(place)];
+void BlendMaterials::clear(int slot) {
+  Slot& one = m_slots[std::size_t(slot)];
   m_tasks.drop(taskKey(one.key));
   one.end.reset();
   one.failure.clear();
   Q_EMIT changed();
 }
 
-void BlendMaterials::addPlace() {
+void BlendMaterials::addSlot() {
   if (count() == widgets::maxBlended) return;
-  m_places.push_back({{}, {}, m_nextKey++});
+  m_slots.push_back({{}, {}, m_nextKey++});
   Q_EMIT changed();
 }
 
-void BlendMaterials::removePlace(int place) {
+void BlendMaterials::removeSlot(int slot) {
   if (count() == widgets::minBlended) return;
-  m_tasks.drop(taskKey(m_places[std::size_t(place)].key));
-  m_places.erase(m_places.begin() + place);
+  m_tasks.drop(taskKey(m_slots[std::size_t(slot)].key));
+  m_slots.erase(m_slots.begin() + slot);
   Q_EMIT changed();
 }
 
 void BlendMaterials::swap(int first, int second) {
-  std::swap(m_places[std::size_t(first)], m_places[std::size_t(second)]);
+  std::swap(m_slots[std::size_t(first)], m_slots[std::size_t(second)]);
   Q_EMIT changed();
 }
 

@@ -20,10 +20,10 @@ struct BlendMaterial {
 };
 
 /// Reads a file, a .gonio document or a material of the library, and renders its picture. @throws Error, Cancelled.
-BlendMaterial readBlendEnd(const QString& id, const TaskControl& control);
+BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control);
 /// Makes a material of a blend from an open material, with the edits of `source`. @throws Cancelled.
-BlendMaterial takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
-                           const TaskControl& control);
+BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                                const TaskControl& control);
 
 /// The two to four materials of the Interpolation panel, which are read in the background. Not part of the document.
 class BlendMaterials : public QObject {
@@ -32,48 +32,47 @@ class BlendMaterials : public QObject {
  public:
   BlendMaterials(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  int count() const { return int(m_places.size()); }
-  /// Null if the place is empty. While a new material is read, the old one stays.
-  const BlendMaterial* at(int place) const;
-  bool isReading(int place) const;
-  /// Error message of the place, or empty.
-  QString failure(int place) const { return m_places[std::size_t(place)].failure; }
-  /// Whether every place has a material.
+  int count() const { return int(m_slots.size()); }
+  /// Null if the slot is empty. While a new material is read, the old one stays.
+  const BlendMaterial* at(int slot) const;
+  bool isReading(int slot) const;
+  /// Error message of the slot, or empty.
+  QString failure(int slot) const { return m_slots[std::size_t(slot)].failure; }
+  /// Whether every slot has a material.
   bool isComplete() const;
   bool isReading() const;
   /// All materials. Precondition: isComplete().
   std::vector<editing::InterpolationMaterial> ends() const;
 
   /// A file, a .gonio document, or a library's material by its id.
-  void read(int place, const QString& id);
+  void read(int slot, const QString& id);
   /// Uses the document's material in its current state, with its edits.
-  void takeCurrent(int place);
-  void clear(int place);
-  void addPlace();
-  void removePlace(int place);
+  void useCurrent(int slot);
+  void clear(int slot);
+  void addSlot();
+  void removeSlot(int slot);
   void swap(int first, int second);
 
  Q_SIGNALS:
-  /// A place was filled, emptied, added or removed; isComplete() and ends() may have changed.
+  /// A slot was filled, emptied, added or removed; isComplete() and ends() may have changed.
   void changed();
-  /// Only the text of a place changed: reading started or failed.
+  /// Only the text of a slot changed: reading started or failed.
   void stateChanged();
   void failed(const QString& title, const QString& text);
 
  private:
-  struct Place {
+  struct Slot {
     std::optional<BlendMaterial> end;
     QString failure;
     int key;  ///< number of its task
   };
-  void fill(int place, const QString& title, const QString& name,
-            std::function<BlendMaterial(const TaskControl&)> make);
-  int placeOf(int key) const;
+  void fill(int slot, const QString& title, const QString& name, std::function<BlendMaterial(const TaskControl&)> make);
+  int slotOf(int key) const;
   QString taskKey(int key) const;
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  std::vector<Place> m_places;
+  std::vector<Slot> m_slots;
   int m_nextKey = 0;
 };
 

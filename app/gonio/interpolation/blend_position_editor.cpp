@@ -19,10 +19,10 @@ BlendPositionEditor::BlendPositionEditor(QWidget* parent)
       m_pad(new widgets::BlendPad) {
   addWidget(buildLine());
   addWidget(m_pad);
-  connect(m_slider, &widgets::ParameterSlider::numberEdited, this, [this](double t) { Q_EMIT placeEdited({t, 0}); });
-  connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { Q_EMIT placeEdited({0.5, 0}); });
-  connect(m_number, &widgets::NumberField::valueEdited, this, [this](double t) { Q_EMIT placeEdited({t, 0}); });
-  connect(m_pad, &widgets::BlendPad::placeEdited, this, &BlendPositionEditor::placeEdited);
+  connect(m_slider, &widgets::ParameterSlider::numberEdited, this, [this](double t) { Q_EMIT positionEdited({t, 0}); });
+  connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { Q_EMIT positionEdited({0.5, 0}); });
+  connect(m_number, &widgets::NumberField::valueEdited, this, [this](double t) { Q_EMIT positionEdited({t, 0}); });
+  connect(m_pad, &widgets::BlendPad::placeEdited, this, &BlendPositionEditor::positionEdited);
 }
 
 QWidget* BlendPositionEditor::buildLine() {
@@ -59,10 +59,10 @@ void BlendPositionEditor::setCorners(std::vector<widgets::BlendCorner> corners) 
   m_pad->setCorners(std::move(corners));
 }
 
-void BlendPositionEditor::setPlace(const QPointF& place) {
-  m_slider->setNumber(place.x());
-  m_number->setValue(place.x());
-  m_pad->setPlace(place);
+void BlendPositionEditor::setPosition(const QPointF& position) {
+  m_slider->setNumber(position.x());
+  m_number->setValue(position.x());
+  m_pad->setPlace(position);
 }
 
 void BlendPositionEditor::setExplanation(const QString& text) { m_explanation->setText(text); }

@@ -27,12 +27,12 @@ class BlendPositionEditor : public QStackedWidget {
   widgets::BlendPad& pad() const { return *m_pad; }
   /// @param corners one per material.
   void setCorners(std::vector<widgets::BlendCorner> corners);
-  void setPlace(const QPointF& place);
+  void setPosition(const QPointF& position);
   /// Sets a text beside the slider.
   void setExplanation(const QString& text);
 
  Q_SIGNALS:
-  void placeEdited(const QPointF& place);
+  void positionEdited(const QPointF& position);
 
  private:
   QWidget* buildLine();

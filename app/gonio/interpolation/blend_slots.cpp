@@ -27,17 +27,17 @@ constexpr int slotEms = 17;
 BlendSlots::BlendSlots(const Document& document, BlendMaterials& ends)
     : m_document(document), m_ends(ends), m_swap(new QToolButton), m_add(new QToolButton) {
   build();
-  for (int i = 0; i < widgets::maxBlended; ++i) connectWell(i);
+  for (int i = 0; i < widgets::maxBlended; ++i) connectSlot(i);
   connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
-  connect(m_add, &QToolButton::clicked, &m_ends, &BlendMaterials::addPlace);
+  connect(m_add, &QToolButton::clicked, &m_ends, &BlendMaterials::addSlot);
 }
 
 widgets::MaterialSlotWidget* BlendSlots::nearestSlot(const QPointF& position) const {
   const QPoint inside = widget()->mapFrom(viewport(), position.toPoint());
-  const auto distance = [&](int place) { return std::abs(slotWidget(place).geometry().center().y() - inside.y()); };
+  const auto distance = [&](int slot) { return std::abs(slotWidget(slot).geometry().center().y() - inside.y()); };
   int nearest = 0;
-  for (int place = 1; place < m_ends.count(); ++place)
-    if (distance(place) < distance(nearest)) nearest = place;
+  for (int slot = 1; slot < m_ends.count(); ++slot)
+    if (distance(slot) < distance(nearest)) nearest = slot;
   return &slotWidget(nearest);
 }
 
@@ -102,33 +102,33 @@ void BlendSlots::build() {
   setFixedWidth(slotEms * fontMetrics().height());
 }
 
-void BlendSlots::connectWell(int place) {
-  connect(&slotWidget(place), &widgets::MaterialSlotWidget::materialDropped, this, [this, place](const QString& id) {
+void BlendSlots::connectSlot(int slot) {
+  connect(&slotWidget(slot), &widgets::MaterialSlotWidget::materialDropped, this, [this, slot](const QString& id) {
     Q_EMIT touched();
-    m_ends.read(place, id);
+    m_ends.read(slot, id);
   });
-  connect(&slotWidget(place), &widgets::MaterialSlotWidget::currentRequested, this, [this, place] {
+  connect(&slotWidget(slot), &widgets::MaterialSlotWidget::currentRequested, this, [this, slot] {
     Q_EMIT touched();
-    m_ends.takeCurrent(place);
+    m_ends.useCurrent(slot);
   });
-  connect(&slotWidget(place), &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
-  connect(&slotWidget(place), &widgets::MaterialSlotWidget::clearRequested, this, [this, place] {
+  connect(&slotWidget(slot), &widgets::MaterialSlotWidget::fileRequested, this, [this, slot] { askForFile(slot); });
+  connect(&slotWidget(slot), &widgets::MaterialSlotWidget::clearRequested, this, [this, slot] {
     if (m_ends.count() > widgets::minBlended)
-      m_ends.removePlace(place);
+      m_ends.removeSlot(slot);
     else
-      m_ends.clear(place);
+      m_ends.clear(slot);
   });
 }
 
-void BlendSlots::askForFile(int place) {
-  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)),
+void BlendSlots::askForFile(int slot) {
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + slot)),
                                  widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, slot](const QString& path) {
     widgets::rememberDialogFolder(QStringLiteral("open"), path);
     Q_EMIT touched();
-    m_ends.read(place, path);
+    m_ends.read(slot, path);
   });
   dialog->open();
 }
@@ -142,19 +142,19 @@ void BlendSlots::showEnds(const std::vector<double>& weights) {
   m_add->setEnabled(m_ends.count() < widgets::maxBlended);
 }
 
-void BlendSlots::showEnd(int place, double weight) {
+void BlendSlots::showEnd(int slot, double weight) {
   widgets::SlotContent content;
-  if (const BlendMaterial* end = m_ends.at(place)) content = {end->name, end->description, end->picture, {}};
+  if (const BlendMaterial* end = m_ends.at(slot)) content = {end->name, end->description, end->picture, {}};
   content.removable = m_ends.count() > widgets::minBlended;
-  content.note = m_ends.isReading(place)  ? tr("Opening...")
+  content.note = m_ends.isReading(slot)   ? tr("Opening...")
                  : content.name.isEmpty() ? QString()
                                           : widgets::weightText(weight);
-  if (const QString failure = m_ends.failure(place); !failure.isEmpty()) {
+  if (const QString failure = m_ends.failure(slot); !failure.isEmpty()) {
     content.note = tr("Could not be opened");
     content.toolTip = failure;
     content.failed = true;
   }
-  slotWidget(place).setContent(content);
+  slotWidget(slot).setContent(content);
 }
 
 void BlendSlots::showWeights(const std::vector<double>& weights) {

@@ -21,7 +21,7 @@ class BlendSlots : public QScrollArea {
  public:
   BlendSlots(const Document& document, BlendMaterials& ends);
 
-  widgets::MaterialSlotWidget& slotWidget(int place) const { return *m_widgets[std::size_t(place)]; }
+  widgets::MaterialSlotWidget& slotWidget(int slot) const { return *m_widgets[std::size_t(slot)]; }
   void showEnds(const std::vector<double>& weights);
   void showWeights(const std::vector<double>& weights);
 
@@ -40,9 +40,9 @@ class BlendSlots : public QScrollArea {
   void offerTo(widgets::MaterialSlotWidget* widget, const QDropEvent& event);
   widgets::MaterialSlotWidget* nearestSlot(const QPointF& position) const;
   void build();
-  void connectWell(int place);
-  void showEnd(int place, double weight);
-  void askForFile(int place);
+  void connectSlot(int slot);
+  void showEnd(int slot, double weight);
+  void askForFile(int slot);
 
   const Document& m_document;
   BlendMaterials& m_ends;

@@ -34,7 +34,7 @@ std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationMateria
 
 std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::vector<double>& weights) {
   std::vector<double> result(weights.size());
-  for (std::size_t place = 0; place < weights.size(); ++place) result[order[place]] = weights[place];
+  for (std::size_t slot = 0; slot < weights.size(); ++slot) result[order[slot]] = weights[slot];
   return result;
 }
 

@@ -42,9 +42,10 @@ class BlendSpaces : public QObject {
   const models::Model& model() const { return *m_model; }
   static bool usesModel(Space space) { return space == Space::parameters || space == Space::differential; }
   bool hasEnds() const { return m_complete; }
-  /// Index in prepared() of each place's material. prepared() keeps the order in which the materials were first set.
+  /// Index in prepared() of the material of each slot. The order of prepared() is that in which the materials were
+  /// first set.
   const std::vector<std::size_t>& order() const { return m_order; }
-  /// Weights of the places in the order of prepared().
+  /// Weights of the slots in the order of prepared().
   std::vector<double> ordered(const std::vector<double>& weights) const;
   /// Starts or resumes the work with this space, even if it was cancelled or failed.
   void want(Space first);

@@ -19,8 +19,8 @@
 namespace gonio::app {
 
 namespace {
-constexpr int placeEms = 17;
-const QString keepKey = QStringLiteral("keep-blend");
+constexpr int choiceEms = 17;
+const QString openKey = QStringLiteral("open-blend");
 using Space = editing::InterpolationSpace;
 }  // namespace
 
@@ -31,7 +31,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_tasks(tasks),
       m_ends(document, tasks),
       m_spaces(tasks, nullptr, pictures),
-      m_place(widgets::centrePosition(widgets::minBlended)),
+      m_position(widgets::centrePosition(widgets::minBlended)),
       m_slots(new BlendSlots(document, m_ends)),
       m_positionEditor(new BlendPositionEditor),
       m_overview(new BlendOverview(m_spaces)),
@@ -39,7 +39,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_modelLabel(new QLabel(tr("Mo&del"))),
       m_modelBox(new widgets::ModelBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
-      m_keep(new QPushButton(tr("Open as Ma&terial"))) {
+      m_open(new QPushButton(tr("Open as Ma&terial"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height());
@@ -61,7 +61,7 @@ QWidget* InterpolationPanel::buildChoice() {
   m_spaceBox->setAccessibleName(tr("Interpolation space"));
   m_show->setToolTip(tr("Shows the blend in the preview while it changes; if off, shows the open material"));
   m_show->setChecked(true);
-  m_keep->setToolTip(
+  m_open->setToolTip(
       tr("Opens the blend as a material that can be edited, saved and exported.\nUndo restores the previous "
          "material."));
   auto* label = new QLabel(tr("Spa&ce"));
@@ -81,8 +81,8 @@ QWidget* InterpolationPanel::buildChoice() {
   column->addLayout(modelRow);
   column->addWidget(m_positionEditor, 1);
   column->addWidget(m_show);
-  column->addWidget(m_keep);
-  choice->setFixedWidth(placeEms * fontMetrics().height());
+  column->addWidget(m_open);
+  choice->setFixedWidth(choiceEms * fontMetrics().height());
   return choice;
 }
 
@@ -91,13 +91,13 @@ void InterpolationPanel::connectParts() {
   connect(&m_ends, &BlendMaterials::stateChanged, this, &InterpolationPanel::showEnds);
   connect(&m_ends, &BlendMaterials::failed, this, &InterpolationPanel::failed);
   connect(&m_spaces, &BlendSpaces::changed, this, [this](Space space) {
-    showKeepable();
+    showOpenable();
     if (space != m_space) return;
     showExplanation();
     Q_EMIT subjectChanged();
   });
   connect(m_slots, &BlendSlots::touched, this, &InterpolationPanel::touched);
-  connect(m_positionEditor, &BlendPositionEditor::placeEdited, this, &InterpolationPanel::moveTo);
+  connect(m_positionEditor, &BlendPositionEditor::positionEdited, this, &InterpolationPanel::moveTo);
   connect(m_spaceBox, &QComboBox::activated, this, [this](int index) {
     touched();
     setSpace(Space(m_spaceBox->itemData(index).toInt()));
@@ -110,18 +110,18 @@ void InterpolationPanel::connectParts() {
   });
   connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
     setSpace(space);
-    moveTo(t < 0 ? m_place : widgets::pathPosition(m_ends.count(), t));
+    moveTo(t < 0 ? m_position : widgets::pathPosition(m_ends.count(), t));
   });
   connect(m_overview, &BlendOverview::drawRequested, this, [this] { m_spaces.want(m_space); });
   connect(m_show, &QCheckBox::toggled, this, &InterpolationPanel::subjectChanged);
-  connect(m_keep, &QPushButton::clicked, this, &InterpolationPanel::keep);
+  connect(m_open, &QPushButton::clicked, this, &InterpolationPanel::openAsMaterial);
   // What is edited or opened is what the user wants to see.
   for (const auto signal : {&Document::materialChanged, &Document::editChanged})
     connect(&m_document, signal, this, [this] { setShownInPreview(false); });
   connect(&m_document, &Document::materialChanged, this, &InterpolationPanel::materialChanged);
 }
 
-std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_ends.count(), m_place); }
+std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_ends.count(), m_position); }
 
 bool InterpolationPanel::isShownInPreview() const { return m_show->isChecked(); }
 
@@ -152,7 +152,7 @@ void InterpolationPanel::setSpace(Space space) {
   showExplanation();
   m_overview->strip().setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
-  showPlace();
+  showPosition();
   Q_EMIT subjectChanged();
 }
 
@@ -163,22 +163,22 @@ void InterpolationPanel::showExplanation() {
   m_positionEditor->setExplanation(text);
 }
 
-void InterpolationPanel::moveTo(const QPointF& place) {
-  m_place = widgets::nearestPosition(m_ends.count(), place);
+void InterpolationPanel::moveTo(const QPointF& position) {
+  m_position = widgets::nearestPosition(m_ends.count(), position);
   touched();
-  showPlace();
+  showPosition();
   Q_EMIT subjectChanged();
 }
 
-void InterpolationPanel::take(const QStringList& ids) {
+void InterpolationPanel::useMaterials(const QStringList& ids) {
   if (ids.size() > widgets::maxBlended)
     return Q_EMIT failed(tr("Cannot interpolate %1 materials").arg(ids.size()),
                          tr("At most %1 materials can be blended. Select fewer.").arg(widgets::maxBlended));
   touched();
   if (ids.size() > 1) {
     const int count = int(ids.size());
-    while (m_ends.count() < count) m_ends.addPlace();
-    while (m_ends.count() > count) m_ends.removePlace(m_ends.count() - 1);
+    while (m_ends.count() < count) m_ends.addSlot();
+    while (m_ends.count() > count) m_ends.removeSlot(m_ends.count() - 1);
     for (int i = 0; i < count; ++i) m_ends.read(i, ids[i]);
     return;
   }
@@ -188,12 +188,12 @@ void InterpolationPanel::take(const QStringList& ids) {
   if (m_ends.count() == widgets::maxBlended)
     return Q_EMIT failed(tr("All %1 slots have a material").arg(widgets::maxBlended),
                          tr("Empty a slot, or drop the material on the slot to replace."));
-  m_ends.addPlace();
+  m_ends.addSlot();
   m_ends.read(m_ends.count() - 1, id);
 }
 
 void InterpolationPanel::begin() {
-  if (m_document.material() && !m_ends.at(0) && !m_ends.isReading(0)) m_ends.takeCurrent(0);
+  if (m_document.material() && !m_ends.at(0) && !m_ends.isReading(0)) m_ends.useCurrent(0);
   touched();
   m_slots->slotWidget(0).setFocus(Qt::OtherFocusReason);
 }
@@ -201,9 +201,9 @@ void InterpolationPanel::begin() {
 void InterpolationPanel::endsChanged() {
   const int count = m_ends.count();
   // What was equal fractions stays equal fractions.
-  const bool middle = m_place == widgets::centrePosition(m_placeCount);
-  m_place = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_place);
-  m_placeCount = count;
+  const bool middle = m_position == widgets::centrePosition(m_positionCount);
+  m_position = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_position);
+  m_positionCount = count;
   m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationMaterial>());
   showEnds();
   m_overview->showSpaces();
@@ -212,8 +212,8 @@ void InterpolationPanel::endsChanged() {
 }
 
 void InterpolationPanel::materialChanged() {
-  // A blend that is still being kept was to take the place of the material that was open.
-  m_tasks.drop(keepKey);
+  // A blend that is still being computed was to replace the material that was open before.
+  m_tasks.drop(openKey);
   showEnds();
 }
 
@@ -225,21 +225,21 @@ void InterpolationPanel::showEnds() {
     corners.push_back(end ? widgets::BlendCorner{end->name, end->picture} : widgets::BlendCorner());
   }
   m_positionEditor->setCorners(std::move(corners));
-  showPlace();
+  showPosition();
 }
 
-void InterpolationPanel::showPlace() {
+void InterpolationPanel::showPosition() {
   m_slots->showWeights(weights());
-  m_positionEditor->setPlace(m_place);
-  // Only a place on the strip's way has a mark there.
-  const double t = m_ends.count() == 3 ? 2 * m_place.x() : m_place.x();
-  m_overview->strip().setMark(widgets::pathPosition(m_ends.count(), t) == m_place ? t : -1);
-  showKeepable();
+  m_positionEditor->setPosition(m_position);
+  // The strip only marks positions on its path.
+  const double t = m_ends.count() == 3 ? 2 * m_position.x() : m_position.x();
+  m_overview->strip().setMark(widgets::pathPosition(m_ends.count(), t) == m_position ? t : -1);
+  showOpenable();
 }
 
-void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m_space) != nullptr); }
+void InterpolationPanel::showOpenable() { m_open->setEnabled(m_spaces.prepared(m_space) != nullptr); }
 
-void InterpolationPanel::keep() {
+void InterpolationPanel::openAsMaterial() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
   if (!blend) return Q_EMIT failed(tr("There is no blend to open"), tr("Choose a material for every slot first."));
   auto source = std::make_shared<editing::BlendSource>();
@@ -251,7 +251,7 @@ void InterpolationPanel::keep() {
   for (int i = 0; i < m_ends.count(); ++i) source->materials[m_spaces.order()[std::size_t(i)]] = m_ends.at(i)->source;
   const QString text = tr("Open %1").arg(description());
   m_tasks.run<LoadedMaterialPtr>(
-      {text, keepKey},
+      {text, openKey},
       [blend, source](const TaskControl& control) {
         constexpr double blendFraction = 0.6;
         auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
@@ -262,7 +262,7 @@ void InterpolationPanel::keep() {
 }
 
 bool InterpolationPanel::isSettled() const {
-  return !isVisible() || (!m_ends.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(keepKey));
+  return !isVisible() || (!m_ends.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(openKey));
 }
 
 void InterpolationPanel::showEvent(QShowEvent* event) {

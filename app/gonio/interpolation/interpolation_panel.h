@@ -27,7 +27,7 @@ class BlendSlots;
 
 /// The content of the Interpolation dock: two to four materials, an editor for the position between them, the
 /// interpolation space, and a comparison of all spaces. While it is visible it can replace the subject of the preview.
-/// The document does not change until the blend is saved as a material, which is an undo step.
+/// The document does not change until the blend is opened as a material, which is an undo step.
 class InterpolationPanel : public QWidget {
   Q_OBJECT
 
@@ -45,20 +45,20 @@ class InterpolationPanel : public QWidget {
   BlendSpaces& spaces() { return m_spaces; }
   editing::InterpolationSpace space() const { return m_space; }
   void setSpace(editing::InterpolationSpace space);
-  QPointF place() const { return m_place; }
+  QPointF position() const { return m_position; }
   std::vector<double> weights() const;
   /// Moves the position, as the user does.
-  void moveTo(const QPointF& place);
+  void moveTo(const QPointF& position);
   void setShownInPreview(bool shown);
   bool isShownInPreview() const;
 
-  /// One id: puts the material in the next empty place, or in the last one if all are filled. Several ids: adjusts the
-  /// number of places and fills all of them; more than widgets::maxBlended are refused.
-  void take(const QStringList& ids);
-  /// Puts the document's material in the first place, if that is empty.
+  /// One id: puts the material in the next empty slot; adds a slot if all are filled. Several ids: adjusts the number
+  /// of slots and fills all of them. Refuses more than widgets::maxBlended materials.
+  void useMaterials(const QStringList& ids);
+  /// Puts the document's material in the first slot, if that is empty.
   void begin();
   /// Makes the blend the document's material: computed in the background, one undo step.
-  void keep();
+  void openAsMaterial();
   /// Whether no work is pending.
   bool isSettled() const;
 
@@ -67,7 +67,7 @@ class InterpolationPanel : public QWidget {
   BlendOverview& overview() const { return *m_overview; }
   QComboBox& spaceBox() const { return *m_spaceBox; }
   widgets::ModelBox& modelBox() const { return *m_modelBox; }
-  QPushButton& saveButton() const { return *m_keep; }
+  QPushButton& openButton() const { return *m_open; }
 
  Q_SIGNALS:
   /// subject() changed.
@@ -87,16 +87,16 @@ class InterpolationPanel : public QWidget {
   /// The user works in this panel, so the preview shows the blend.
   void touched() { setShownInPreview(true); }
   void showEnds();
-  void showPlace();
+  void showPosition();
   void showExplanation();
-  void showKeepable();
+  void showOpenable();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
   BlendMaterials m_ends;
   BlendSpaces m_spaces;
-  QPointF m_place;
-  int m_placeCount = widgets::minBlended;  ///< the number of materials for which m_place was chosen
+  QPointF m_position;
+  int m_positionCount = widgets::minBlended;  ///< the number of materials for which m_position was chosen
   editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
   BlendSlots* m_slots;
   BlendPositionEditor* m_positionEditor;
@@ -105,7 +105,7 @@ class InterpolationPanel : public QWidget {
   QLabel* m_modelLabel;
   widgets::ModelBox* m_modelBox;
   QCheckBox* m_show;
-  QPushButton* m_keep;
+  QPushButton* m_open;
 };
 
 }  // namespace gonio::app

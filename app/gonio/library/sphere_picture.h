@@ -15,7 +15,7 @@ namespace gonio::app {
 /// @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
-/// Converts a rendered picture to display colours with exposure 0 and the film-like tone curve.
+/// Converts a rendered picture to display colours with exposure 0 and the filmic tone map.
 QImage displayedImage(const Image& picture);
 
 }  // namespace gonio::app

@@ -27,7 +27,7 @@ struct PlottedFit {
   bool operator==(const PlottedFit&) const = default;
 };
 
-/// The albedo curves that do not depend on edits. They take longest and are kept while a slider moves.
+/// The albedo curves that do not depend on edits. They take longest and are reused while a slider moves.
 struct KnownAlbedo {
   LoadedMaterialPtr material;
   std::shared_ptr<const Brdf> base;

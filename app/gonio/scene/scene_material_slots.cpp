@@ -12,40 +12,40 @@
 namespace gonio::app {
 
 namespace {
-QString taskKey(int place) { return QStringLiteral("scene-material-%1").arg(place); }
+QString taskKey(int slot) { return QStringLiteral("scene-material-%1").arg(slot); }
 /// The edited material is A.
-QChar letterOf(int place) { return QChar(u'B' + place); }
+QChar letterOf(int slot) { return QChar(u'B' + slot); }
 }  // namespace
 
 SceneMaterialSlots::SceneMaterialSlots(Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent), m_document(document), m_tasks(tasks) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (int place = 0; place < count; ++place) {
-    auto* widget = new widgets::MaterialSlotWidget(letterOf(place));
+  for (int slot = 0; slot < count; ++slot) {
+    auto* widget = new widgets::MaterialSlotWidget(letterOf(slot));
     layout->addWidget(widget, 1);
-    m_places.push_back({widget, {}, {}});
+    m_slots.push_back({widget, {}, {}});
     connect(widget, &widgets::MaterialSlotWidget::materialDropped, this,
-            [this, place](const QString& id) { read(place, id); });
-    connect(widget, &widgets::MaterialSlotWidget::currentRequested, this, [this, place] { takeCurrent(place); });
-    connect(widget, &widgets::MaterialSlotWidget::fileRequested, this, [this, place] { askForFile(place); });
-    connect(widget, &widgets::MaterialSlotWidget::clearRequested, this, [this, place] { clear(place); });
-    show(place);
+            [this, slot](const QString& id) { read(slot, id); });
+    connect(widget, &widgets::MaterialSlotWidget::currentRequested, this, [this, slot] { useCurrent(slot); });
+    connect(widget, &widgets::MaterialSlotWidget::fileRequested, this, [this, slot] { askForFile(slot); });
+    connect(widget, &widgets::MaterialSlotWidget::clearRequested, this, [this, slot] { clear(slot); });
+    show(slot);
   }
   connect(&document, &Document::materialChanged, this, [this] {
-    for (int place = 0; place < count; ++place) show(place);
+    for (int slot = 0; slot < count; ++slot) show(slot);
   });
 }
 
 void SceneMaterialSlots::showScene(const Scene& scene) {
   const int shown = std::min(count, materialSlotCount(scene) - 1);
-  for (int place = 0; place < count; ++place) m_places[std::size_t(place)].widget->setVisible(place < shown);
+  for (int slot = 0; slot < count; ++slot) m_slots[std::size_t(slot)].widget->setVisible(slot < shown);
   setVisible(shown > 0);
 }
 
 std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
   std::vector<widgets::SceneMaterial> materials;
-  for (const Place& place : m_places) materials.push_back(place.other ? place.other->shown : widgets::SceneMaterial{});
+  for (const Slot& slot : m_slots) materials.push_back(slot.other ? slot.other->shown : widgets::SceneMaterial{});
   return materials;
 }
 
@@ -58,64 +58,64 @@ SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end
   return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, lobe)}};
 }
 
-void SceneMaterialSlots::fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
-  m_places[std::size_t(place)].failure.clear();
+void SceneMaterialSlots::fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
+  m_slots[std::size_t(slot)].failure.clear();
   m_tasks.run<OtherMaterial>(
-      {tr("Opening %1 for the scene").arg(name), taskKey(place)},
+      {tr("Opening %1 for the scene").arg(name), taskKey(slot)},
       [make = std::move(make)](const TaskControl& control) { return prepared(make(control)); },
-      [this, place](const OtherMaterial& other) {
-        m_places[std::size_t(place)].other = other;
-        show(place);
+      [this, slot](const OtherMaterial& other) {
+        m_slots[std::size_t(slot)].other = other;
+        show(slot);
         Q_EMIT changed();
       },
-      [this, place, name](const QString& error) {
-        m_places[std::size_t(place)].failure = error;
-        show(place);
+      [this, slot, name](const QString& error) {
+        m_slots[std::size_t(slot)].failure = error;
+        show(slot);
         Q_EMIT failed(tr("Cannot use %1").arg(name), error);
       },
-      [this, place] { show(place); });
-  show(place);
+      [this, slot] { show(slot); });
+  show(slot);
 }
 
-void SceneMaterialSlots::read(int place, const QString& id) {
-  fill(place, id.section('/', -1), [id](const TaskControl& control) { return readBlendEnd(id, control); });
+void SceneMaterialSlots::read(int slot, const QString& id) {
+  fill(slot, id.section('/', -1), [id](const TaskControl& control) { return readBlendMaterial(id, control); });
 }
 
-void SceneMaterialSlots::takeCurrent(int place) {
+void SceneMaterialSlots::useCurrent(int slot) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
-  fill(place, name, [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
-    return takeBlendEnd(*material, name, source, control);
+  fill(slot, name, [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
+    return makeBlendMaterial(*material, name, source, control);
   });
 }
 
-void SceneMaterialSlots::clear(int place) {
-  Place& one = m_places[std::size_t(place)];
-  m_tasks.drop(taskKey(place));
+void SceneMaterialSlots::clear(int slot) {
+  Slot& one = m_slots[std::size_t(slot)];
+  m_tasks.drop(taskKey(slot));
   one.other.reset();
   one.failure.clear();
-  show(place);
+  show(slot);
   Q_EMIT changed();
 }
 
-void SceneMaterialSlots::askForFile(int place) {
-  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)),
+void SceneMaterialSlots::askForFile(int slot) {
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(slot)),
                                  widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, slot](const QString& path) {
     widgets::rememberDialogFolder(QStringLiteral("open"), path);
-    read(place, path);
+    read(slot, path);
   });
   dialog->open();
 }
 
-void SceneMaterialSlots::show(int place) {
-  const Place& one = m_places[std::size_t(place)];
+void SceneMaterialSlots::show(int slot) {
+  const Slot& one = m_slots[std::size_t(slot)];
   widgets::SlotContent content;
   if (one.other) content = {one.other->end.name, one.other->end.description, one.other->end.picture, {}};
-  if (m_tasks.isRunning(taskKey(place))) content.note = tr("Opening...");
+  if (m_tasks.isRunning(taskKey(slot))) content.note = tr("Opening...");
   if (!one.failure.isEmpty()) {
     content.note = tr("Could not be opened");
     content.toolTip = one.failure;

@@ -30,8 +30,8 @@ class SceneMaterialSlots : public QWidget {
   /// One per material slot; empty: the edited material.
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
-  void read(int place, const QString& id);
-  widgets::MaterialSlotWidget& slotWidget(int place) const { return *m_places[std::size_t(place)].widget; }
+  void read(int slot, const QString& id);
+  widgets::MaterialSlotWidget& slotWidget(int slot) const { return *m_slots[std::size_t(slot)].widget; }
 
  Q_SIGNALS:
   void changed();
@@ -42,21 +42,21 @@ class SceneMaterialSlots : public QWidget {
     BlendMaterial end;
     widgets::SceneMaterial shown;
   };
-  struct Place {
+  struct Slot {
     widgets::MaterialSlotWidget* widget;
     std::optional<OtherMaterial> other;
     QString failure;
   };
   static OtherMaterial prepared(BlendMaterial end);
-  void fill(int place, const QString& name, std::function<BlendMaterial(const TaskControl&)> make);
-  void takeCurrent(int place);
-  void clear(int place);
-  void askForFile(int place);
-  void show(int place);
+  void fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make);
+  void useCurrent(int slot);
+  void clear(int slot);
+  void askForFile(int slot);
+  void show(int slot);
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  std::vector<Place> m_places;
+  std::vector<Slot> m_slots;
 };
 
 }  // namespace gonio::app

@@ -204,14 +204,15 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
     return titles[section];
   }
   if (role == Qt::ToolTipRole) {
-    const QString tips[] = {tr("The model, rendered with its fitted parameters"),
-                            tr("Ticked fits are shown in the plots in addition to the one in use"),
-                            tr("<p>%1: %2. Smaller is better.</p>")
-                                .arg(widgets::toQString(record.name), widgets::formulaHtml(record.formula)),
-                            tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
-                            tr("Number of values that the fit determines"),
-                            tr("Time of the fit, seconds"),
-                            tr("Warnings of the fit about the measurement")};
+    const QString tips[] = {
+        tr("The model, rendered with its fitted parameters"),
+        tr("Ticked fits are shown in the plots in addition to the one in use"),
+        tr("<p>%1: %2. Smaller is better.</p>")
+            .arg(widgets::toQString(record.name), widgets::formulaHtml(record.formula)),
+        tr("Rendered SNR of the image in the comparison scene (bundled scene \"sphere\"). Larger is better."),
+        tr("Number of values that the fit determines"),
+        tr("Time of the fit, seconds"),
+        tr("Warnings of the fit about the measurement")};
     return tips[section];
   }
   return {};

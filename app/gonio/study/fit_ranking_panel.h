@@ -18,7 +18,7 @@ namespace gonio::app {
 struct SheetSource;
 
 /// Compares all models: fits them in the background, shows each when it is finished, and uses the one that is clicked.
-/// The fits are kept with the document's material.
+/// The fits are stored with the document's material.
 class FitRankingPanel : public QWidget {
   Q_OBJECT
 

@@ -20,7 +20,7 @@ std::optional<double> limitOf(const QDoubleSpinBox& field) {
 }  // namespace
 
 StudyBudgetBar::StudyBudgetBar(QWidget* parent)
-    : QWidget(parent), m_result(new QLabel), m_take(new QPushButton(tr("&Use This Representation"))) {
+    : QWidget(parent), m_result(new QLabel), m_use(new QPushButton(tr("&Use This Representation"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   m_frame = field(tr("&Frame time ≤"), tr(" ms"), 1e6,
@@ -28,12 +28,12 @@ StudyBudgetBar::StudyBudgetBar(QWidget* parent)
   m_snr = field(tr("&Rendered SNR ≥"), tr(" dB"), 200, tr("Minimum rendered SNR; \"any\" sets no limit"));
   m_kilobytes = field(tr("Si&ze ≤"), tr(" kB"), 1e6, tr("Maximum size; \"any\" sets no limit"));
   m_result->setTextFormat(Qt::PlainText);
-  m_take->setToolTip(
+  m_use->setToolTip(
       tr("Uses the best representation: a fit becomes the model in use, a code is shown in the Representation "
          "section,\nany other is shown in the preview"));
   layout->addWidget(m_result, 1);
-  layout->addWidget(m_take);
-  connect(m_take, &QPushButton::clicked, this, &StudyBudgetBar::taken);
+  layout->addWidget(m_use);
+  connect(m_use, &QPushButton::clicked, this, &StudyBudgetBar::useRequested);
   setResult({}, false);
 }
 
@@ -69,9 +69,9 @@ void StudyBudgetBar::setBudget(const study::Budget& budget) {
   m_kilobytes->setValue(budget.bytes.value_or(0) / bytesOfKilobyte);
 }
 
-void StudyBudgetBar::setResult(const QString& text, bool mayTake) {
+void StudyBudgetBar::setResult(const QString& text, bool canUse) {
   m_result->setText(text);
-  m_take->setEnabled(mayTake);
+  m_use->setEnabled(canUse);
 }
 
 }  // namespace gonio::app

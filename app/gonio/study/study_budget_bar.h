@@ -21,20 +21,20 @@ class StudyBudgetBar : public QWidget {
 
   study::Budget budget() const;
   void setBudget(const study::Budget& budget);
-  /// Shows a text beside the limits. @param mayTake whether the button is enabled.
-  void setResult(const QString& text, bool mayTake);
-  QPushButton& take() const { return *m_take; }
+  /// Shows a text beside the limits. @param canUse whether the button is enabled.
+  void setResult(const QString& text, bool canUse);
+  QPushButton& useButton() const { return *m_use; }
 
  Q_SIGNALS:
   void budgetChanged();
-  void taken();
+  void useRequested();
 
  private:
   QDoubleSpinBox* field(const QString& label, const QString& unit, double maximum, const QString& toolTip);
 
   QDoubleSpinBox *m_frame, *m_snr, *m_kilobytes;
   QLabel* m_result;
-  QPushButton* m_take;
+  QPushButton* m_use;
 };
 
 }  // namespace gonio::app

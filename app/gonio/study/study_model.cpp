@@ -198,7 +198,7 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("Representation at one budget, with its rendered image"),
-        tr("Rendered SNR of the image in the scene %1. Larger is better.").arg(comparisonSceneName),
+        tr("Rendered SNR of the image in the comparison scene (bundled scene \"sphere\"). Larger is better."),
         tr("<p>%1: %2. Smaller is better.</p>")
             .arg(widgets::toQString(metric.name), widgets::formulaHtml(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),

@@ -35,7 +35,7 @@ class StudyModel : public QAbstractTableModel {
 
   /// Sets the rows, not measured yet, in this order.
   void plan(const std::vector<study::Representation>& representations);
-  /// Sets the rows in this order. Rows that were planned before keep their results.
+  /// Sets the rows in this order. The results of rows that were planned before stay.
   void replan(const std::vector<study::Representation>& representations);
   /// Fills the row of the same representation; ignored if it was not planned.
   void add(const Studied& studied);

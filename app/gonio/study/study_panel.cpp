@@ -126,7 +126,7 @@ void StudyPanel::connectParts() {
   connect(m_view, &StudyView::chosen, this, &StudyPanel::show);
   connect(m_view, &StudyView::dismissed, this, [this] { show(-1); });
   connect(m_budget, &StudyBudgetBar::budgetChanged, this, &StudyPanel::refresh);
-  connect(m_budget, &StudyBudgetBar::taken, this, &StudyPanel::takeBest);
+  connect(m_budget, &StudyBudgetBar::useRequested, this, &StudyPanel::useBest);
   connect(m_run, &StudyRun::restarted, this, [this] {
     show(-1);
     refreshPlot();
@@ -181,11 +181,11 @@ study::StudyAxes StudyPanel::axes() const {
   return axes;
 }
 
-void StudyPanel::takeBest() {
+void StudyPanel::useBest() {
   if (m_best < 0) return;
   const study::Representation representation = m_model.representation(m_best);
   if (m_shown != m_best) show(m_best);
-  Q_EMIT taken(representation);
+  Q_EMIT useRequested(representation);
 }
 
 void StudyPanel::exportSvg() {

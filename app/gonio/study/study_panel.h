@@ -17,9 +17,9 @@ namespace gonio::app {
 class StudyView;
 struct SheetSource;
 
-/// Accuracy versus cost: all representations of the open material, measured in the background, as a table and as points
-/// over a cost. A click on either shows the representation in the preview; a second click or Escape shows the material
-/// again. It does not change the document.
+/// Accuracy versus cost: the representations of the open material of the selected kinds, measured in the background, as
+/// a table and as points over a cost. A click on either shows the representation in the preview; a second click or
+/// Escape shows the material again. It does not change the document.
 class StudyPanel : public QWidget {
   Q_OBJECT
 
@@ -44,7 +44,7 @@ class StudyPanel : public QWidget {
  Q_SIGNALS:
   void subjectChanged();
   /// The user wants to use this representation.
-  void taken(const gonio::study::Representation& representation);
+  void useRequested(const gonio::study::Representation& representation);
   void contactSheetRequested(const gonio::app::SheetSource& source);
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
@@ -55,7 +55,7 @@ class StudyPanel : public QWidget {
   void chooseKinds();
   void connectParts();
   void adopt(int row, const widgets::PreviewSubject& subject);
-  void takeBest();
+  void useBest();
   void exportSvg();
   study::StudyAxes axes() const;
   void refreshPlot();

@@ -23,9 +23,9 @@ class StudyRun : public QObject {
  public:
   StudyRun(const Document& document, BackgroundTasks& tasks, StudyModel& model, QObject* parent);
 
-  /// Sets what to measure; by default all representations. Drops the results.
+  /// Sets what to measure; by default study::RepresentationChoice(). Drops the results.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
-  /// Sets the kinds to measure. Rows of kinds that remain keep their results.
+  /// Sets the kinds to measure. The results of kinds that remain stay.
   void setFamilies(const std::vector<study::RepresentationFamily>& families);
   const std::vector<study::RepresentationFamily>& families() const { return m_choice.families; }
   bool isRunning() const;

@@ -17,9 +17,9 @@ class QTreeView;
 
 namespace gonio::app {
 
-/// Accuracy versus cost for several materials: all representations are measured in the background, one material after
-/// the other, and summarised in one row per representation. If the user stops, the results stay, and Measure continues
-/// from there.
+/// Accuracy versus cost for several materials: the representations of the checked families are measured in the
+/// background, one material after the other, and summarised in one row per representation. If the user stops, the
+/// results stay, and Measure continues from there.
 class StudySummaryWindow : public QDialog {
   Q_OBJECT
 

@@ -88,7 +88,7 @@ void EditorParts::connectStandIns() {
     if (kind == StandIn::representation) return study.show(-1);
     interpolation.setShownInPreview(false);
   });
-  QObject::connect(&study, &StudyPanel::taken, &controller,
+  QObject::connect(&study, &StudyPanel::useRequested, &controller,
                    [this](const gonio::study::Representation& representation) { use(representation); });
   const RepresentationPanel* representation = inspector.representation();
   QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,

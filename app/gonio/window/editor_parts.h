@@ -77,7 +77,7 @@ struct EditorParts {
   void connectLibrary();
   void connectPlots();
   void takeOldFavourites();
-  /// Delays fits and checks of a material until its first picture, to keep the processors free for the preview.
+  /// Delays fits and checks of a material until its first picture, so that the processors are free for the preview.
   void connectFirstPicture();
   void restoreSavedView(const nlohmann::json& view);
   void use(const gonio::study::Representation& representation);

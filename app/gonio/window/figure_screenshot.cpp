@@ -12,11 +12,11 @@ void takeFigureScreenshot(const FigureDialog::Parts& parts, QWidget& parent, con
                           const QString& path, double maxWaitSeconds) {
   auto* dialog = new FigureDialog(parts, &parent);
   QObject::connect(&dialog->files(), &FigureFileButtons::opened, dialog,
-                   [dialog] { dialog->view().maker().measure(); });
+                   [dialog] { dialog->view().controller().measure(); });
   dialog->show();
   dialog->files().open(description);
   const auto isMeasured = [&view = dialog->view()] {
-    const figures::FigureMeasurement& known = view.maker().known();
+    const figures::FigureMeasurement& known = view.controller().known();
     return view.isSettled() && !known.rows.empty() && known.missingCells() == 0;
   };
   new Screenshot(*dialog, isMeasured, path, maxWaitSeconds);

@@ -13,7 +13,7 @@ class HelpMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// @param window the window whose actions are searched and listed. @param others returns further entries of the
+  /// @param window its actions are searched and listed. @param others returns further entries of the
   /// search.
   HelpMenu(QWidget* window, const std::function<std::vector<SearchEntry>()>& others);
 };

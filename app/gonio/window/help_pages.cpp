@@ -72,9 +72,10 @@ QString editFormulae() {
                                        "model(fitted)) / (1 + model(fitted)))")) +
          composition(compositionName(editing::Composition::lobes),
                      HelpPagesText::tr(
-                         "multiplies each edited lobe k by the ratio q of measurement to fit. The ratio is taken at "
-                         "the direction w<sub>k</sub>, where the profile of the fitted lobe is as far down as "
-                         "that of the edited lobe is at the evaluated direction"),
+                         "multiplies each edited lobe k by the ratio q of measurement to fit. For a highlight, q is "
+                         "taken at the direction w<sub>k</sub>, which lies at the same position in the profile of the "
+                         "fitted lobe as the evaluated direction in the profile of the edited lobe. The diffuse term "
+                         "is multiplied by q only where it makes up nearly all of the model"),
                      HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
                                        "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
                                        "(model(fitted) + 0.001)"));
@@ -93,7 +94,8 @@ QString factorFormulae() {
                HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
            HelpPagesText::tr("Without \"Preserve measured detail\":"),
            formulaLine(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
-           HelpPagesText::tr("The edge of the unit disk of directions, at the near and the far horizon:"),
+           HelpPagesText::tr("Distances from the mirror direction to the nearest and the farthest point of the horizon "
+                             "(the edge of the unit disk):"),
            formulaLine(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
       .arg(HelpPagesText::tr(
           "Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));

@@ -245,7 +245,7 @@ void MainWindow::connectRequests() {
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::interpolationRequested, this,
           [this](const QStringList& ids) {
             m_docks->show(QStringLiteral("interpolation"));
-            m_parts.interpolation.take(ids);
+            m_parts.interpolation.useMaterials(ids);
           });
   connect(&m_parts.study, &StudyPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
   connect(&m_parts.ranking, &FitRankingPanel::contactSheetRequested, this, &MainWindow::openContactSheet);

@@ -69,10 +69,11 @@ void MaterialMenu::addBlends(const Parts& parts) {
                                      docks.show(QStringLiteral("interpolation"));
                                      interpolation.begin();
                                    });
-  interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
-  QAction* keep = addAction(tr("&Open Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
-                            &parts.interpolation, &InterpolationPanel::keep);
-  keep->setToolTip(tr("Opens the blend of the Interpolation panel as a material; Undo restores the previous material"));
+  interpolate->setToolTip(
+      tr("Blends the open material with others; the open material is put in slot A if this slot is empty"));
+  QAction* open = addAction(tr("&Open Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+                            &parts.interpolation, &InterpolationPanel::openAsMaterial);
+  open->setToolTip(tr("Opens the blend of the Interpolation panel as a material; Undo restores the previous material"));
 }
 
 void MaterialMenu::addCancel(const Parts& parts) {

@@ -86,7 +86,7 @@ class DocumentControllerTest : public QObject {
     editing::FactorEdit edit;
     edit.original = std::make_shared<const factorization::PdvFactors>(factors);
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
-    edit.keepDetail = false;
+    edit.preserveDetail = false;
     replaceFactors(editor.document, edit, "Wider");
     setEditStrength(editor.document, 0, 0.75);
     QVERIFY(editor.document.isModified());
@@ -98,7 +98,7 @@ class DocumentControllerTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(factorEdit(again.document), patienceMilliseconds);
     const editing::FactorEdit& back = *factorEdit(again.document);
     QVERIFY(*back.original == *edit.original && *back.edited == *edit.edited);
-    QVERIFY(!back.keepDetail && again.document.edits()[0].enabled);
+    QVERIFY(!back.preserveDetail && again.document.edits()[0].enabled);
     QCOMPARE(again.document.edits()[0].strength, 0.75);
 
     QSignalSpy done(&again.exports, &FileExports::exported);

@@ -151,16 +151,16 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
   }
 
   void theDetailStaysOrGoes() {
-    QVERIFY(m_panel->keepDetail().isChecked());
-    m_panel->keepDetail().click();
+    QVERIFY(m_panel->preserveDetail().isChecked());
+    m_panel->preserveDetail().click();
     QCOMPARE(m_document.history().count(), 1);
-    QVERIFY(!edit().keepDetail && !edit().isIdentity());
+    QVERIFY(!edit().preserveDetail && !edit().isIdentity());
     m_document.history().undo();
-    QVERIFY(m_panel->keepDetail().isChecked());
+    QVERIFY(m_panel->preserveDetail().isChecked());
     m_document.history().redo();
-    QVERIFY(!m_panel->keepDetail().isChecked());
-    m_panel->keepDetail().click();
-    QVERIFY(m_panel->keepDetail().isChecked());
+    QVERIFY(!m_panel->preserveDetail().isChecked());
+    m_panel->preserveDetail().click();
+    QVERIFY(m_panel->preserveDetail().isChecked());
     QVERIFY(!factorEdit(m_document));  // what changes nothing is no edit
   }
 

@@ -26,20 +26,20 @@ class FigureMakingTest : public QObject {
     FigureDescription figure = editor.smallFigure();
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
-    const FigureController& maker = dialog->view().maker();
+    const FigureController& controller = dialog->view().controller();
     QImage page = dialog->view().page().grab().toImage();
     dialog->view().measureButton().click();
-    QVERIFY(maker.isMeasuring());
+    QVERIFY(controller.isMeasuring());
     QCOMPARE(dialog->view().measureButton().text().remove('&'), QString("Stop"));
     QVERIFY(editor.settled(*dialog));
     QVERIFY2(dialog->view().status().startsWith("Every cell is measured"), qPrintable(dialog->view().status()));
     QVERIFY(dialog->view().page().grab().toImage() != page);
-    const figures::FigureMeasurement measured = maker.known();
+    const figures::FigureMeasurement measured = controller.known();
     const auto redraws = [&](const auto& change) {
       page = dialog->view().page().grab().toImage();
       change(figure);
       dialog->setDescription(figure);
-      if (maker.isMeasuring() || !editor.settled(*dialog)) return false;
+      if (controller.isMeasuring() || !editor.settled(*dialog)) return false;
       return dialog->view().page().grab().toImage() != page && dialog->view().status().startsWith("Every cell");
     };
     QVERIFY(redraws([](FigureDescription& f) { f.materials[0].label = "mirror"; }));
@@ -53,7 +53,7 @@ class FigureMakingTest : public QObject {
     QVERIFY(redraws([](FigureDescription& f) { f.pictures.toneMap = ToneMap::filmic; }));
     QVERIFY(redraws([](FigureDescription& f) { std::ranges::reverse(f.materials); }));
     QVERIFY(redraws([](FigureDescription& f) { f.representations.pop_back(); }));
-    QVERIFY(maker.known().rows[0].cells == measured.rows[0].cells);
+    QVERIFY(controller.known().rows[0].cells == measured.rows[0].cells);
     figure.pictures.samples = 5;
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
@@ -70,17 +70,17 @@ class FigureMakingTest : public QObject {
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
     dialog->view().measureButton().click();
-    const FigureController& maker = dialog->view().maker();
-    QVERIFY(editor.wait([&] { return !maker.known().rows.empty(); }));
+    const FigureController& controller = dialog->view().controller();
+    QVERIFY(editor.wait([&] { return !controller.known().rows.empty(); }));
     QTest::keyClick(dialog.get(), Qt::Key_Escape);
     QVERIFY(dialog->isVisible());
     QVERIFY(editor.settled(*dialog));
-    const auto first = maker.known().rows[0].cells[0];
+    const auto first = controller.known().rows[0].cells[0];
     QVERIFY(first);
     dialog->view().measureButton().click();
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().status().startsWith("Every cell"));
-    QVERIFY(maker.known().rows[0].cells[0] == first);
+    QVERIFY(controller.known().rows[0].cells[0] == first);
   }
 
   void whatFailsIsStated() {
@@ -96,7 +96,7 @@ class FigureMakingTest : public QObject {
     QVERIFY2(status.startsWith("Cannot measure the cells of the figure: ") && status.contains("absent.binary"),
              qPrintable(status));
     // The cells of the first material are measured nevertheless.
-    QCOMPARE(dialog->view().maker().known().missingCells(), std::size_t(2));
+    QCOMPARE(dialog->view().controller().known().missingCells(), std::size_t(2));
   }
 
   /// The files equal those of goniotool figure for the saved description. Saving measures missing cells, and the page
@@ -107,8 +107,8 @@ class FigureMakingTest : public QObject {
     FigureDescription figure = editor.smallFigure();
     figure.inset = figures::FigureInset{};
     dialog->setDescription(figure);
-    FigureController& maker = dialog->view().maker();
-    const FigureToWrite written{dialog->description(), maker.known(), maker.collector()};
+    FigureController& controller = dialog->view().controller();
+    const FigureToWrite written{dialog->description(), controller.known(), controller.collector()};
     editor.exports.save(editor.path("figure.json"), figureDescriptionSave(dialog->description()));
     for (const char* name : {"a.pdf", "a.svg", "a.PNG"}) editor.exports.save(editor.path(name), figureSave(written));
     for (const char* name : {"a.csv", "a.tex"}) editor.exports.save(editor.path(name), figureNumbersSave(written));
@@ -116,7 +116,7 @@ class FigureMakingTest : public QObject {
     QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failed.value(0).value(1).toString()));
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().status().startsWith("Wrote "));
-    QVERIFY(maker.known().missingCells() == 0 && !dialog->view().measureButton().isEnabled());
+    QVERIFY(controller.known().missingCells() == 0 && !dialog->view().measureButton().isEnabled());
 
     const FigureDescription read = figures::readFigureDescription(editor.path("figure.json").toStdString());
     QVERIFY(read == figure);

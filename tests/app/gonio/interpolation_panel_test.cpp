@@ -37,10 +37,10 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(editor.panel.isSettled());
     QVERIFY(!editor.panel.subject());
     QVERIFY(editor.panel.overview().strip().rows().empty());
-    QVERIFY(!editor.panel.saveButton().isEnabled());
+    QVERIFY(!editor.panel.openButton().isEnabled());
     QVERIFY(!editor.panel.blendSlots().slotWidget(0).currentButton()->isEnabled());
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
-    editor.panel.keep();
+    editor.panel.openAsMaterial();
     QCOMPARE(failed.count(), 1);
     QVERIFY(!editor.document.material());
   }
@@ -93,11 +93,11 @@ class InterpolationPanelTest : public QObject {
     Q_EMIT editor.panel.overview().strip().chosen(1, 2);
     QCOMPARE(editor.panel.space(), editor.panel.spaces().spaces()[1]);
     QCOMPARE(editor.panel.spaceBox().currentIndex(), 1);
-    QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
+    QVERIFY(std::abs(editor.panel.position().x() - 1 / 3.0) < 1e-12);
     // Its name takes the space alone.
     Q_EMIT editor.panel.overview().strip().chosen(0, -1);
     QCOMPARE(editor.panel.space(), InterpolationSpace::linear);
-    QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
+    QVERIFY(std::abs(editor.panel.position().x() - 1 / 3.0) < 1e-12);
   }
 
   /// Three materials: the pad takes the slider's place; its weights are those of the blend.
@@ -106,7 +106,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     QVERIFY(editor.panel.positionEditor().slider().isVisible());
-    editor.panel.ends().addPlace();
+    editor.panel.ends().addSlot();
     QVERIFY(!editor.panel.positionEditor().slider().isVisible() && editor.panel.positionEditor().pad().isVisible());
     QVERIFY(!editor.panel.subject());
     for (const double weight : editor.panel.weights()) QVERIFY(std::abs(weight - 1 / 3.0) < 1e-12);  // as before: equal
@@ -115,7 +115,7 @@ class InterpolationPanelTest : public QObject {
     editor.panel.positionEditor().pad().setFocus();
     QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
-    QVERIFY(editor.panel.positionEditor().pad().place() == editor.panel.place());
+    QVERIFY(editor.panel.positionEditor().pad().place() == editor.panel.position());
     QVERIFY(editor.panel.weights() == editor.panel.positionEditor().pad().weights());
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 1.7 / 3) < 1e-6);
     QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_3);
@@ -167,8 +167,8 @@ class InterpolationPanelTest : public QObject {
   /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
   void materialsFromTheLibrary() {
     Editor editor;
-    editor.panel.take({"library:sgd/nickel"});
-    editor.panel.take({"library:sgd/red-fabric"});
+    editor.panel.useMaterials({"library:sgd/nickel"});
+    editor.panel.useMaterials({"library:sgd/red-fabric"});
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().isComplete(), patienceMilliseconds);
     QCOMPARE(editor.panel.ends().at(0)->name, QStringLiteral("nickel"));
     QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("red-fabric"));
@@ -183,19 +183,19 @@ class InterpolationPanelTest : public QObject {
   void severalFromTheLibrary() {
     Editor editor;
     editor.fill(0, "dark", 0.2);
-    editor.panel.take({"library:sgd/nickel", "library:sgd/red-fabric", "library:sgd/chrome"});
+    editor.panel.useMaterials({"library:sgd/nickel", "library:sgd/red-fabric", "library:sgd/chrome"});
     QCOMPARE(editor.panel.ends().count(), 3);
     QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
     QCOMPARE(editor.panel.ends().at(0)->name, QString("nickel"));
     QCOMPARE(editor.panel.ends().at(2)->name, QString("chrome"));
-    editor.panel.take({"library:sgd/chrome", "library:sgd/nickel"});
+    editor.panel.useMaterials({"library:sgd/chrome", "library:sgd/nickel"});
     QCOMPARE(editor.panel.ends().count(), 2);
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
-    editor.panel.take({"a", "b", "c", "d", "e"});
+    editor.panel.useMaterials({"a", "b", "c", "d", "e"});
     QVERIFY(failed.count() == 1 && editor.panel.ends().count() == 2);
     // One more takes a slot of its own, also while the others are being read; without a free slot nothing is replaced.
     for (const char* more : {"library:sgd/red-fabric", "library:sgd/alumina-oxide", "library:sgd/black-fabric"})
-      editor.panel.take({more});
+      editor.panel.useMaterials({more});
     QVERIFY(failed.count() == 2 && editor.panel.ends().count() == 4);
     QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
     QCOMPARE(editor.panel.ends().at(1)->name, QString("nickel"));

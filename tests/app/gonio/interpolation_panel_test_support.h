@@ -56,10 +56,10 @@ struct Editor {
   }
   bool isSettled() const { return panel.isSettled() && tasks.isIdle(); }
   /// Opens a grey and takes it as it is.
-  void fill(int place, const char* name, double albedo) {
+  void fill(int slot, const char* name, double albedo) {
     document.setMaterial(greyMaterial(name, albedo));
-    panel.blendSlots().slotWidget(place).currentButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(place), patienceMilliseconds);
+    panel.blendSlots().slotWidget(slot).currentButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(slot), patienceMilliseconds);
   }
 };
 

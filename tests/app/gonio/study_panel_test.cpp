@@ -214,17 +214,17 @@ class StudyPanelTest : public QObject {
     const models::Model& phong = models::findModel("phong");  // that no fit of the two matches exactly
     editor.document.setMaterial(material("glossy", *phong.instantiate(models::defaultParameters(phong.spec()))));
     QVERIFY(editor.measure());
-    QSignalSpy taken(&editor.panel, &StudyPanel::taken);
-    QPushButton& take = editor.panel.budgetBar().take();
-    QVERIFY(take.isEnabled());
+    QSignalSpy useRequested(&editor.panel, &StudyPanel::useRequested);
+    QPushButton& use = editor.panel.budgetBar().useButton();
+    QVERIFY(use.isEnabled());
     // 12 bytes: only three numbers fit.
     editor.panel.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = {}, .bytes = 100});
     QVERIFY(editor.text(lambertFit, 0).endsWith("(best)") || editor.text(ggxFit, 0).endsWith("(best)"));
-    take.click();
-    QCOMPARE(taken.count(), 1);
-    QCOMPARE(taken[0][0].value<study::Representation>().family, study::RepresentationFamily::fit);
+    use.click();
+    QCOMPARE(useRequested.count(), 1);
+    QCOMPARE(useRequested[0][0].value<study::Representation>().family, study::RepresentationFamily::fit);
     editor.panel.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = 200, .bytes = 100});
-    QVERIFY(!take.isEnabled());
+    QVERIFY(!use.isEnabled());
   }
 
   /// What is done stays, and the rest goes on from there.

@@ -32,9 +32,9 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(std::abs(m.fixedAngle - 0.6) < 1e-12);
     for (std::size_t i = 0; i < m.angles.size(); ++i) QVERIFY(std::abs(m.along[0][i] - (1 + m.angles[i])) < 1e-9);
     for (std::size_t j = 0; j < m.distances.size(); ++j) {
-      // The curve along, by which symmetricDeviation divides, is interpolated.
+      // The `along` curve, by which symmetricDeviation divides, is interpolated.
       const double tolerance = which == FactorAxes::symmetricDeviation ? 2e-3 : 1e-9;
-      // Beside retro-reflection theta_d lies before the first reading along the mirror direction.
+      // Beside retro-reflection theta_d lies before the first reading in the mirror direction.
       if (which == FactorAxes::symmetricDeviation && std::abs(m.distances[j] - 2 * std::sin(0.6)) < 0.1) continue;
       QVERIFY(std::abs(m.across[0][j] * (1 + 2 * m.distances[j]) - 1) < tolerance);
     }
@@ -42,7 +42,7 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(std::abs(m.highest[1] - 0.3) < 1e-9 && m.highest[2] == 0);
   }
 
-  /// A channel whose mirror direction is black at the fixed angle cannot be scaled: the curve across is kept.
+  /// A channel whose mirror direction is black at the fixed angle cannot be scaled: the `across` curve is kept.
   void hardCase20NothingToScaleBy() {
     const test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       return Rgb(toProjectedDeviation(wi, wo).deviation < 0.05 ? 1e-13 : 0.5);
@@ -52,7 +52,7 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(std::abs(m.across[0].back() - std::log1p(0.5)) < 1e-12);
   }
 
-  /// A curve along the mirror direction that is black except at the fixed angle: no division by 0.
+  /// A curve in the mirror direction that is black except at the fixed angle: no division by 0.
   void hardCase20BlackBesideTheFixedAngle() {
     const test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       const ProjectedDeviation at = toProjectedDeviation(wi, wo);
@@ -100,16 +100,16 @@ class FactorMeasurementTest : public QObject {
     };
     FactorPlan plan = good;
     plan.curves.back() = FactorCurve::along;
-    QVERIFY(test::contains(errorOf(plan), "from the mirror direction on the curve along it, expected 0"));
+    QVERIFY(test::contains(errorOf(plan), R"(from the mirror direction on the curve "along", expected 0)"));
     plan = good;
     plan.axes = FactorAxes::halfDifference;
-    QVERIFY(test::contains(errorOf(plan), "degrees on the curve across the mirror direction, expected 60"));
+    QVERIFY(test::contains(errorOf(plan), R"(degrees on the curve "across", expected 60)"));
     plan = good;
     plan.plan.samples[4].directions = plan.plan.samples[3].directions;
     QVERIFY(test::contains(errorOf(plan), "sample 5: found the same position on the curve as sample 4"));
     plan = good;
     std::ranges::fill(plan.curves, FactorCurve::along);
-    QVERIFY(test::contains(errorOf(plan), "found no reading across"));
+    QVERIFY(test::contains(errorOf(plan), R"(found no reading of the curve "across")"));
     QVERIFY(test::contains(test::errorOf([&] { factorMeasurement(good, {}); }), "found 0 values"));
   }
 };

@@ -49,7 +49,8 @@ class FactorPlanTest : public QObject {
     for (const PlannedSample& sample : plan.plan.samples)
       QVERIFY(std::acos(glm::dot(sample.directions.wi, sample.directions.wo)) > 0.0349);
     QVERIFY(plan.blocked > planFactors({.fixedAngle = 0.5, .minSeparation = 0}).blocked);
-    QVERIFY(test::contains(test::errorOf([] { planFactors({.minSeparation = pi}); }), "obstruct all readings"));
+    QVERIFY(
+        test::contains(test::errorOf([] { planFactors({.minSeparation = pi}); }), "reaches no reading of the curve"));
   }
 
   void methodsStateTheirAxes() {

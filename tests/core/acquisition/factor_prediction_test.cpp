@@ -54,7 +54,7 @@ class FactorPredictionTest : public QObject {
       const glm::dvec2 at = factorPlaceOf(which, wi, wo);
       // Beyond the readings the prediction is constant.
       if (at.x < m.angles.front() || at.y > m.distances.back()) continue;
-      // Beside retro-reflection theta_d lies before the first reading along the mirror direction.
+      // Beside retro-reflection theta_d lies before the first reading in the mirror direction.
       if (which == FactorAxes::symmetricDeviation && std::abs(at.y - 2 * std::sin(0.6)) < 0.1) continue;
       ++compared;
       const Rgb found = predicted->evaluate(wi, wo), expected = material.evaluate(wi, wo);
@@ -80,7 +80,7 @@ class FactorPredictionTest : public QObject {
     }
   }
 
-  /// Never above the nearest readings, never above the unbounded prediction, and reciprocal.
+  /// Never above the interpolated readings, never above the unbounded prediction, and reciprocal.
   void boundedPredictionsNeverExceed() {
     const auto material = varnish();
     for (const auto axes : {FactorAxes::projectedDeviation, FactorAxes::symmetricDeviation, FactorAxes::halfDifference,

@@ -93,7 +93,7 @@ class BasisPursuitTest : public QObject {
     std::vector<Coefficient<float>> code, largest;
     pursueBasis(rounds, 15, 5, code);
     refitValues(rounds, 5, code);
-    rounds.keepLargest(15, largest);
+    rounds.selectLargest(15, largest);
     std::ranges::sort(largest, {}, &Coefficient<float>::index);
     QCOMPARE(code.size(), largest.size());
     for (std::size_t i = 0; i < code.size(); ++i) {

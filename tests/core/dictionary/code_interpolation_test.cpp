@@ -44,7 +44,7 @@ class CodeInterpolationTest : public QObject {
     compose<double>(ensemble.dictionaries[1].modes, code, direct.data());
     compose<double>(rotations, code, carried.data());
     std::vector<Coefficient<double>> all;
-    keepLargest(std::span<const double>(carried), count(sizes), all);
+    selectLargest(std::span<const double>(carried), count(sizes), all);
     compose<double>(ensemble.dictionaries[0].modes, all, decoded.data());
     for (std::size_t i = 0; i < decoded.size(); ++i) QVERIFY(std::abs(decoded[i] - direct[i]) < 1e-12 * 50);
   }

@@ -41,7 +41,7 @@ Eigen::ArrayXd errorsByBruteForce(const Ensemble& ensemble, const Eigen::ArrayXd
     const double* projection =
         transposedModeProducts(signal.data(), modeSizes(smallGrid), ensemble.dictionaries[d].modes, workspace);
     std::vector<Coefficient<double>> kept;
-    keepLargest(std::span(projection, smallGrid.size()), coefficients, kept);
+    selectLargest(std::span(projection, smallGrid.size()), coefficients, kept);
     errors[Eigen::Index(d)] = signal.square().sum() - energy<double>(kept);
   }
   return errors;
@@ -59,7 +59,7 @@ class EncodeTest : public QObject {
     Workspace<double> workspace;
     const double* projection = transposedModeProducts(signal.data(), sizes, matrices, workspace);
     std::vector<Coefficient<double>> all;
-    keepLargest(std::span(projection, count(sizes)), count(sizes), all);
+    selectLargest(std::span(projection, count(sizes)), count(sizes), all);
     Eigen::VectorXd decoded(signal.size());
     compose(matrices, all, decoded.data());
     QVERIFY((decoded - signal).norm() < 1e-12 * signal.norm());
@@ -248,7 +248,7 @@ class EncodeTest : public QObject {
       const double* projection = transposedModeProducts(
           signal.data(), modeSizes(smallGrid), ensemble.dictionaries[std::size_t(channel.dictionary)].modes, workspace);
       std::vector<Coefficient<double>> largest;
-      keepLargest(std::span(projection, smallGrid.size()), 30, largest);
+      selectLargest(std::span(projection, smallGrid.size()), 30, largest);
       QCOMPARE(channel.coefficients.size(), std::size_t(30));
       QVERIFY(std::abs(energy<float>(channel.coefficients) / energy<double>(largest) - 1) < 1e-5);
       // Parseval: the error is the energy that was left out. Clamping to the largest value only lowers it.

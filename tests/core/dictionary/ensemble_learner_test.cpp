@@ -22,6 +22,15 @@ void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
     for (const Eigen::MatrixXd& mode : dictionary) QVERIFY(orthonormalityError(mode) < 1e-10);
 }
 
+/// Without loss.
+template <typename Scalar>
+std::vector<CompactSignal<Scalar>> compactSignals(const Matrix<Scalar>& signals) {
+  std::vector<CompactSignal<Scalar>> compact;
+  for (Eigen::Index s = 0; s < signals.cols(); ++s)
+    compact.push_back(compactSignal<Scalar>(signals.col(s).data(), sizes, 0));
+  return compact;
+}
+
 class EnsembleLearnerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -29,7 +38,8 @@ class EnsembleLearnerTest : public QObject {
   void errorIsTrueAndFalls() {
     std::mt19937_64 random(1);
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 30);
-    EnsembleLearner<double> learner(signals, sizes, 3, 20);
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> learner(compact, sizes, 3, 20);
     learner.start(7);
     double before = 1;
     for (int round = 0; round < 12; ++round) {
@@ -60,7 +70,8 @@ class EnsembleLearnerTest : public QObject {
   /// Passes with kept memberships are rounds without the choice: with one dictionary there is none.
   void passesAreRoundsOfTheirOwn() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 12);
-    EnsembleLearner<double> rounds(signals, sizes, 1, 20), passes(signals, sizes, 1, 20);
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> rounds(compact, sizes, 1, 20), passes(compact, sizes, 1, 20);
     rounds.start(7);
     passes.start(7);
     for (int round = 0; round < 3; ++round) rounds.iterate();
@@ -74,7 +85,8 @@ class EnsembleLearnerTest : public QObject {
     std::mt19937_64 random(2);
     std::vector<ModeMatrices<double>> planted{randomDictionary(sizes, random), randomDictionary(sizes, random)};
     const Matrix<double> signals = plantedSignals(sizes, planted, 3, 120, random);
-    EnsembleLearner<double> learner(signals, sizes, 2, 3);
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> learner(compact, sizes, 2, 3);
     std::vector<ModeMatrices<double>> near = planted;
     for (auto& dictionary : near)
       for (Eigen::MatrixXd& mode : dictionary)
@@ -90,7 +102,8 @@ class EnsembleLearnerTest : public QObject {
   /// All coefficients: nothing is left over in any dictionary.
   void hardCase26ExactWithAllCoefficients() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 5);
-    EnsembleLearner<double> learner(signals, sizes, 2, int(count(sizes)));
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> learner(compact, sizes, 2, int(count(sizes)));
     learner.start(1);
     QVERIFY(learner.assign() < 1e-12);
   }
@@ -98,7 +111,8 @@ class EnsembleLearnerTest : public QObject {
   /// More dictionaries than signals, and one signal alone: empty ones start again from signals, nothing breaks.
   void hardCase28EmptyDictionaries() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 3);
-    EnsembleLearner<double> learner(signals, sizes, 8, 10);
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> learner(compact, sizes, 8, 10);
     learner.start(1);
     double before = 1;
     for (int round = 0; round < 8; ++round) {
@@ -113,12 +127,14 @@ class EnsembleLearnerTest : public QObject {
   void hardCase18SignalsOfZeros() {
     Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 6);
     signals.col(2).setZero();
-    EnsembleLearner<double> learner(signals, sizes, 2, 10);
+    const auto compact = compactSignals(signals);
+    EnsembleLearner<double> learner(compact, sizes, 2, 10);
     learner.start(1);
     for (int round = 0; round < 4; ++round) QVERIFY(std::isfinite(learner.iterate()));
     QCOMPARE(learner.errors()[2], 0.0);
     const Matrix<double> zeros = Matrix<double>::Zero(Eigen::Index(count(sizes)), 3);
-    EnsembleLearner<double> none(zeros, sizes, 2, 10);
+    const auto compactZeros = compactSignals(zeros);
+    EnsembleLearner<double> none(compactZeros, sizes, 2, 10);
     none.start(1);
     for (int round = 0; round < 3; ++round) QCOMPARE(none.iterate(), 0.0);
     verifyOrthonormal(none.dictionaries());
@@ -131,7 +147,8 @@ class EnsembleLearnerTest : public QObject {
     std::vector<std::vector<int>> memberships;
     for (const int threads : {1, 16}) {
       const ThreadLimit limit(threads);
-      EnsembleLearner<float> learner(signals, sizes, 3, 12);
+      const auto compact = compactSignals(signals);
+      EnsembleLearner<float> learner(compact, sizes, 3, 12);
       learner.start(5);
       for (int round = 0; round < 6; ++round) learner.iterate({}, 2);
       results.push_back(learner.dictionaries());

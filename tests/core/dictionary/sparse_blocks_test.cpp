@@ -56,7 +56,7 @@ class SparseBlocksTest : public QObject {
     for (double& v : values) v = normal(random);
     std::vector<Coefficient<double>> kept;
     for (const std::size_t count : {1, 7, 64, 300, 4999}) {
-      keepLargest(std::span<const double>(values), count, kept);
+      selectLargest(std::span<const double>(values), count, kept);
       const auto expected = keptByFullSort(values, count);
       kept = sortedByIndex(kept);
       QCOMPARE(kept.size(), expected.size());
@@ -68,12 +68,12 @@ class SparseBlocksTest : public QObject {
   void hardCase26AllOrNoCoefficients() {
     const std::vector<double> values{3, -1, 0.5, 2};
     std::vector<Coefficient<double>> kept;
-    keepLargest(std::span<const double>(values), 4, kept);
+    selectLargest(std::span<const double>(values), 4, kept);
     QCOMPARE(kept.size(), std::size_t(4));
-    keepLargest(std::span<const double>(values), 100, kept);
+    selectLargest(std::span<const double>(values), 100, kept);
     QCOMPARE(kept.size(), std::size_t(4));
     QCOMPARE(energy<double>(kept), 9 + 1 + 0.25 + 4);
-    keepLargest(std::span<const double>(values), 0, kept);
+    selectLargest(std::span<const double>(values), 0, kept);
     QVERIFY(kept.empty());
   }
 
@@ -83,7 +83,7 @@ class SparseBlocksTest : public QObject {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 3 == 0 ? -1 : 1;
     values[500] = 2;
     std::vector<Coefficient<double>> kept;
-    keepLargest(std::span<const double>(values), 10, kept);
+    selectLargest(std::span<const double>(values), 10, kept);
     const auto expected = keptByFullSort(values, 10);
     kept = sortedByIndex(kept);
     QCOMPARE(kept.size(), expected.size());
@@ -117,8 +117,8 @@ class SparseBlocksTest : public QObject {
       for (const std::size_t kept : {std::size_t(0), std::size_t(1), std::size_t(20), all}) {
         if (kept == all && decay > 0) continue;  // the least of them are rounding alone
         std::vector<Coefficient<float>> expected, found;
-        keepLargest(std::span<const float>(values), kept, expected);
-        keepLargestProjections(signal.data(), sizes, matrices, kept, workspace, found);
+        selectLargest(std::span<const float>(values), kept, expected);
+        selectLargestProjections(signal.data(), sizes, matrices, kept, workspace, found);
         expected = sortedByIndex(expected);
         found = sortedByIndex(found);
         QCOMPARE(found.size(), expected.size());
@@ -149,8 +149,8 @@ class SparseBlocksTest : public QObject {
       std::vector<Coefficient<float>> found, kept;
       Workspace<float> workspace;
       for (int round = 0; round < 4; ++round) {
-        rounds.keepLargest(60, found);
-        keepLargestProjections(expected.data(), sizes, matrices, 60, workspace, kept);
+        rounds.selectLargest(60, found);
+        selectLargestProjections(expected.data(), sizes, matrices, 60, workspace, kept);
         found = sortedByIndex(found);
         kept = sortedByIndex(kept);
         QCOMPARE(found.size(), kept.size());

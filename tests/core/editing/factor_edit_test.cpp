@@ -82,7 +82,7 @@ class FactorEditTest : public QObject {
 
   void withoutTheDetailTheModelStandsAlone() {
     FactorEdit alone = edit(1, 3);
-    alone.keepDetail = false;
+    alone.preserveDetail = false;
     Edit one{alone};
     const Rgb expected = factorization::makePdvBrdf(*alone.edited)->evaluate(quarter.wi, quarter.wo);
     const Rgb value = applyEdits(constantTable(0.5f), std::span(&one, 1))->evaluate(quarter.wi, quarter.wo);
@@ -106,7 +106,7 @@ class FactorEditTest : public QObject {
     weightless.strength = 0;
     const Edit edits[] = {disabled, weightless, same};
     QCOMPARE(bakeEdits(base, edits).get(), base.get());
-    std::get<FactorEdit>(same.content).keepDetail = false;
+    std::get<FactorEdit>(same.content).preserveDetail = false;
     QVERIFY(!same.isIdentity());
   }
 
@@ -132,7 +132,7 @@ class FactorEditTest : public QObject {
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
     Edit odd{edit(1.0 / 3, 0.1 + 0.2, PdvForm::threeFactors), "caf\xC3\xA9"};
-    std::get<FactorEdit>(odd.content).keepDetail = false;
+    std::get<FactorEdit>(odd.content).preserveDetail = false;
     odd.enabled = false;
     odd.strength = 1.0 / 7;
     document.edits = {{edit(1, 1e-17)}, odd};

@@ -47,10 +47,10 @@ class FactorTransferTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void ontoItsOwnCurvesItIsTheEditItself() {
-    const FactorEdit edit{.original = shared(source), .edited = shared(gaussian(2, 0.7)), .keepDetail = false};
+    const FactorEdit edit{.original = shared(source), .edited = shared(gaussian(2, 0.7)), .preserveDetail = false};
     QVERIFY(transferredEdit(edit, shared(source)) == edit);
     const FactorEdit other = transferredEdit(edit, shared(target));
-    QVERIFY(*other.original == target && !other.keepDetail);
+    QVERIFY(*other.original == target && !other.preserveDetail);
   }
 
   void anIdentityStaysOne() {

@@ -26,7 +26,7 @@ class ExportTargetTest : public QObject {
     for (const exports::ExportTarget& target : exports::exportTargets()) {
       QVERIFY(ids.insert(target.id).second);
       QCOMPARE(exports::findExportTarget(target.id), &target);
-      QVERIFY(!target.label.empty() && !target.description.empty() && !target.holds.empty());
+      QVERIFY(!target.label.empty() && !target.description.empty() && !target.limitations.empty());
       QVERIFY(!target.suffixes.empty() && target.make);
       for (const std::string_view suffix : target.suffixes) QVERIFY(suffix.find('.') != std::string_view::npos);
     }

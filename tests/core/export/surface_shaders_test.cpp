@@ -194,7 +194,7 @@ class SurfaceShadersTest : public QObject {
   /// A turned grain is the material turned.
   void rotationTurnsTheGrain() {
     for (const auto& [name, shader] : shaders()) {
-      if (!shader->takes(exports::SurfaceField::anisotropy)) continue;
+      if (!shader->isFitted(exports::SurfaceField::anisotropy)) continue;
       SurfaceValues v{.baseColour = Rgb(0.7), .metalness = 0.8, .roughness = 0.5, .anisotropy = 0.6};
       const auto straight = shader->brdf(v);
       v.rotation = 0.7;
@@ -218,7 +218,7 @@ class SurfaceShadersTest : public QObject {
       v.baseColour = Rgb(0.6, 0.3, 0.15);
       v.metalness = 0;
       v.roughness = 0.6;
-      if (shader->takes(exports::SurfaceField::coat)) {
+      if (shader->isFitted(exports::SurfaceField::coat)) {
         v.coat = 0.7;
         v.coatRoughness = 0.25;
       }

@@ -110,11 +110,11 @@ class PdvOperationsTest : public QObject {
         QVERIFY(near(valueAt(strength, theta, deviation), (2 - 0.2 * theta) * ofF, 0.01));
         QVERIFY(near(valueAt(width, theta, deviation), (2 + 0.3 * theta) * ofOther, 0.01));
       }
-    const PdvFactors kept = withF2Of(f, other, FurtherTerms::keep);
+    const PdvFactors kept = withF2Of(f, other, FurtherTerms::preserve);
     QCOMPARE(kept.terms(), 2);
     QVERIFY(kept.channels[1][1] == f.channels[1][1] && kept.channels[1][0] == width.channels[1][0]);
     QVERIFY(withF1Of(f, f) == f.truncated(1));
-    QVERIFY(withF2Of(f, f, FurtherTerms::keep) == f);
+    QVERIFY(withF2Of(f, f, FurtherTerms::preserve) == f);
   }
 
   /// From other nodes the curve is read between them.

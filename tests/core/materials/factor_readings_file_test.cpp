@@ -88,7 +88,7 @@ class FactorReadingsFileTest : public QObject {
     row("off the mirror", with("1,along,30,180", "1,along,40,180"),
         "sample 1: found the distance 0.1428 from the mirror");
     row("another angle", with("4,across,20,180,60", "4,across,20,180,50"),
-        "sample 4: found the angle 50 degrees on the curve across the mirror direction, expected 60");
+        "sample 4: found the angle 50 degrees on the curve \"across\", expected 60");
     row("same place", with("1,along,30,180,30", "1,along,60,180,60"),
         "sample 2: found the same position on the curve as sample 1");
     row("no curve along", with("1,along", "1,across"), "sample");

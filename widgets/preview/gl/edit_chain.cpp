@@ -65,7 +65,7 @@ struct ChainText {
                  .arg(factorEdits++)
                  .arg(FactorTexture::termsOf(edit))
                  .arg(FactorTexture::axesOf(edit))
-                 .arg(edit.keepDetail ? "true" : "false")
+                 .arg(edit.preserveDetail ? "true" : "false")
                  .arg(edits);
   }
 

@@ -16,8 +16,9 @@ struct PassShaders {
 /// together (about 25 instructions), but a flat input with one instruction.
 ///
 /// Scalars, vectors, matrices and short arrays of constant length are moved, in the order of their declarations. A
-/// declaration must be on a line of its own or in a #define that contains only declarations. Uniforms keep their names
-/// for glUniform. Long arrays whose length depends on the scene stay uniforms, because loops index them.
+/// declaration must be on a line of its own or in a #define that contains only declarations. The names of uniforms
+/// for glUniform do not change. Long arrays with a length that depends on the scene stay uniforms, because loops index
+/// them.
 /// @param vectors maximum number of inputs (GL_MAX_VARYING_VECTORS without those of the pass itself); uniforms that do
 /// not fit are not moved.
 PassShaders withFlatUniforms(const PassShaders& shaders, int vectors);

@@ -7,7 +7,7 @@
 
 namespace gonio::widgets {
 
-/// A framebuffer whose picture is read into memory. Therefore the window that shows it needs no OpenGL and never waits
+/// Reads the picture of a framebuffer into memory. Therefore the window that shows it needs no OpenGL and never waits
 /// for rendering.
 class PictureReadback {
  public:

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <span>
+
+#include "core/dictionary/largest_coefficients.h"
+#include "core/dictionary/mode_products.h"
+
+namespace gonio::dictionary {
+
+/// Adds X_(mode) (S x_p U_p x_q U_q)_(mode)^T of a signal X with coefficients S to `z`, where p and q are the two other
+/// modes: the matrix from which orthogonalProcrustes() computes the dictionary's matrix of `mode`. Projects the signal
+/// only onto the atoms that have coefficients: for few coefficients much faster than the projection onto all.
+/// @param block X of `sizes`, the first index fastest. @param matrices U, one per mode, sizes[mode] rows.
+/// @param coefficients indices count atoms in the order of a block with as many entries per mode as `matrices` have
+/// columns. @param z sizes[mode] x columns.
+template <typename Scalar>
+void addCorrelation(const Scalar* block, const Sizes& sizes, const ModeMatrices<Scalar>& matrices, int mode,
+                    std::span<const Coefficient<Scalar>> coefficients, Workspace<Scalar>& workspace,
+                    Eigen::MatrixXd& z);
+
+extern template void addCorrelation(const float*, const Sizes&, const ModeMatrices<float>&, int,
+                                    std::span<const Coefficient<float>>, Workspace<float>&, Eigen::MatrixXd&);
+extern template void addCorrelation(const double*, const Sizes&, const ModeMatrices<double>&, int,
+                                    std::span<const Coefficient<double>>, Workspace<double>&, Eigen::MatrixXd&);
+
+}  // namespace gonio::dictionary
