@@ -172,8 +172,8 @@ void interpolate(const EditorParts& parts, const QStringList& blended) {
       &parts.document, &Document::materialChanged, &interpolation,
       [&interpolation] { interpolation.setShownInPreview(true); }, Qt::QueuedConnection);
   for (qsizetype i = 0; i < blended.size(); ++i) {
-    if (i >= interpolation.ends().count()) interpolation.ends().addSlot();
-    interpolation.ends().read(int(i), blended[i]);
+    if (i >= interpolation.materials().count()) interpolation.materials().addSlot();
+    interpolation.materials().read(int(i), blended[i]);
   }
 }
 

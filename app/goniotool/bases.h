@@ -12,13 +12,14 @@
 
 namespace gonio::tool {
 
-/// The principal components of the materials found by trainingFiles(); without sources, of the bundled library.
-/// @param seconds time of learning, including reading.
+/// The principal components of the materials of editing::trainingFilesOrLibrary(). @param seconds receives the time of
+/// reading and learning.
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
                                                        const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds);
 
-/// The help of an option that names training materials: "Training set: .binary or .bsdf files, or folders of them".
+/// The help of an option that names training materials, e.g. "Training set: .binary, .bsdf or .bin files, or folders of
+/// them"; `title` is the part before the colon.
 std::string trainingSetHelp(const std::string& title);
 
 /// Path of a plan's basis, beside the plan: PLAN.basis for PLAN.csv.

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/rendering/error_maps.h"
 #include "core/rendering/false_colour.h"
 
 namespace gonio::tool {
@@ -17,7 +18,6 @@ namespace gonio::tool {
 namespace {
 
 constexpr int gap = 8, captionHeight = 20, legendHeight = 36, barHeight = 10;
-constexpr double legendQuantile = 0.998;
 
 constexpr DisplayColour ink{230, 230, 230}, paper{28, 28, 30};
 
@@ -65,24 +65,6 @@ int textWidth(const std::string& line) {
   return stb_easy_font_width(copy.data());
 }
 
-std::vector<double> errorMap(const Image& reference, const Image& test) {
-  std::vector<double> errors(reference.pixels.size());
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    errors[i] = luminance(glm::abs(Rgb(reference.pixels[i]) - Rgb(test.pixels[i])));
-  return errors;
-}
-
-/// The upper end of the legend; 0 for equal pictures.
-double legendEnd(const std::vector<double>& errors, const Image& reference) {
-  std::vector<double> covered;
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    if (reference.alpha.empty() || reference.alpha[i] > 0) covered.push_back(errors[i]);
-  if (covered.empty()) return 0;
-  const auto place = covered.begin() + std::ptrdiff_t(legendQuantile * double(covered.size() - 1));
-  std::nth_element(covered.begin(), place, covered.end());
-  return *place;
-}
-
 std::string legendNumber(double value) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.3g", value);
@@ -105,21 +87,16 @@ DisplayPicture comparisonPicture(const Image& reference, const Image& test, cons
                                  const std::string& testName, double exposure, ToneMap toneMap) {
   const int width = reference.width, height = reference.height, step = width + gap;
   Canvas canvas(3 * step + gap, captionHeight + height + legendHeight);
-  const std::vector<double> errors = errorMap(reference, test);
-  const double end = legendEnd(errors, reference);
-  const Image* pictures[] = {&reference, &test};
+  const double end = errorRange(reference, {&test, 1});
+  const std::array<std::vector<std::uint8_t>, 3> panels{toDisplayBytes(reference, exposure, toneMap),
+                                                        toDisplayBytes(test, exposure, toneMap),
+                                                        errorMap(reference, test, end)};
   for (int panel = 0; panel < 3; ++panel) {
-    const int left = gap + panel * step;
-    const std::vector<std::uint8_t> bytes =
-        panel < 2 ? toDisplayBytes(*pictures[panel], exposure, toneMap) : std::vector<std::uint8_t>();
+    const std::vector<std::uint8_t>& bytes = panels[std::size_t(panel)];
     for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const std::size_t i = reference.index(x, y);
-        if (panel == 2)
-          canvas.set(left + x, captionHeight + y, viridis(end > 0 ? errors[i] / end : 0));
-        else if (bytes[4 * i + 3] > 0)
-          canvas.set(left + x, captionHeight + y, {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2]});
-      }
+      for (int x = 0; x < width; ++x)
+        if (const std::size_t i = 4 * reference.index(x, y); bytes[i + 3] > 0)
+          canvas.set(gap + panel * step + x, captionHeight + y, {bytes[i], bytes[i + 1], bytes[i + 2]});
   }
   canvas.text(gap, 7, referenceName);
   canvas.text(gap + step, 7, testName);

@@ -17,8 +17,7 @@ struct DisplayPicture {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Two renderings of the same size side by side, and the map of their error |luminance of the difference| in false
-/// colours, with a legend: from 0 to the 99.8th percentile of the errors of the covered pixels.
+/// Two renderings of the same size side by side, and their error map with a legend (errorMaps()).
 DisplayPicture comparisonPicture(const Image& reference, const Image& test, const std::string& referenceName,
                                  const std::string& testName, double exposure, ToneMap toneMap);
 

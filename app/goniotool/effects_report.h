@@ -8,7 +8,8 @@
 /// Reports of effect plans.
 namespace gonio::tool {
 
-/// [{effect, simulated, calledFor, reason}], with the measured costs if they are given: seconds, difference, noise.
+/// [{effect, simulated, calledFor, reason}]; `calledFor` is whether the analysis requires the effect, without
+/// overrides. With measured costs also seconds, secondsNoise, difference and noise.
 Json planJson(const EffectPlan& plan, const EffectCosts* costs = nullptr);
 /// One line per effect.
 std::string planText(const EffectPlan& plan, const EffectCosts* costs = nullptr);

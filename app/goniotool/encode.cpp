@@ -38,13 +38,13 @@ struct EncodeArguments {
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 EncodeOptions encodeOptions(const EncodeArguments& options) {
-  constexpr std::size_t mostWithinBytes = 4096;
+  constexpr std::size_t maxWithinBytes = 4096;
   EncodeOptions encoding = options.encoding;
   if (options.asPublished) {
     encoding = publishedEncodeOptions();
     encoding.gamma = options.encoding.gamma;
   }
-  if (options.bytes > 0) encoding.coefficients = mostWithinBytes;
+  if (options.bytes > 0) encoding.coefficients = maxWithinBytes;
   if (options.coefficients) encoding.coefficients = *options.coefficients;
   encoding.method = CodingMethod(std::ranges::find(codingMethodNames, options.method) - codingMethodNames.begin());
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;

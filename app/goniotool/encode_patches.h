@@ -17,7 +17,7 @@ struct PatchArguments {
 
 /// `goniotool encode --method k-svd`: learns a dictionary of patches by K-SVD (dictionary::PatchDictionary), represents
 /// a material by its code, and writes the decoded material to `out`, unless it is empty. @throws Error if a material
-/// cannot be read or has another grid than the first training material.
+/// cannot be read or a training material has another grid than the first one.
 int encodePatches(const PatchArguments& options, const Tool& tool);
 
 }  // namespace gonio::tool

@@ -13,7 +13,7 @@ namespace gonio::tool {
 struct FactorBaselineArguments {
   std::string material, method, out;
   std::size_t bytes = 0;  ///< budget
-  int samples = 0;        ///< per pixel, in the pictures for the SNR
+  int samples = 0;        ///< per pixel, in the pictures for the rendered SNR
 };
 
 /// The ids of all baselines, for --method.

@@ -8,9 +8,9 @@
 namespace gonio::tool {
 
 /// The help of all commands. Values are named by words such as FILE instead of CLI11's types, and ranges are written as
-/// "(1 to 20)". If the description of an optional option ends with parentheses that do not start with a file suffix,
-/// they contain its default, which is printed as "[default: 40]". Lines are broken at 120 columns. The footer explains
-/// MATERIAL if the command has such an argument.
+/// "(1 to 20)". Parentheses at the end of the description of an option contain its default, which is printed as
+/// "[default: 40]", unless the option is required or they start with a file suffix. Lines are broken at 120 columns.
+/// The footer explains MATERIAL if the command has such an argument.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_subcommand(const CLI::App* command) const override;

@@ -49,8 +49,9 @@ std::string text(const Json& json) {
   if (json.contains("tableSnr"))
     result += json["tableSnr"].is_null() ? "  rendered SNR of its table: undefined (it is a table itself, or black)\n"
                                          : "  rendered SNR of its table: " + number(json["tableSnr"].get<double>()) +
-                                               " dB (used for factors, codes and fits of isotropic materials)\n";
-  result += std::string("  shown and edited ") +
+                                               " dB (used for factors and codes, and for fits if the material is "
+                                               "isotropic)\n";
+  result += std::string("  evaluated ") +
             (json["shownAs"] == "native" ? "in its native form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;

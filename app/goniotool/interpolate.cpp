@@ -27,7 +27,7 @@ using namespace editing;
 using materials::FormatId;
 using materials::hasSuffixOf;
 
-constexpr int maxMaterials = 16, mostSteps = 1000;
+constexpr int maxMaterials = 16, maxSteps = 1000;
 
 struct InterpolateArguments {
   std::vector<std::string> materials;
@@ -238,7 +238,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
   command
       ->add_option("--steps", options->steps,
                    "Number of files in a series from the first to the second: OUT-0, OUT-1, ...")
-      ->check(CLI::Range(2, mostSteps));
+      ->check(CLI::Range(2, maxSteps));
   command->add_option("--space", options->space, "Interpolation space (linear)")
       ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
   command->add_option("--model", options->model, "Model for --space parameters or --space differential (ggx)")

@@ -67,9 +67,9 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
                      outputHelp("File to write: the predicted material") + ", or its factors (.pdv)");
   command
       .add_option("--bound", options->bound,
-                  "Upper bound of the prediction: readings or none. With readings, the prediction is at most the "
-                  "larger of two interpolated readings, that in the mirror direction at the same angle and that around "
-                  "it at the same distance, and at most the prediction with light and viewer exchanged (readings)")
+                  "Upper bound of the prediction: readings or none. readings applies two limits to the product of "
+                  "the curves: the larger of the interpolated readings at the same angle (in the mirror direction) and "
+                  "at the same distance (around it), and the value with light and viewer exchanged (readings)")
       ->check(CLI::IsMember(namesOf(acquisition::factorBoundNames)));
 }
 

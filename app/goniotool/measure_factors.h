@@ -18,8 +18,9 @@ struct MeasureFactorsArguments {
   acquisition::MeasurementNoise noise;
 };
 
-/// Reads two curves of a material, or takes their readings from a file, predicts the material, and measures the error
-/// if the material is given. @throws UsageError for contradictory options.
+/// Simulates the readings of both curves of a material, or reads them from a file; predicts the material, and measures
+/// the error if the material is given. Without material and readings, writes the directions to measure. @throws
+/// UsageError for contradictory options.
 int measureFactors(const MeasureFactorsArguments& options, const Tool& tool);
 
 }  // namespace gonio::tool

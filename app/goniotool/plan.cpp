@@ -25,7 +25,7 @@ struct PlanArguments {
   std::string out, method{selectionMethodNames[0]};
   SelectionOptions selection;
   int basisComponents = 0;
-  double largestPolarDegrees = 85, separationDegrees = 0;
+  double maxPolarDegrees = 85, separationDegrees = 0;
   bool single = false;
 };
 
@@ -58,7 +58,7 @@ SelectionOptions selectionOptions(const PlanArguments& options) {
   SelectionOptions selection = options.selection;
   selection.method =
       SelectionMethod(std::ranges::find(selectionMethodNames, options.method) - selectionMethodNames.begin());
-  selection.measurable.maxPolarAngle = radians(options.largestPolarDegrees);
+  selection.measurable.maxPolarAngle = radians(options.maxPolarDegrees);
   selection.measurable.minSeparation = radians(options.separationDegrees);
   for (const std::string& text : options.forbidden) selection.measurable.forbidden.push_back(forbiddenRegion(text));
   selection.measurable.check();
@@ -163,7 +163,7 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->add_option("--basis-components", options->basisComponents,
                    "Number of components in the basis file (as many as the selection uses, at least --samples)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--max-polar", options->largestPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
+  command->add_option("--max-polar", options->maxPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));
   command
       ->add_option("--min-separation", options->separationDegrees, "Min. angle between light and viewer, degrees (0)")

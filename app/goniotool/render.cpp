@@ -89,7 +89,7 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"equalErrorTime", cost.equalErrorTime}});
     text += std::string("  sampling ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
             number(100 * cost.error) + " %; estimated: error " + number(100 * cost.equalTimeError) +
-            " % in the time of 'both', " + number(cost.equalErrorTime) + " s to the error of 'both'\n";
+            " % in the time of 'both', " + number(cost.equalErrorTime) + " s to reach the error of 'both'\n";
   }
   json["strategies"] = list;
 }

@@ -42,7 +42,7 @@ std::string imageErrorsText(const std::vector<double>& errors);
 Json parametersJson(const models::ModelSpec& spec, const models::ParameterValues& values);
 std::string parametersText(const models::ModelSpec& spec, const models::ParameterValues& values);
 
-/// Keys: model, parameters, errors, seconds, and the numbers of used and omitted cells.
+/// Keys: model, parameters, errors, seconds, the numbers of used and omitted cells, and warnings.
 Json fitJson(const fitting::FitResult& result);
 /// The same for a row of a ranking, with renderedSnr and parameterCount.
 Json rankedFitJson(const study::RankedFit& row);

@@ -19,7 +19,7 @@ namespace gonio::tool {
 /// Facts stated in every file of a study.
 struct StudyFacts {
   std::string pictures;         ///< study::picturesText()
-  study::MachineFacts machine;  ///< without measured times only those of the program (study::buildFacts())
+  study::MachineFacts machine;  ///< if times were not measured, only study::buildFacts()
   /// JSON of everything that determines the results: runs with equal settings belong to the same study.
   std::string settings;
 
@@ -47,7 +47,7 @@ struct StudiedMaterial {
 
 /// Writes the three files with io::writeFilesAtomically(). @throws Error that names the file.
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
-/// The same for medians. @param records the medians as JSON.
+/// Writes the three files of the summary. @param records the medians as JSON.
 void writeSummary(const std::filesystem::path& folder, const std::string& title,
                   std::span<const study::StudyRecord> medians, const Json& records, const StudyFacts& facts);
 
@@ -60,9 +60,10 @@ struct StoredStudy {
   StudiedMaterial material;
   StudyFacts facts;
 };
+/// Reads STEM.json. @throws Error that names the file.
 StoredStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
-/// The same if the settings and the material are equal and all records exist; else nullopt. @param records the number
-/// of records of the material.
+/// The stored results of a material if the settings and the material's hash are equal and all records exist; else
+/// nullopt. @param records the number of records of the material.
 std::optional<StudiedMaterial> finishedStudy(const std::filesystem::path& folder, const std::string& stem,
                                              const std::string& source, const StudyFacts& facts, std::size_t records);
 

@@ -40,18 +40,20 @@ ShardFile readShard(const fs::path& folder) {
   });
 }
 
-/// "pictures "a" and "b"": the first setting that differs.
-std::string difference(const std::string& settingsA, const std::string& settingsB) {
+/// The first setting that differs, with both values, e.g. `samples 32, expected 64`.
+/// @param between stands between the values, e.g. ", expected ".
+std::string difference(const std::string& settingsA, const std::string& settingsB, const std::string& between) {
   const Json a = Json::parse(settingsA), b = Json::parse(settingsB);
   for (const auto& [key, value] : a.items())
     if (!b.contains(key) || b[key] != value)
-      return key + " " + value.dump() + " and " + (b.contains(key) ? b[key].dump() : "none");
+      return key + " " + value.dump() + between + (b.contains(key) ? b[key].dump() : "none");
   return "other settings";
 }
 
 void checkSameStudy(const ShardFile& a, const ShardFile& b) {
   const std::string folders = a.folder.string() + " and " + b.folder.string() + " are not shards of one study: ";
-  if (a.settings != b.settings) throw Error(folders + "found " + difference(a.settings, b.settings));
+  if (a.settings != b.settings)
+    throw Error(folders + "different settings: " + difference(a.settings, b.settings, " and "));
   if (a.stems != b.stems) throw Error(folders + "they contain different materials");
   if (a.shard.count != b.shard.count)
     throw Error(folders + "found shards " + a.shard.text() + " and " + b.shard.text());
@@ -105,7 +107,7 @@ std::vector<StoredStudy> joinShards(const std::vector<std::string>& folders) {
     StoredStudy read = readMaterialStudy(folder, first.stems[i]);
     if (read.facts.settings != first.settings)
       throw Error((folder / first.stems[i]).string() + ".json: result of another study: found " +
-                  difference(read.facts.settings, first.settings));
+                  difference(read.facts.settings, first.settings, ", expected "));
     joined.push_back(std::move(read));
   }
   return joined;

@@ -12,7 +12,7 @@
 namespace gonio::tool {
 
 /// Shard `number` of `count`, counted from 1. Material i of the study, counted from 0, belongs to shard i mod `count` +
-/// 1, so that consecutive collections are distributed evenly.
+/// 1, so that the materials of each collection, which follow one another, are distributed evenly.
 struct Shard {
   std::size_t number = 1, count = 1;
 

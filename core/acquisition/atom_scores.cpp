@@ -95,7 +95,7 @@ struct AtomScores::BlockScan {
   }
 };
 
-AtomScores::AtomScores(const DictionaryAtoms& atoms, double gain)
+AtomScores::AtomScores(const CellAtoms& atoms, double gain)
     : blocks_(std::size_t((atoms.count() + blockAtoms - 1) / blockAtoms)),
       basis_(Eigen::MatrixXd::Identity(atoms.length(), atoms.length())),
       gain_(gain),

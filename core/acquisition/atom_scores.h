@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/acquisition/dictionary_atoms.h"
+#include "core/acquisition/cell_atoms.h"
 #include "core/acquisition/pursuit_space.h"
 #include "core/support/task_control.h"
 
@@ -18,10 +18,10 @@ class AtomScores {
  public:
   /// Memory: 4 p bytes per atom of length p. @param gain bound of the scores of the signals S: |S^T a|_1 <= gain |a|
   /// for all a.
-  AtomScores(const DictionaryAtoms& atoms, double gain);
+  AtomScores(const CellAtoms& atoms, double gain);
 
   /// The atoms that may have the largest score, ascending: all except those proven worse than another atom. Call it
-  /// once after each choice, with the space after that choice. @throws Cancelled.
+  /// once before each choice, with the space at that time. @throws Cancelled.
   std::vector<Eigen::Index> candidates(const PursuitSpace& space, const TaskControl& control);
   /// Removes an atom from all later candidates.
   void exclude(Eigen::Index atom);
@@ -30,11 +30,12 @@ class AtomScores {
   /// Neighbouring atoms, in coordinates of `basis_`, and bounds on their scores.
   struct Block {
     Eigen::MatrixXf atoms;
-    Eigen::ArrayXf squaredNorm;         ///< of the atom's part orthogonal to the chosen atoms
-    Eigen::ArrayXf score;               ///< at its last evaluation; +huge before the first, -huge if excluded
-    Eigen::ArrayXf growth;              ///< bound of its increase since then: sum of |<removed, a>| reach
+    Eigen::ArrayXf squaredNorm;  ///< of the atom's part orthogonal to the chosen atoms
+    Eigen::ArrayXf score;        ///< at its last evaluation; +huge before the first, -huge if excluded
+    /// Bound of the increase of the score since then: sum of |<removed, a>| times PursuitSpace::reach.
+    Eigen::ArrayXf growth;
     Eigen::ArrayXf squaredNormAtScore;  ///< squaredNorm at that evaluation
-    Eigen::ArrayXf distance;            ///< upper bound of the distance to the middle atom of its group
+    Eigen::ArrayXf distance;            ///< upper bound of the distance to the middle one of 8 neighbouring atoms
     float highest;                      ///< largest score bound of the block at the last scan
   };
   struct Scan;

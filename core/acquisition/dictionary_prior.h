@@ -15,8 +15,8 @@ namespace gonio::acquisition {
 struct CoefficientPrior {
   std::vector<std::uint32_t> indices;  ///< of the atoms, ascending, numbered as in ChannelCode
   Eigen::VectorXf means, variances;    ///< of the atoms' coefficients
-  double restVariance = 0;  ///< mean square, per cell, of the contribution of the other atoms to a scaled signal
-                            ///< (transformed values times GridGeometry::importance)
+  double restVariance = 0;  ///< mean square, per cell, of the contribution of the other atoms to a signal with cell
+                            ///< scaling (GridGeometry::cellScaling)
 };
 
 struct DictionaryPrior {
@@ -39,8 +39,8 @@ struct DictionaryPriorOptions {
 /// dictionary, using in each mode only as many atoms as needed to lose at most another 1e-4 of the energy in total;
 /// restVariance includes both losses. The result does not depend on the number of threads. Two passes over the
 /// materials; 0.8 MB of memory per signal; O(materials dictionaries).
-/// @throws Error if there is no material, the grids differ or an option is out of range; Cancelled; whatever `load`
-/// throws.
+/// @throws Error if there is no material, the grids differ or an option is out of range; Cancelled; whatever
+/// TrainingMaterials::load throws.
 DictionaryPrior learnDictionaryPrior(const dictionary::Ensemble& ensemble,
                                      const dictionary::TrainingMaterials& materials,
                                      const DictionaryPriorOptions& options = {}, const TaskControl& control = {});

@@ -45,7 +45,7 @@ ScaledSamples scaledSamples(const DictionaryPrior& prior, const SamplingPlan& pl
     const auto& node =
         result.nodes.emplace_back(std::array<Eigen::Index, 3>{cell % n0, cell / n0 % n1, cell / (n0 * n1)});
     const double scale =
-        geometry->importance[0][node[0]] * geometry->importance[1][node[1]] * geometry->importance[2][node[2]];
+        geometry->cellScaling[0][node[0]] * geometry->cellScaling[1][node[1]] * geometry->cellScaling[2][node[2]];
     const double weight = double(geometry->weights[cell]);
     for (int channel = 0; channel < 3; ++channel) {
       const double rho = values.rgb[std::size_t(s)][channel];

@@ -18,8 +18,8 @@ struct FactorMeasurement {
   double fixedAngle = 0;                     ///< of the `across` curve, rad
   std::vector<double> angles, distances;     ///< strictly increasing
   std::array<std::vector<double>, 3> along;  ///< z_i1: in the mirror direction, for each angle
-  /// z_mj / z_m1: at the fixed angle, for each distance; for symmetricDeviation times z(fixed angle) / z(theta_d) of
-  /// the `along` curve.
+  /// z_mj / z_m1: at the fixed angle, for each distance. For symmetricDeviation this is multiplied by z(fixed angle) /
+  /// z(theta_d) of the `along` curve.
   std::array<std::vector<double>, 3> across;
   std::array<std::vector<double>, 3> acrossRead;  ///< z_mj
   /// Per channel: whether the reading in the mirror direction at the fixed angle is black (z_m1 <= 1e-12). Then `along`

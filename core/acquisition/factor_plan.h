@@ -53,9 +53,9 @@ FactorPlan planFactors(const FactorPlanOptions& options = {});
 std::string factorMethod(FactorAxes axes);
 std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 
-/// The value of FactorPlanOptions::angles with which planFactors() gives these `along` angles: their number. If they
-/// are evenly spaced, the readings that planFactors() leaves out below the first angle, where one arm occludes the
-/// other, count too. @param angles increasing, rad.
+/// The value of FactorPlanOptions::angles with which planFactors() returns these `along` angles: their number plus, if
+/// they are evenly spaced, that of the readings below the first angle, which planFactors() leaves out because one arm
+/// occludes the other. @param angles increasing, rad.
 int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

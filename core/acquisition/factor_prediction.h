@@ -14,10 +14,11 @@ namespace gonio::acquisition {
 /// Upper bound of the predicted values.
 enum class FactorBound {
   /// The prediction is at most the larger of two interpolated readings (z_i1 at the same angle, z_mj at the same
-  /// distance), and at most the prediction for the exchanged pair. Reason: a measured material is reciprocal, so the
-  /// `across` readings, taken with the viewer at the fixed angle, are also readings for every other angle of the viewer
-  /// with the light at the fixed angle. A product of curves over theta_R or theta_o contradicts them where the `along`
-  /// curve increases toward the horizon, because it also multiplies the diffuse term by this increase.
+  /// distance), and at most the prediction for the exchanged pair. Reason: a real material is reciprocal. Each `across`
+  /// reading, taken with the viewer at the fixed angle, is therefore also the value for the exchanged pair: light at
+  /// the fixed angle, viewer at another angle. Where the `along` curve increases toward the horizon, a product of
+  /// curves over theta_R or theta_o contradicts these values, because the product multiplies the diffuse term by the
+  /// increase too.
   readings,
   none  ///< eq. 5.6 as printed
 };

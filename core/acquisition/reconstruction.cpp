@@ -34,7 +34,8 @@ void checkOptions(const ReconstructionOptions& options) {
 }
 
 /// v of the coefficients (Reconstruction::standardDeviation). Known noise does not grow with the coefficients, so
-/// each sample counts for the fraction of its noise that is not known: one that is drowned says nothing of their size.
+/// the weight of each sample is the fraction of its noise that is not known: a sample with much known noise does not
+/// show their size.
 double coefficientVariance(const PrincipalComponents& basis, const SampleRows& samples, const Eigen::VectorXd& noise,
                            double ridge, const std::optional<double>& given) {
   const double training = trainingVariance(basis);

@@ -68,9 +68,9 @@ struct Reconstruction {
   /// components that are not used and of what the basis leaves out; a sample has additional noise of variance eta v. If
   /// `noise` is given (and eta > 0, finite), v = noise^2 / eta. Otherwise v is estimated as the most likely value given
   /// the samples of all channels and one additional value with the variance 1/t of the training set; if eta is
-  /// infinite, v = 1/t. Each sample counts by the fraction of its noise that is not known, so if known noise dominates,
-  /// v is that of the training set. Components that are not used are independent from cell to cell: samples carry no
-  /// information about them.
+  /// infinite, v = 1/t. In this estimate, each sample has a weight equal to the fraction of its noise that is not
+  /// known; if known noise dominates, v is therefore 1/t. Components that are not used are independent from cell to
+  /// cell: samples carry no information about them.
   std::vector<float> standardDeviation;
 };
 

@@ -70,7 +70,7 @@ SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions&
   const Eigen::Index signals = options.method == SelectionMethod::simultaneousPursuitFirstColumns
                                    ? std::min<Eigen::Index>(components, basis.svd.v.rows())
                                    : basis.svd.v.rows();
-  const DictionaryAtoms atoms(basis, components, rows);
+  const CellAtoms atoms(basis, components, rows);
   const auto cellOf = [&](Eigen::Index atom) { return basis.mapping.cells[atoms.row(atom)]; };
   const SimultaneousPursuitResult pursuit =
       simultaneousPursuit(atoms, basis.svd.v.topLeftCorner(signals, components).transpose(), options.samples, control,

@@ -18,8 +18,7 @@ namespace {
 constexpr double explained = 1e-10;
 
 /// The one of the largest score in double, the lowest index among equals.
-Eigen::Index best(const std::vector<Eigen::Index>& candidates, const DictionaryAtoms& atoms,
-                  const PursuitSpace& space) {
+Eigen::Index best(const std::vector<Eigen::Index>& candidates, const CellAtoms& atoms, const PursuitSpace& space) {
   std::vector<double> scores(candidates.size());
   parallelForBlocks(candidates.size(), 1, [&](std::size_t i, std::size_t) {
     const Eigen::VectorXd left = space.remainderOf(atoms.exact(candidates[i]));
@@ -38,7 +37,7 @@ double gain(const Eigen::MatrixXd& signals) {
 
 }  // namespace
 
-SimultaneousPursuitResult simultaneousPursuit(const DictionaryAtoms& atoms, const Eigen::MatrixXd& signals, int samples,
+SimultaneousPursuitResult simultaneousPursuit(const CellAtoms& atoms, const Eigen::MatrixXd& signals, int samples,
                                               const TaskControl& control,
                                               const std::function<void(Eigen::Index atom)>& chosen) {
   SimultaneousPursuitResult result;

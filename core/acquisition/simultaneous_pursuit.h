@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/acquisition/dictionary_atoms.h"
+#include "core/acquisition/cell_atoms.h"
 #include "core/support/task_control.h"
 
 namespace gonio::acquisition {
@@ -34,7 +34,7 @@ struct SimultaneousPursuitResult {
 /// best within rounding are evaluated in double. Memory: 4 p bytes per atom. Cost: at most samples x p x t x atoms
 /// multiplications in single precision.
 /// @param signals S, p x t, finite. @param chosen called with each atom as it is chosen. @throws Cancelled.
-SimultaneousPursuitResult simultaneousPursuit(const DictionaryAtoms& atoms, const Eigen::MatrixXd& signals, int samples,
+SimultaneousPursuitResult simultaneousPursuit(const CellAtoms& atoms, const Eigen::MatrixXd& signals, int samples,
                                               const TaskControl& control = {},
                                               const std::function<void(Eigen::Index atom)>& chosen = {});
 

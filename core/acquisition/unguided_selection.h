@@ -16,9 +16,10 @@ namespace gonio::acquisition {
 std::vector<std::size_t> randomIndices(std::size_t count, std::size_t samples, std::uint64_t seed);
 
 /// Distinct indices into `cells`, spread evenly over the solid angles d wi d wo of the cells
-/// (HalfDifferenceGrid::cellMeasure): the inverse of the cumulative measure at the points of a low-discrepancy sequence
-/// (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", R_3). If a cell is taken, the next free
-/// one is used. A larger number of samples starts with the same cells. @param cells ascending. O(cells).
+/// (HalfDifferenceGrid::cellMeasure). The three coordinates of each point of a low-discrepancy sequence (Roberts 2018,
+/// "The Unreasonable Effectiveness of Quasirandom Sequences", R_3) select theta_h, then theta_d for this theta_h, then
+/// phi_d, each at that fraction of the cumulative measure. If a cell is taken, the next free one is used. A larger
+/// number of samples starts with the same cells. @param cells ascending. O(cells).
 std::vector<std::size_t> evenlySpreadIndices(const HalfDifferenceGrid& grid, std::span<const std::uint32_t> cells,
                                              std::size_t samples);
 

@@ -27,8 +27,8 @@ struct Batch {
   }
 };
 
-/// The loss of Sztrajman et al. 2021 (eq. 2): the mean over samples and channels of |e|, e = ln(1 + rho^ cos theta_i) -
-/// ln(1 + rho cos theta_i), where the network's output x gives rho^ = exp(x) - 1. Near 0, |e| is smoothed to
+/// The loss of Sztrajman et al. 2021 (eq. 2): the mean over samples and channels of |e|, e = ln(1 + rho' cos theta_i) -
+/// ln(1 + rho cos theta_i), where the network's output x gives rho' = exp(x) - 1. Near 0, |e| is smoothed to
 /// sqrt(e^2 + d^2) - d with d = 0.001, so that its derivative is continuous. Reuses its buffers between calls.
 class Loss {
  public:

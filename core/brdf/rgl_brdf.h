@@ -29,7 +29,7 @@ struct RglData {
   /// Number of copies of the measured range of incident azimuths that cover the circle: 2 for materials that are
   /// symmetric under a rotation by pi, 4 for those with two planes of symmetry. The range starts at -pi.
   int azimuthReduction = 1;
-  bool jacobian = true;  ///< rgb is divided by ndf / (4 sigma)
+  bool jacobian = true;  ///< the stored rgb were divided by ndf / (4 sigma); evaluation multiplies by it
   /// Of a `_spec` file, else null. `rgb` is the colour of these spectra under D65 for the CIE 1931 observer.
   std::shared_ptr<const RglSpectra> spectra;
 };
@@ -49,7 +49,7 @@ class RglBrdf final : public Brdf {
   /// @throws Error if the vndf is not a density: negative values, or a slice of zeros. Invalid values of the luminance
   /// count as 0; in a slice of zeros it is uniform.
   explicit RglBrdf(RglData data, IncidentDirection incident = IncidentDirection::viewer);
-  /// The same file read with another incident direction; shares the data.
+  /// The same file read with another setting of IncidentDirection; shares the data.
   std::shared_ptr<const RglBrdf> withIncident(IncidentDirection incident) const;
   IncidentDirection incidentDirection() const { return incident_; }
   /// The same parameterisation with other values and without spectra. @param rgb of the size of the data's `rgb`.
@@ -63,15 +63,15 @@ class RglBrdf final : public Brdf {
   const RglBrdf* asRgl() const override { return this; }
 
   /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident
-  /// direction, mixed with a tenth of cosine-weighted directions. The density is the same for every incident
-  /// direction.
+  /// direction, mixed with a tenth of cosine-weighted directions. The density does not depend on the setting
+  /// incidentDirection().
   bool hasImportanceSampling() const override { return true; }
   double samplingCost() const override { return 1.9; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override;
   double pdf(const Direction& wi, const Direction& wo) const override;
 
-  /// Data that are shared for all incident directions. The fields `vndf` and `luminance` are moved out of `data` into
-  /// the warps.
+  /// Data that the BRDFs of all three settings of IncidentDirection share. The fields `vndf` and `luminance` are moved
+  /// out of `data` into the warps.
   struct Tables {
     RglData data;
     MarginalWarp visibleNormals, luminance;

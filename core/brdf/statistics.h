@@ -25,7 +25,8 @@ TableStatistics tableStatistics(const TabulatedBrdf& table);
 /// over the hemisphere, per channel, by importance-sampled quadrature with a fixed pattern (deterministic). About 20
 /// ms.
 Rgb directionalAlbedo(const Brdf& brdf, double theta);
-/// The same with a given lobe, to call estimateSamplingLobe() once for many angles of one BRDF, and number of samples.
+/// The same with a given number of samples and a given lobe, so that estimateSamplingLobe() is called only once for
+/// many angles of one BRDF.
 Rgb directionalAlbedo(const Brdf& brdf, double theta, SamplingLobe lobe, std::uint32_t sampleCount);
 
 }  // namespace gonio

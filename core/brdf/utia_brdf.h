@@ -28,7 +28,7 @@ class UtiaBrdf final : public Brdf {
   /// linear RGB, 1/sr, without the cosine. Negative values become 0 (clampedCount()).
   /// @throws Error if there are not 288 x 288 values or one is not finite (the message names it).
   explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident = IncidentDirection::viewer);
-  /// The same file read with another incident direction; shares the values.
+  /// The same file read with another setting of IncidentDirection; shares the values.
   std::shared_ptr<const UtiaBrdf> withIncident(IncidentDirection incident) const;
   IncidentDirection incidentDirection() const { return incident_; }
 

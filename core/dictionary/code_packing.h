@@ -29,8 +29,8 @@ std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precis
 /// few or too many bytes, an index is repeated or outside the grid, or a value is not finite.
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code);
 
-/// The code truncated to as many coefficients per channel as fit in `bytes` quantised; without coefficients if none
-/// fits. Precondition: `code` is not quantised (ChannelCode::step is 0).
+/// The code truncated to the largest number of coefficients per channel with which its quantised form fits in `bytes`;
+/// 0 coefficients if no number fits. Precondition: `code` is not quantised (ChannelCode::step is 0).
 SparseCode truncatedToBytes(const SparseCode& code, std::size_t bytes);
 
 }  // namespace gonio::dictionary

@@ -68,7 +68,7 @@ std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const
   if (!scaled) return dictionary.modes;
   std::array<Eigen::MatrixXd, 3> atoms;
   for (std::size_t mode = 0; mode < 3; ++mode)
-    atoms[mode] = dictionary.modes[mode].array().colwise() / geometry.importance[mode];
+    atoms[mode] = dictionary.modes[mode].array().colwise() / geometry.cellScaling[mode];
   return atoms;
 }
 

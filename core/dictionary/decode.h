@@ -25,8 +25,8 @@ ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::ve
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The atoms, divided by GridGeometry::importance at their nodes if `scaled` is true. With the value of
-/// SparseCode::scaled they compose the transformed values of a code.
+/// The atoms, divided by GridGeometry::cellScaling at their nodes if `scaled` is true. If `scaled` equals
+/// SparseCode::scaled, compose() of these atoms gives the transformed values of the code.
 std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry,
                                              bool scaled = true);
 

@@ -29,7 +29,7 @@ struct Ensemble {
   HalfDifferenceGrid grid;
   std::vector<Dictionary> dictionaries;
   std::vector<std::string> learnedFrom;  ///< names of the training materials
-  bool scaled = true;                    ///< whether the training signals were scaled by GridGeometry::importance
+  bool scaled = true;                    ///< whether the training signals had cell scaling (GridGeometry::cellScaling)
 
   /// Size of the dictionaries in single precision, as in the file.
   std::size_t bytes() const;

@@ -20,8 +20,11 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// Fraction of a signal's energy that its own subspace may leave out while dictionaries are compared.
-constexpr double choiceLoss = 1e-7;
+/// Fraction of a signal's energy that its block may omit while dictionaries are compared: little beside the error of a
+/// code, which falls about as 1 / coefficients.
+double choiceLoss(std::size_t coefficients) {
+  return std::clamp(2.5e-3 / double(std::max<std::size_t>(coefficients, 1)), 1e-7, 1e-5);
+}
 /// Error of one dictionary for all channels, in errors of a separate one for each, up to which it is used: its files
 /// are about a fourth smaller, and as many more coefficients lower the error by such a factor.
 constexpr double acceptedLoss = 1.35;
@@ -87,7 +90,7 @@ Encoder::Encoder(const Ensemble& ensemble) : ensemble_(ensemble) {
 }
 
 std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const {
-  const CompactSignal<float> small = compactSignal(signal.data(), modeSizes(ensemble_.grid), choiceLoss);
+  const CompactSignal<float> small = compactSignal(signal.data(), modeSizes(ensemble_.grid), choiceLoss(coefficients));
   std::vector<double> errors(matrices_.size());
   parallelForBlocks(matrices_.size(), 1, [&](std::size_t d, std::size_t) {
     thread_local Workspace<float> workspace;

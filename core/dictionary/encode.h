@@ -26,9 +26,9 @@ enum class CodingMethod {
 inline constexpr std::array<std::string_view, 2> codingMethodNames{"omp", "basis-pursuit"};
 
 struct EncodeOptions {
-  std::size_t coefficients = 1024;  ///< maximum per channel; a file with that many has about 2.6 kB
-  /// If set, uses only as many coefficients as needed for a squared error of the signal (scaled by
-  /// GridGeometry::importance) of at most this fraction of its energy.
+  std::size_t coefficients = 1024;  ///< maximum per channel; a quantised file with that many has 2.0 to 2.8 kB
+  /// If set, uses only as many coefficients as needed for a squared error of the signal (with cell scaling if `scaled`)
+  /// of at most this fraction of its energy.
   std::optional<double> relativeError;
   /// If set, maximum size of the packed code, quantised (truncatedToBytes()).
   std::optional<std::size_t> bytes;
@@ -37,8 +37,8 @@ struct EncodeOptions {
   int refinements = 15;      ///< rounds that update the invalid cells, see encode()
   int trialRefinements = 3;  ///< rounds before the transform is selected; the others refine the selected one
   CodingMethod method = CodingMethod::orthogonalMatchingPursuit;
-  /// Whether signals are scaled by GridGeometry::importance. Over an ensemble that was trained without the scale they
-  /// never are.
+  /// Whether signals have cell scaling (GridGeometry::cellScaling). Over an ensemble that was trained without it they
+  /// never have it.
   bool scaled = true;
   bool solidAngles = true;  ///< whether the gamma error weights the cells by projected solid angles; else equally
   bool quantised =

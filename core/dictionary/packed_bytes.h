@@ -80,7 +80,7 @@ inline void checkCount(std::size_t coefficients) {
     throw Error("found a code with " + std::to_string(coefficients) + " coefficients, expected at most " +
                 std::to_string(maxCount));
 }
-/// @throws Error also for a dictionary that a file cannot name.
+/// @throws Error as checkCount(), for a dictionary index above 255, and for a coefficient index outside the grid.
 inline void checkLimits(const ChannelCode& channel, const HalfDifferenceGrid& grid) {
   checkCount(channel.coefficients.size());
   if (channel.dictionary < 0 || channel.dictionary > std::numeric_limits<std::uint8_t>::max())

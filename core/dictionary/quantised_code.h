@@ -9,12 +9,14 @@
 #include "core/dictionary/sparse_code.h"
 
 /// Codes with values that are multiples of a step, compressed by range coding. Coefficients concentrate at low indices,
-/// and the channels of a material resemble each other, so that indices and values together need about 6 bits each.
+/// and the channels of a material resemble each other, so that a coefficient, index and value together, needs about
+/// 6 bits.
 namespace gonio::dictionary {
 
 /// The code with the values of each channel rounded to multiples of ChannelCode::step: 1.4 times the smallest absolute
-/// value, which gives the smallest error at equal bytes (docs/results/dictionaries.md), at least 2^-20 of the largest.
-/// A channel that has a step already stays as it is. No coefficient is lost, unless it is below half of the step.
+/// value of a coefficient, which gives the smallest error at equal bytes (docs/results/dictionaries.md), at least 2^-20
+/// of the largest. A channel that has a step already stays as it is. No coefficient is lost, unless it is below half of
+/// the step.
 SparseCode quantised(SparseCode code);
 
 /// The bytes of a quantised code. Per channel: uint8 dictionary, float32 step, float32 ChannelCode::highest,

@@ -24,9 +24,9 @@ void hold(Eigen::ArrayXf& values, const TabulatedBrdf& table) {
     if (table.valid()[cell] == 0) values[Eigen::Index(cell)] = values[Eigen::Index(cell - slab)];
 }
 
-/// Integrals of a density over the cells around the nodes of an axis in [0, pi/2], as the importance of a mode.
+/// Integrals of a density over the cells around the nodes of an axis in [0, pi/2], as the cell scaling of a mode.
 template <typename Angle, typename Integral>
-Eigen::ArrayXd importanceOf(int count, const Angle& angle, const Integral& integral) {
+Eigen::ArrayXd cellScalingOf(int count, const Angle& angle, const Integral& integral) {
   constexpr double least = 1e-2;
   Eigen::ArrayXd measure(count);
   for (int i = 0; i < count; ++i)
@@ -35,20 +35,20 @@ Eigen::ArrayXd importanceOf(int count, const Angle& angle, const Integral& integ
   return (measure / measure.mean()).sqrt();
 }
 
-std::array<Eigen::ArrayXd, 3> importanceOf(const HalfDifferenceGrid& grid) {
+std::array<Eigen::ArrayXd, 3> cellScalingOf(const HalfDifferenceGrid& grid) {
   const auto square = [](double x) { return x * x; };
   return {Eigen::ArrayXd::Ones(grid.phiDCount),
-          importanceOf(
+          cellScalingOf(
               grid.thetaDCount, [&](double node) { return node / grid.thetaDCount * halfPi; },
               [&](double theta) { return -square(square(std::cos(theta))); }),
-          importanceOf(
+          cellScalingOf(
               grid.thetaHCount, [&](double node) { return square(node / grid.thetaHCount) * halfPi; },
               [&](double theta) { return -square(std::cos(theta)) * std::cos(theta); })};
 }
 
 std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
   auto geometry = std::make_shared<GridGeometry>();
-  geometry->importance = importanceOf(grid);
+  geometry->cellScaling = cellScalingOf(grid);
   geometry->weights.resize(Eigen::Index(grid.size()));
   geometry->aboveHorizon.resize(grid.size());
   const GridDirections directions(grid);
@@ -70,7 +70,7 @@ Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& ge
   Eigen::Index cell = 0;
   for (int h = 0; h < grid.thetaHCount; ++h)
     for (int d = 0; d < grid.thetaDCount; ++d, cell += grid.phiDCount)
-      scales.segment(cell, grid.phiDCount).setConstant(float(geometry.importance[1][d] * geometry.importance[2][h]));
+      scales.segment(cell, grid.phiDCount).setConstant(float(geometry.cellScaling[1][d] * geometry.cellScaling[2][h]));
   return scales;
 }
 
@@ -83,7 +83,7 @@ float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const 
       float most = 0;
       for (int phi = 0; phi < grid.phiDCount; ++phi, ++cell)
         if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
-      const double scale = scaled ? geometry.importance[1][d] * geometry.importance[2][h] : 1;
+      const double scale = scaled ? geometry.cellScaling[1][d] * geometry.cellScaling[2][h] : 1;
       highest = std::max(highest, double(most) / scale);
     }
   return float(highest);

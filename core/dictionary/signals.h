@@ -15,18 +15,18 @@ namespace gonio::dictionary {
 struct GridGeometry {
   Eigen::ArrayXf weights;                  ///< cosineWeight(); its lower bound for cells below the horizon
   std::vector<std::uint8_t> aboveHorizon;  ///< 1 where both directions are at or above the horizon
-  /// Cell scaling: factors of signals per mode (phi_d, theta_d, theta_h). Their product is about the square root of a
-  /// cell's projected solid angles of both directions (each cosine approximated by cos theta_h cos theta_d, which makes
-  /// it separable). Errors are thus weighted by their effect in images, not by the density of the nodes. The mean
-  /// square of each mode is 1, and no square is below a hundredth of the mode's largest.
-  std::array<Eigen::ArrayXd, 3> importance;
+  /// Factors of signals per mode (phi_d, theta_d, theta_h). Their product is about the square root of a cell's
+  /// projected solid angles of both directions (each cosine approximated by cos theta_h cos theta_d, which makes it
+  /// separable). Errors are thus weighted by their effect in images, not by the density of the nodes. The mean square
+  /// of each mode is 1, and no square is below a hundredth of the mode's largest.
+  std::array<Eigen::ArrayXd, 3> cellScaling;
 
   /// The geometry of a grid: computed at the first call (about 100 ms), then shared. Callable from several threads.
   static std::shared_ptr<const GridGeometry> of(const HalfDifferenceGrid& grid);
 };
 
 /// The signals that training and encoding use: the three channels of a table, transformed, with invalid cells filled,
-/// with cell scaling (GridGeometry::importance) unless `scaled` is false. Along theta_h (toward the horizon) invalid
+/// with cell scaling (GridGeometry::cellScaling) unless `scaled` is false. Along theta_h (toward the horizon) invalid
 /// cells repeat the transformed value of the last valid one, so that no coefficients are spent on an artificial step at
 /// the horizon. Single precision, without cancellation for small values. About 20 ms for a MERL table.
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,

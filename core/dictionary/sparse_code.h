@@ -27,7 +27,7 @@ struct ChannelCode {
 struct SparseCode {
   HalfDifferenceGrid grid;
   DataTransform transform = DataTransform::logPlus;
-  bool scaled = true;  ///< whether it represents signals scaled by GridGeometry::importance; else transformed values
+  bool scaled = true;  ///< whether it represents signals with cell scaling (GridGeometry::cellScaling)
   std::array<ChannelCode, 3> channels;
 
   /// The largest number of coefficients of a channel.

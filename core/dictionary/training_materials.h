@@ -22,7 +22,7 @@ struct TrainingMaterials {
 /// The signals of a material: three channels for each transform.
 struct SignalOptions {
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
-  bool scaled = true;  ///< by GridGeometry::importance; false as in the published method
+  bool scaled = true;  ///< whether they have cell scaling (GridGeometry::cellScaling); not in the published method
 
   std::size_t signalsPerMaterial() const { return 3 * transforms.size(); }
 };

@@ -47,8 +47,9 @@ std::string nameOf(const EditDocument& material) {
 }
 
 std::string nodesNote(const std::string& name, double accuracy) {
-  return "RGL files, resampled to the angles of " + name + " for the blend; accuracy " +
-         std::to_string(std::lround(accuracy)) + " dB under uniform illumination";
+  return "The RGL files were resampled to the angles of " + name +
+         " for the blend. Reflected light over its error: " + std::to_string(std::lround(accuracy)) +
+         " dB under uniform illumination";
 }
 
 materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {

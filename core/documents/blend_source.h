@@ -34,7 +34,8 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
 nlohmann::json toJson(const BlendSource& blend);
 /// Maximum depth of blends inside blends.
 inline constexpr int maxBlendsInBlends = 16;
-/// @param version of the document. @param depth 1 for a document's own blend.
+/// @param where the object's path in its document, for errors, e.g. "source.blend". @param version of the document.
+/// @param depth 1 for a document's own blend.
 /// @throws Error as documentFromJson(), and for invalid weights or more than maxBlendsInBlends nested blends.
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
                                                        int version, int depth);
@@ -43,10 +44,10 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
 /// Lower-case hex.
 std::string blendSha256(const BlendSource& blend);
 
-/// A blend as a material, named after its materials, without a path. It has the form of the materials if all share one
-/// (nativeFormBlend()); for RGL files a note states the accuracy. Otherwise it is a weighted sum if some material is
-/// not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the prepared
-/// interpolation of `blend`. @throws Cancelled.
+/// A blend as a material, named after its materials, without a path. A blend of UTIA files, or of RGL files, has their
+/// form where nativeFormBlend() finds one; for RGL files a note states the accuracy. Otherwise it is a weighted sum if
+/// some material is not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the
+/// prepared interpolation of `blend`. @throws Cancelled.
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control = {});
 

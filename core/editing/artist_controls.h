@@ -38,8 +38,8 @@ struct ControlledParameter {
   std::size_t parameter;
   Rgb before, after;
 };
-/// The parameters that a control changes after the controls before it, for the text beside its slider. Parameters of
-/// lobes that are switched off are omitted. Empty for controls that act on values.
+/// The parameters that a control changes, if the controls before it in the list are applied first; for the text beside
+/// its slider. Parameters of lobes that are switched off are omitted. Empty for controls that act on values.
 std::vector<ControlledParameter> changesBy(ArtistControl control, const models::ModelSpec& model,
                                            const models::ParameterValues& parameters,
                                            const models::ParameterValues& controls);

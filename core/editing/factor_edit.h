@@ -44,7 +44,8 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 /// (about ten kB per term), so that a document does not depend on how later versions factorise the measurement.
 /// @throws Error if a set of curves is missing or contains a number that is not finite.
 nlohmann::json toJson(const FactorEdit& edit);
-/// @throws Error that states the key, what was found and what was expected.
+/// @param where the object's path in its document, for errors, e.g. "edits[0]". @throws Error that states the key, what
+/// was found and what was expected.
 FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& where);
 
 }  // namespace gonio::editing

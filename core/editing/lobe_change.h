@@ -31,7 +31,8 @@ class LobeChange {
   /// @throws Error if the model is not a sum of lobes.
   explicit LobeChange(const DifferentialEdit& edit);
 
-  /// Limits scratch memory to the stack, so that single look-ups do not allocate.
+  /// Maximum number of pairs per call of evaluate(): its scratch arrays then fit on the stack, so that it allocates no
+  /// memory.
   static constexpr std::size_t maxPairs = 64;
 
   /// Adds the change, 1/sr, to `changes`, for at most maxPairs pairs above the horizon. @param values of the base at

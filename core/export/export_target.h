@@ -59,7 +59,7 @@ struct ExportTarget {
   std::filesystem::path nameOf(const std::filesystem::path& file) const;
 };
 
-/// All targets, in the order of lists.
+/// All targets, in the order of display.
 std::span<const ExportTarget> exportTargets();
 /// Null if no target has this id.
 const ExportTarget* findExportTarget(std::string_view id);

@@ -49,9 +49,9 @@ std::vector<glm::vec3> editedUtia(const UtiaBrdf& file, const Brdf& edited, cons
 FormFile encodeUtiaForm(const ExportSource& source, const materials::Material& base, const TaskControl& control) {
   const UtiaBrdf* file = asUtia(*base.brdf);
   if (!file)
-    throw Error(
-        source.name +
-        ": found a material that is not a UTIA file; only UTIA files can be written as .bin, choose another suffix");
+    throw Error(source.name +
+                ": found a material that is not a UTIA file, expected one for .bin; choose another suffix, or export "
+                "it with the target UTIA file (goniotool export --for utia)");
   return {io::encodeUtia(source.brdf == base.brdf ? *file->values() : editedUtia(*file, *source.brdf, control)), {}};
 }
 

@@ -15,7 +15,7 @@ struct RglExport {
   std::size_t clippedValues = 0;   ///< number of negative channel values that were set to 0
   std::size_t negativeValues = 0;  ///< number of negative values in the RGB file: colours outside the sRGB gamut, only
                                    ///< from RGL files
-  bool unchanged = false;          ///< whether the file has the source's own colours
+  bool unchanged = false;          ///< whether the source is an RGL file with colours that the edits do not change
 };
 
 /// A material as the RGB and the spectral RGL file, for Mitsuba and pbrt. If the source is an RGL file, every field

@@ -22,8 +22,8 @@ struct SurfaceValues {
   double rotation = 0;  ///< angle of the grain from the tangent, rad, counter-clockwise
   Rgb specularColour{1};
   double specular = 1;      ///< strength or level, as the shader's formula defines
-  double specularTint = 0;  ///< weight of the base colour, normalised to luminance 1, against white in the colour of
-                            ///< the highlight, [0, 1]
+  double specularTint = 0;  ///< [0, 1]: colour of the highlight, from white (0) to the base colour normalised to
+                            ///< luminance 1 (1)
   double ior = 1.5;
   double coat = 0;
   double coatRoughness = 0.1;

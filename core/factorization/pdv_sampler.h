@@ -8,8 +8,8 @@
 
 namespace gonio::factorization {
 
-/// Distribution of the energy of a BRDF over bins of |Dp|, one row per angle of the viewer; interpolated linearly
-/// between rows.
+/// Distribution of a BRDF over bins of |Dp|, one row per angle of the viewer; interpolated linearly between rows. The
+/// energy of a bin is here the integral of the BRDF value over the area of the bin (see Ring), not of ln(1 + rho).
 class DeviationRows {
  public:
   /// Which part of a bin's ring contributes to its energy: only the part on the unit disk, or the whole ring.

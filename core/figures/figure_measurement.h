@@ -41,7 +41,8 @@ struct FigureRow {
 /// times): changes of these need no new measurement. Cheap to copy.
 struct FigureMeasurement {
   FigurePictures pictures;  ///< settings of the rendered pictures
-  /// Of each of figureSources() when it was read: its file and, for a document, the files that it edits.
+  /// For each of figureSources(), the modification times when it was read: of its file or, for a document, of the
+  /// document and the files that it edits.
   std::map<std::string, std::vector<std::filesystem::file_time_type>> fileTimes;
   std::vector<FigureRow> rows;  ///< one per material
   double seconds = 0;           ///< duration of the measurement

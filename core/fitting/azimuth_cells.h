@@ -19,9 +19,9 @@ struct AzimuthCellCounts {
 };
 
 /// Cells for fits to an anisotropic material: one quasi-random pair of directions per stratum (theta_h by its square
-/// root, as in tables), weighted by the solid angle d wi d wo of the stratum there. Quasi-random pairs sample narrow
-/// ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models are
-/// reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
+/// root, as in tables), weighted by the solid angle d wi d wo of its stratum, computed at the pair. Quasi-random pairs
+/// sample narrow ridges along the azimuths in proportion to their solid angle, unlike a regular grid. Since the models
+/// are reciprocal, the value is the mean over both orders of the directions if both have data. Deterministic, parallel.
 /// @param maxPolarAngle rad; cells with a direction beyond it are grazing. @param counts receives the counts.
 FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCellCounts& counts);
 

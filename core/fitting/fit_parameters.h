@@ -25,8 +25,8 @@ FitRole fitRole(const models::ModelSpec& spec, const models::ParameterValues& ba
 std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const models::ParameterValues& base, FitRole role,
                                       DataSymmetry symmetry = DataSymmetry::isotropic);
 
-/// The choices that can switch off a lobe that is on by default: those on which a width of a highlight depends
-/// (ParameterSpec::activeWith, with the default choice).
+/// The choices that can switch off a lobe that is on by default. A choice is one of them if a width of a highlight is
+/// active only with the default of this choice (ParameterSpec::activeWith).
 std::vector<std::size_t> optionalLobes(const models::ModelSpec& spec);
 
 /// Sets every twin to the value of the parameter that it copies.

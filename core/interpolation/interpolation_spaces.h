@@ -17,7 +17,7 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
 std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationMaterial> ends,
                                                        const InterpolationOptions& options, const TaskControl& control);
 
-/// The tables without transform.
+/// The mixture of tables of untransformed BRDF values (DataTransform::none).
 TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
 /// The table of each material.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends);

@@ -29,7 +29,9 @@ void refuseChannelFile(const TextLine& line) {
   if (words(line.text).size() == measurements + 1)
     throw FormatMismatch(
         "a CUReT file with one channel (one row per sample, no directions)",
-        expectedCuret + ": combine the same row of the three channel files with the table of directions");
+        expectedCuret +
+            ". To make such a file, append the values of one sample (the same row of each channel file) as "
+            "three columns to the table of directions");
 }
 
 std::vector<std::vector<double>> rowsOf(const ByteSource& source) {

@@ -11,7 +11,7 @@
 /// Reading of meshes in all supported formats: obj_file.h, ply_file.h, gltf_file.h.
 namespace gonio::io {
 
-/// The suffixes with their dots, in the order of dialogs.
+/// The suffixes with their dots, in the order of display.
 const std::vector<std::string>& meshSuffixes();
 /// The suffixes separated by spaces, each after `prefix`: "*.obj *.ply ..." for "*".
 std::string meshSuffixList(const std::string& prefix = {});

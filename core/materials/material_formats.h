@@ -25,12 +25,11 @@ struct FormatCapabilities {
 struct MaterialFormat {
   FormatId id;
   std::string_view name;                       ///< MaterialSource::format, e.g. "MERL"
-  std::string_view label;                      ///< for display, e.g. "MERL table"
+  std::string_view label;                      ///< for display, e.g. "MERL file"
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
-  bool isSuffixAmbiguous;  ///< whether other kinds of files use the same suffix, so that only the content determines
-                           ///< the format
-  bool isMeasurement;      ///< false: modelled or reconstructed from a
-                           ///< measurement; training sets exclude it
+  bool isSuffixAmbiguous;  ///< whether files that are not materials often have the suffix (.bin, .txt, .dat), so that
+                           ///< it does not identify a material
+  bool isMeasurement;      ///< false: modelled or reconstructed from a measurement; training sets exclude it
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);
@@ -46,9 +45,11 @@ struct MaterialFormat {
 std::span<const MaterialFormat> materialFormats();
 const MaterialFormat& formatOf(FormatId id);
 
-/// The first format with the suffix of a name, in upper or lower case; null if there is none or the suffix is common
-/// (isSuffixAmbiguous).
+/// The first format with the suffix of a name, in upper or lower case (RGL for `.bsdf`); null if there is none or the
+/// suffix is ambiguous (isSuffixAmbiguous).
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path);
+/// Whether formatBySuffix() returns this format: never for a format with an ambiguous suffix, nor for Zemax and
+/// LightTools, which share `.bsdf` with RGL.
 bool hasSuffixOf(FormatId id, const std::filesystem::path& path);
 
 /// The format by content, or by suffix if no format accepts the content (a damaged file); null for other files.

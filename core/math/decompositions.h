@@ -9,9 +9,9 @@ namespace gonio {
 /// Decompositions of dense matrices in double precision by Eigen. Compiled once here, because each takes the compiler
 /// many seconds.
 
-/// Eigenvectors of a symmetric positive semi-definite matrix: orthonormal columns, by decreasing eigenvalue. The first
-/// entry of each column with at least half of its largest absolute value is positive, so that rounding does not decide
-/// the sign.
+/// Eigenvectors of a symmetric positive semi-definite matrix: orthonormal columns, by decreasing eigenvalue. Sign: in
+/// each column, the first entry whose absolute value is at least half of the column's largest is positive, so that
+/// rounding does not decide the sign.
 struct EigenBasis {
   Eigen::MatrixXd vectors;
   Eigen::VectorXd values;  ///< >= 0, descending

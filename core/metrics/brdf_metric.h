@@ -70,7 +70,7 @@ struct MetricRecord {
   bool minimisable = true;  ///< whether a fit can minimise it
 };
 
-/// All metrics, in the order of lists; the first is the default of fits.
+/// All metrics, in the order of display; the first is the default of fits.
 std::span<const MetricRecord> metricRecords();
 const MetricRecord& metricRecord(BrdfMetric metric);
 /// MetricRecord::metric of all records, in the same order.

@@ -22,7 +22,7 @@ struct ImageMetricRecord {
   bool higherIsBetter = false;  ///< false: 0 is best
 };
 
-/// All metrics, in the order of lists.
+/// All metrics, in the order of display.
 std::span<const ImageMetricRecord> imageMetricRecords();
 
 /// All metrics, in the order of imageMetricRecords(). They include the noise of the pictures, unlike the SNR of a

@@ -22,8 +22,8 @@ double peakSignalToNoiseRatio(const Image& reference, const Image& test);
 /// d0 and d1 of the two renderings have independent noise, so the sum of d0 . d1 is an unbiased estimate of the error's
 /// energy, while the squared difference of the means would include noise. The estimate is limited to at least its own
 /// standard error, the square root of the sum of (d0 . d1)^2; then the SNR is a lower bound. If all products are 0 but
-/// the pictures differ, the means are compared. Pairs of equal halves give the results of the functions above. Special
-/// cases and errors are the same as for those functions.
+/// the pictures differ, the means are compared. If the two pictures of each pair are equal, the results are those of
+/// the functions above. Special cases and errors are the same as for those functions.
 double signalToNoiseRatio(const PicturePair& reference, const PicturePair& test);
 double peakSignalToNoiseRatio(const PicturePair& reference, const PicturePair& test);
 

@@ -11,11 +11,12 @@
 namespace gonio::metrics {
 
 /// One check of physical plausibility. `worst` is the largest violation; its meaning depends on `name`:
-///   "reciprocity" |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), largest channel
+///   "reciprocity" largest channel of |f(i,o) - f(o,i)|, divided by the largest channel of f(i,o) and f(o,i), or by 5 %
+///                 of the mean value if that is larger
 ///   "energy" directional albedo, largest channel (also reported if the check passes)
 ///   "negative" -f, 1/sr
 ///   "non-finite" number of directions with such a value
-///   "extrapolated" fraction of direction pairs without data in the table, weighted by both cosines
+///   "extrapolated" fraction of the tested direction pairs without data in the table, weighted by both cosines
 struct PlausibilityCheck {
   std::string name;
   bool passed = true;
@@ -36,9 +37,9 @@ std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskCon
 /// than a millionth of the mean value.
 PlausibilityCheck checkNegative(const Brdf& edited, const Brdf& base);
 
-/// The check "extrapolated": the fraction of direction pairs up to 85 degrees, weighted by both cosines, with an
-/// invalid nearest cell; they are black or use values of neighbours. Passes up to 1 %. `at` is the pair nearest to the
-/// normal.
+/// The check "extrapolated": the fraction of the tested direction pairs (up to 85 degrees, half of them near the mirror
+/// direction), weighted by both cosines, that lie in an invalid cell (TableLookup::cell). Values there are 0 or those
+/// of neighbouring nodes. Passes up to 1 %. `at` is the pair with the largest weight.
 PlausibilityCheck checkCoverage(const TabulatedBrdf& table);
 
 }  // namespace gonio::metrics

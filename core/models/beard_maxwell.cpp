@@ -50,8 +50,8 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec beardMaxwellSpec = {
     .id = "beard-maxwell", .name = "Beard-Maxwell",
     .description = "Painted surfaces: facets that reflect and shadow each other, over a volume that scatters. The "
-                   "measured facet distribution of the original is replaced by a Beckmann lobe. Reciprocal; neither "
-                   "the volume nor the facets' shadows bound the energy at grazing angles.",
+                   "measured facet distribution of the original is replaced by a Beckmann lobe. Reciprocal; the "
+                   "energy is not bounded at grazing angles, neither in the volume term nor in the shadowed highlight.",
     .formula = "k_d / pi + 2 k_v / (pi (cos theta_i + cos theta_o)) + k_s D F SO / (4 cos theta_i cos theta_o)",
     .reference = westlundMeyer, .parameters = parameters};
 // clang-format on

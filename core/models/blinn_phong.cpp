@@ -28,8 +28,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec blinnPhongSpec = {
     .id = "blinn-phong", .name = "Blinn-Phong",
-    .description = "A cosine lobe about the half vector; simple and fast. Reciprocal. With normalisation 'none' its "
-                   "energy depends on the exponent and exceeds 1 for broad lobes; it darkens towards grazing angles.",
+    .description = "A cosine lobe about the half vector; simple and fast. Reciprocal; darkens towards grazing "
+                   "angles. With the normalisation 'none' the albedo of the highlight depends on the exponent and "
+                   "exceeds 1 for broad lobes.",
     .formula = "k_d / pi + k_s N cos^n theta_h", .reference = blinn, .parameters = parameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on

@@ -9,8 +9,9 @@
 #include "core/models/common_parameters.h"
 #include "core/models/surface_geometry.h"
 
-/// Powers of the cosine of the angle to the mirror direction (Phong), or of the half vector to the normal (Blinn). Near
-/// 1 the cosine is computed from the distance between the directions, so that exponents of a million are accurate.
+/// Powers of the cosine of the angle between light and mirror direction (Phong), or between half vector and normal
+/// (Blinn). Near 1 the cosine is computed from the distance between the directions, so that exponents of a million are
+/// accurate.
 namespace gonio::models {
 
 // clang-format off

@@ -11,8 +11,8 @@ namespace gonio::models {
 /// Microfacets with slope r = tan theta_h and density p / (pi beta^2 Gamma(1/p)) exp(-(r / beta)^(2p)): the exponential
 /// power distribution of Holzschuch and Pacanowski 2017 (A Two-Scale Microfacet Reflectance Model Combining Reflection
 /// and Diffraction, section 4.3), which is Beckmann's for p = 1. Smith's masking has no closed form, but depends only
-/// on p and cot theta / mean slope. The constructor interpolates it over p, from a table that is computed once, at
-/// fixed nodes of cot theta / mean slope; this takes a few microseconds.
+/// on p and cot theta / mean slope. A table of the masking at fixed values of p and of cot theta / mean slope is
+/// computed once; the constructor interpolates it over p, which takes a few microseconds.
 class ExponentialPowerDistribution {
  public:
   /// The range of p in the table.
@@ -34,8 +34,8 @@ class ExponentialPowerDistribution {
   double meanSquareSlope() const { return meanSquareSlope_; }
   /// E[max(0, x)] of the slope x along any azimuth.
   double meanSlope() const { return meanSlope_; }
-  /// Over s = cos theta / (cos theta + maskingScale meanSlope sin theta) at equal steps from 0 to 1:
-  /// E[max(0, x - cot theta)] / E[max(0, x)].
+  /// E[max(0, x - cot theta)] / E[max(0, x)] at maskingNodes equally spaced values of s = cos theta / (cos theta +
+  /// maskingScale meanSlope sin theta) from 0 to 1.
   const std::array<double, maskingNodes>& masking() const { return masking_; }
   static constexpr double maskingScale = 2;
 
@@ -45,8 +45,8 @@ class ExponentialPowerDistribution {
 };
 
 /// Smith's masking of both directions divided by the product of the cosines. The masking is 1 / (1 + max(Lambda) +
-/// lambda min(Lambda)), lambda = 4.41 phi / (4.41 phi + 1), with the correlation of azimuths that differ by phi of van
-/// Ginneken, Stavridi and Koenderink 1998.
+/// lambda min(Lambda)), lambda = 4.41 phi / (4.41 phi + 1), where phi is the difference of the azimuths: the
+/// correlation of van Ginneken, Stavridi and Koenderink 1998.
 double smithMaskingOverCosines(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets);
 
 }  // namespace gonio::models

@@ -20,7 +20,7 @@ inline double heLogSlope(double g, double a, double m) { return std::log(g / (m 
 struct HeTerms {
   double order, width;
 };
-/// The order to a few percent of the width, by Newton steps in ln m.
+/// Newton steps in ln m; the order is accurate to a few percent of the width.
 inline HeTerms heLargestTerms(double g, double a) {
   double m = std::max(1.0, std::max(g, std::sqrt(a))), curvature = 1;
   for (int step = 0; step < 8; ++step) {

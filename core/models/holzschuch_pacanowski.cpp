@@ -78,10 +78,10 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec holzschuchPacanowskiSpec = {
     .id = "holzschuch-pacanowski", .name = "Holzschuch-Pacanowski",
     .description = "Specular facets with details that diffract: the highlight has Smith masking and an exponential "
-                   "power distribution; the glow depends on the wavelength. Reciprocal. Simplified: the blur of the "
-                   "glow by the facets is a closed form, the Fresnel term replaces its polarisation factor, and the "
-                   "loss of the glow at the horizon is not compensated; the model gains up to 18 % of energy at "
-                   "grazing angles where the details are rough and the facets flat.",
+                   "power distribution; the glow depends on the wavelength. Reciprocal. Simplified: a closed form for "
+                   "the blur of the glow by the facets; the Fresnel term instead of the polarisation factor of the "
+                   "glow; no compensation for the loss of the glow at the horizon. The model gains up to 18 % of "
+                   "energy at grazing angles where the details are rough and the facets flat.",
     .formula = "k_d / pi + k_s F G (A D + (1 - A) S) / (4 cos theta_i cos theta_o)",
     .reference = holzschuchPacanowski2017, .parameters = parameters, .dependsOnWavelength = true};
 // clang-format on

@@ -43,8 +43,8 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec lafortuneSpec = {
     .id = "lafortune", .name = "Lafortune",
     .description = "One isotropic lobe of Lafortune's generalised cosine: Phong's lobe in a direction of its "
-                   "own, off-specular or backward. Reciprocal. With the normalisation 'none' its energy depends "
-                   "on the other parameters and exceeds 1 for broad lobes.",
+                   "own, off-specular or backward. Reciprocal. With the normalisation 'none' the albedo of the "
+                   "highlight depends on the other parameters and exceeds 1 for broad lobes.",
     .formula = "k_d / pi + k_s N max(0, C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n",
     .reference = lafortune1997, .parameters = parameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};

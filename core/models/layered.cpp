@@ -31,7 +31,7 @@ constexpr std::string_view retroSources =
     "Guo, Guo and Pan 2018, A Retroreflective BRDF Model Based on Prismatic Sheeting and Microfacet Theory (the back "
     "vector in place of the half vector); Walter et al. 2007";
 constexpr std::string_view retroFormula =
-    "k_r D G / (4 cos theta_i cos theta_o), theta_h that of the half vector with wo mirrored about the normal";
+    "k_r D G / (4 cos theta_i cos theta_o), where h is the half vector of i and (-o_x, -o_y, o_z)";
 constexpr std::string_view switches[] = {"off", "on"};
 
 constexpr int lobeCount = 3;

@@ -126,7 +126,7 @@ struct ClampedParameter {
 /// Clamps the parameters to the hard ranges in place; returns the changes. @throws Error as Model::instantiate().
 std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters);
 
-/// All models, in the order of lists.
+/// All models, in the order of display.
 std::span<const Model* const> allModels();
 /// The ids of the models that are sums of lobes, separated by commas, for messages.
 std::string modelsWithLobes();

@@ -41,8 +41,8 @@ constexpr auto phongParameters = parametersOf(
 constexpr ModelSpec blinnSpec = {
     .id = "neumann-blinn", .name = "Neumann-Neumann (Blinn)",
     .description = "Blinn's lobe divided by the larger cosine, for metals. Reciprocal. With the normalisation "
-                   "'energy' the albedo of the highlight never exceeds k_s; with 'none' its energy depends on the "
-                   "exponent and exceeds 1 for broad lobes.",
+                   "'energy' the albedo of the highlight never exceeds k_s; with 'none' it depends on the exponent "
+                   "and exceeds 1 for broad lobes.",
     .formula = "k_d / pi + k_s N cos^n theta_h / max(cos theta_i, cos theta_o)",
     .reference = neumann1999, .parameters = blinnParameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};
@@ -50,8 +50,8 @@ constexpr ModelSpec blinnSpec = {
 constexpr ModelSpec phongSpec = {
     .id = "neumann-phong", .name = "Neumann-Neumann (Phong)",
     .description = "Phong's lobe divided by the larger cosine, for metals. Reciprocal. With the normalisation "
-                   "'energy' the albedo of the highlight never exceeds k_s; with 'none' its energy depends on the "
-                   "exponent and exceeds 1 for broad lobes.",
+                   "'energy' the albedo of the highlight never exceeds k_s; with 'none' it depends on the exponent "
+                   "and exceeds 1 for broad lobes.",
     .formula = "k_d / pi + k_s N max(0, cos alpha)^n / max(cos theta_i, cos theta_o)",
     .reference = neumann1999, .parameters = phongParameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};

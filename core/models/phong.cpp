@@ -24,7 +24,7 @@ constexpr ParameterSpec parameters[] = {
 constexpr ModelSpec phongSpec = {
     .id = "phong", .name = "Phong",
     .description = "A cosine lobe about the mirror direction, not normalised, as the literature quotes it. Reciprocal. "
-                   "Its energy depends on the exponent and exceeds 1 for broad lobes.",
+                   "The albedo of the highlight depends on the exponent and exceeds 1 for broad lobes.",
     .formula = "k_d / pi + k_s max(0, cos alpha)^n",
     .reference = phong1975, .parameters = parameters,
     .family = ModelFamily::empirical};

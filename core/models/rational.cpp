@@ -41,9 +41,11 @@ constexpr ParameterSpec denominator(std::string_view id, std::string_view label,
 
 constexpr ParameterSpec parameters[] = {
     numerator("p-0", "Peak", "p_0", 10, 1, "Value of the highlight with light and viewer in the same direction."),
-    numerator("p-x", "Diffuse", "p_x", 1000, 6, "Divided by q_x, it is the value away from the highlight."),
+    numerator("p-x", "Diffuse", "p_x", 1000, 6,
+              "Divided by Narrowness (q_x), it is the value just outside the highlight."),
     numerator("p-y", "Peak rise", "p_y", 10, 0, "How much the highlight increases towards grazing angles."),
-    numerator("p-xx", "Diffuse tail", "p_xx", 1e5, 0, "Divided by q_xx, it is the value far from the highlight."),
+    numerator("p-xx", "Diffuse tail", "p_xx", 1e5, 0,
+              "Divided by Falloff (q_xx), it is the value far outside the highlight, where the falloff is 1/x^2."),
     numerator("p-xy", "Diffuse rise", "p_xy", 1000, 0,
               "How much the diffuse term increases towards grazing angles."),
     numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0,

@@ -27,7 +27,9 @@ enum Index { diffuse, specular, roughness, normalReflectance, fresnelTerm, edgeT
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     specularParameter(1, "k_s D F G / (4 cos theta_i cos theta_o)", torranceSparrow1967),
-    roughnessParameter("m", "Width of the highlight: how far the facets tilt, in radians (1/e of the peak).",
+    roughnessParameter("m",
+                       "Width of the highlight: the tilt of the facets, in radians, at which their distribution falls "
+                       "to 1/e of its peak.",
                        "D = K exp(-theta_h^2 / m^2)", torranceSparrow1967),
     normalReflectanceParameter(),
     fresnelParameter(FresnelChoice::conductor),

@@ -28,8 +28,9 @@ struct Section {
   int count = 721;
 };
 
-/// The curve of a section: theta_h and theta_d over [0, pi/2], theta_o over [-pi/2, pi/2], without `horizonMargin`;
-/// nodes are dense where a highlight is expected. Under 1 ms for models. @param coverage as in evaluatePlotted().
+/// The curve of a section: theta_h and theta_d over [0, pi/2 - horizonMargin], theta_o over
+/// [-pi/2 + horizonMargin, pi/2 - horizonMargin]; nodes are dense where a highlight is expected. Under 1 ms for models.
+/// @param coverage as in evaluatePlotted().
 Curve sectionCurve(const Brdf& brdf, const Section& section, const TabulatedBrdf* coverage = nullptr);
 
 /// The value of a channel, linear between the nodes of a curve; NaN outside them and next to a point that is not known.

@@ -10,7 +10,7 @@ namespace gonio {
 struct BundledScene {
   std::string_view name, json;
 };
-/// resources/scenes/*.json, in the order of lists.
+/// resources/scenes/*.json, in the order of display.
 std::span<const BundledScene> bundledScenes();
 
 }  // namespace gonio

@@ -13,7 +13,7 @@
 
 namespace gonio {
 
-/// Effects of light transport, in the order of lists.
+/// Effects of light transport, in the order of display.
 enum class Effect {
   emittedLight,       ///< light that reaches the camera directly from its source
   directLight,        ///< light of distant, point and area lights after one reflection
@@ -71,12 +71,12 @@ struct EffectThresholds {
 
 /// Analyses shapes, lights and materials for effects that can change a pixel. The analysis is conservative: apart from
 /// the remainder, it only omits effects without influence. Computes some support points of each shape for each pair of
-/// objects and light, microseconds for the bundled scenes. @param materials of bindMaterials().
+/// objects and each light, microseconds for the bundled scenes. @param materials of bindMaterials().
 EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
 
-/// Updates the plan of a scene for another camera: only the sources that face the camera can change. Tests only the
-/// shapes of area lights.
+/// Updates the plan of a scene for another camera. Only the decision on Effect::emittedLight depends on the camera.
+/// Tests only the shapes of area lights.
 void updateForCamera(EffectPlan& plan, const Scene& scene, const EffectOverrides& overrides = {});
 
 /// Attributes of a picture file: samples, scene, effects, reflections, material, seed.

@@ -29,8 +29,9 @@ class PathTracer {
   /// same number of samples into calls. Powers of two are stratified best. @throws Cancelled; the film is then
   /// unchanged.
   void accumulate(Film& film, int samples, const TaskControl& control = {}) const;
-  /// Records the paths of a picture. Preconditions: the plan has at most one reflection, and the value of the
-  /// material's BRDF is 1 everywhere. @throws Cancelled.
+  /// Records the paths of a picture, to render other materials with them (RecordedPaths). Preconditions: the plan has
+  /// at most one reflection, and the tracer's own material is a placeholder with a BRDF value of 1 everywhere, so that
+  /// the recorded weights are the factors of the BRDF value. @throws Cancelled.
   RecordedPaths record(int width, int height, int samples, const TaskControl& control = {}) const;
 
  private:

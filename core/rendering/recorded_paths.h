@@ -13,7 +13,8 @@ namespace gonio {
 
 /// The camera paths of a scene, traced once for pictures of many materials. Where no light is reflected twice and every
 /// material is sampled with the same lobe, these pictures have the same paths, and each is a weighted sum of the
-/// material's BRDF values: without rays and without densities, it takes about a twelfth of the time for GGX. Immutable.
+/// material's BRDF values, which needs neither rays nor densities. For GGX it takes about a twelfth of the time of
+/// tracing the paths. Immutable.
 class RecordedPaths {
  public:
   /// BRDF values that contribute to a row of pixels, in the order in which the path tracer adds them.

@@ -22,7 +22,7 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
 /// names the file or lists the names.
 Scene openScene(const std::string& nameOrPath, int materials = 1);
 
-/// The names of the bundled scenes, in the order of lists.
+/// The names of the bundled scenes, in the order of display.
 const std::vector<std::string>& bundledSceneNames();
 
 }  // namespace gonio

@@ -38,7 +38,7 @@ using factorization::Baseline;
 using List = std::vector<Representation>;
 
 void addTables(List& list) {
-  list.push_back({RepresentationFamily::table, "table-nearest", "Table, nearest cell", 0, ""});
+  list.push_back({RepresentationFamily::table, "table-nearest", "Table, cell look-up", 0, ""});
   list.push_back({RepresentationFamily::table, "table-trilinear", "Table, trilinear", 0, ""});
 }
 

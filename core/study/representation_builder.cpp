@@ -25,9 +25,9 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A table read without interpolation.
-class NearestBrdf final : public Brdf {
+class CellLookupBrdf final : public Brdf {
  public:
-  explicit NearestBrdf(std::shared_ptr<const TabulatedBrdf> table) : table_(std::move(table)) {}
+  explicit CellLookupBrdf(std::shared_ptr<const TabulatedBrdf> table) : table_(std::move(table)) {}
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     table_->evaluate(pairs, values, TableLookup::cell);
@@ -136,7 +136,7 @@ BuiltRepresentation RepresentationBuilder::make(const Representation& representa
 BuiltRepresentation RepresentationBuilder::table(const Representation& representation) const {
   BuiltRepresentation built{.brdf = subject_.table, .nodes = subject_.table, .bytes = subject_.table->bytes()};
   built.tabulated = [all = subject_.table](const TaskControl&) { return all; };
-  if (representation.id == "table-nearest") built.brdf = std::make_shared<const NearestBrdf>(subject_.table);
+  if (representation.id == "table-nearest") built.brdf = std::make_shared<const CellLookupBrdf>(subject_.table);
   return built;
 }
 

@@ -9,8 +9,10 @@
 
 namespace gonio::study {
 
-/// Style of the points of representations in all plots: colour and shape of the family, hollow for the simpler of two
-/// variants (nearest cell, two curves). Each baseline has its own shape.
+/// Style of the points of representations in all plots. The colour is that of the family, and so is the shape, except
+/// that each baseline, the separated components, and the codes of the families `published` and `alternatives` have
+/// shapes of their own. Hollow: the table without interpolation, PDV factors with two curves, codes by basis pursuit,
+/// patches, and some baselines.
 struct SeriesStyle {
   plots::Marker marker;
   std::string_view colour;

@@ -59,7 +59,7 @@ std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> ma
       else
         known->push_back({&record, material});
     }
-  // In the order of lists, also if the first materials lack a representation.
+  // In the order of display, also if the first materials lack a representation.
   std::ranges::stable_sort(groups, {},
                            [](const Records& group) { return group.front().record->representation.family; });
   std::vector<StudySummary> summaries;

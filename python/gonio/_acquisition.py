@@ -309,9 +309,10 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
     Returns:
         A plan with three more attributes: `condition_number`, the largest over the smallest singular value of the basis' rows
-        at the samples; `residuals`, for "somp", "somp-first-columns" and "a-optimal" the relative residual of the training signals before
-        the first sample and after each, shape (samples + 1,), otherwise empty; `warning`, the reason if there are fewer samples
-        than requested, otherwise "". A plan of given directions has NaN, an empty array and "".
+        at the samples; `residuals`, before the first sample and after each, shape (samples + 1,): for "somp" and
+        "somp-first-columns" the relative residual of the training signals, for "a-optimal" the square root of the expected
+        variance of all cells, relative to that before the first sample; otherwise empty; `warning`, the reason if there are
+        fewer samples than requested, otherwise "". A plan of given directions has NaN, an empty array and "".
 
     Raises:
         Error: An argument is out of its range, or no direction can be measured.

@@ -74,7 +74,7 @@ class Model:
     """Whether the directional albedo is at most 1 at every angle if the linear parameters are at most 1 with a sum of at
         most 1, the other parameters are in their soft ranges, and choices have their defaults."""
     parameters: tuple[Parameter, ...] = field(repr=False)
-    """Parameters, in the order of docs/models.md."""
+    """The parameters, each with its name, ranges, default and description."""
 
     def material(self, name: str = "", **parameters: Value) -> Material:
         """The model as a material.

@@ -22,7 +22,8 @@ void lookups(benchmark::State& state, const std::vector<DirectionPair>& pairs, T
   state.SetItemsProcessed(int64_t(state.iterations()) * int64_t(pairs.size()));
 }
 
-/// The plain baseline: rotations by angles, as the reference code that came with MERL does, and the nearest cell.
+/// The plain baseline: rotations by angles, as the reference code that came with MERL does, and a cell without
+/// interpolation.
 Rgb plainNearest(const TabulatedBrdf& table, const DirectionPair& pair) {
   const Direction half = glm::normalize(pair.wi + pair.wo);
   const double thetaH = std::acos(std::min(1.0, half.z)), phiH = std::atan2(half.y, half.x);

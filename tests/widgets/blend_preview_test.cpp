@@ -58,6 +58,16 @@ class BlendPreviewTest : public QObject {
   }
   void cleanupTestCase() { m_spheres.reset(); }
 
+  /// Tables that stand for another form: only in spaces whose values are mixed by the shader.
+  void tablesOfOtherForms() {
+    std::vector<editing::InterpolationMaterial> materials = ends(2);
+    QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
+    materials[0].base = models::ggx().instantiate(models::defaultParameters(models::ggx().spec()));
+    QVERIFY(widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
+    QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::parameters, materials)));
+    QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::factors, materials)));
+  }
+
   /// Every space, two to four materials: the frame under the hand is the interpolation of core.
   void everySpaceIsThatOfCore() {
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::parameters,
@@ -85,9 +95,9 @@ class BlendPreviewTest : public QObject {
   void transformedDomains() {
     for (const DataTransform transform :
          {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
-      widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .ends = ends(2), .lobes = {{}, {}}};
+      widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .materials = ends(2), .lobes = {{}, {}}};
       blend.interpolation = std::make_shared<const test::TransformedSpace>(
-          std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
+          std::vector<editing::Interpolation::Table>{blend.materials[0].table, blend.materials[1].table}, transform);
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));

@@ -137,14 +137,14 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     }
   }
 
-  /// One coefficient of an atom that is the importance itself is one transformed value everywhere: the closed form.
+  /// One coefficient of an atom that is the cell scaling itself is one transformed value everywhere: the closed form.
   void aConstantDictionary() {
     const auto geometry = GridGeometry::of(oddGrid);
     Ensemble ensemble = ensembleOn(oddGrid, 1);
     double scale = 1;
     for (std::size_t mode = 0; mode < 3; ++mode) {
       Eigen::MatrixXd columns = ensemble.dictionaries[0].modes[mode];
-      columns.col(0) = geometry->importance[mode].matrix();
+      columns.col(0) = geometry->cellScaling[mode].matrix();
       scale *= columns.col(0).norm();
       ensemble.dictionaries[0].modes[mode] = test::orthonormalised(columns);
       if (ensemble.dictionaries[0].modes[mode](0, 0) < 0) ensemble.dictionaries[0].modes[mode].col(0) *= -1;

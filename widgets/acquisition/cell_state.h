@@ -16,7 +16,7 @@ enum class CellState : std::uint8_t {
   belowHorizon,  ///< light or viewer is below the horizon
   grazing,       ///< beyond the maximum polar angle
   forbidden,     ///< in a forbidden region of the rig
-  unlearned      ///< no training data: not valid in every material of the training set
+  unlearned      ///< invalid in at least one material of the training set
 };
 
 /// The shaded states, in the order of the legend.

@@ -9,7 +9,8 @@
 
 namespace gonio::widgets {
 
-/// The angles of a sample as one line of text: "7: θi 31.2°, φi 0.0° · θo ... · θh ..., θd ..., φd ...".
+/// The angles of a sample as one line of text:
+/// "7: light θi 31.2°, φi 0.0° · viewer θo ..., φo ... · θh ..., θd ..., φd ...".
 QString sampleText(int number, const DirectionPair& directions);
 
 /// A drawing of the pairs of directions at which a material is measured, numbered from 1 in their order. Pointer and

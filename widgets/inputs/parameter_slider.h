@@ -9,8 +9,8 @@
 
 namespace gonio::widgets {
 
-/// A slider over the soft range of a parameter, linear or logarithmic as its spec says. A small tick marks the
-/// reference (fitted) value. Shift moves by a tenth, Ctrl snaps; the wheel only works if the slider has the focus;
+/// A slider over the soft range of a parameter, with the scale of its spec (models::ParameterScale). A small tick marks
+/// the reference (fitted) value. Shift moves by a tenth, Ctrl snaps; the wheel only works if the slider has the focus;
 /// double-click or Backspace requests a reset. A drag, a held key or a turn of the wheel is one interaction between
 /// editingStarted() and editingFinished().
 class ParameterSlider : public QAbstractSlider {

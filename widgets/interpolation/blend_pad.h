@@ -70,7 +70,7 @@ class BlendPad : public QWidget {
   bool m_dragging = false;
 };
 
-/// A weight as text, e.g. "40 %"; weights above 0 are never shown as 0.
+/// A weight as text, e.g. "40 %"; with one decimal below 1 % and above 99 %, e.g. "0.3 %".
 QString weightText(double weight);
 
 }  // namespace gonio::widgets

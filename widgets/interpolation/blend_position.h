@@ -10,7 +10,7 @@ namespace gonio::widgets {
 /// Positions between two to four materials and their weights. A position is
 ///   for two materials (t, 0): t = 0 is the first, 1 the second
 ///   for three (u, v), u + v <= 1: the weights of the second and the third
-///   for four (u, v): from the first to the second, from the first to the third; (1, 1) is the fourth
+///   for four (u, v): u runs from the first to the second, v from the first to the third; (1, 1) is the fourth
 /// with u, v in [0, 1].
 inline constexpr int minBlended = 2, maxBlended = 4;
 

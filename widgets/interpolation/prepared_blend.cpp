@@ -29,18 +29,18 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
 }
 
 /// Only where values are mixed, not transformed ones; an edited material is mixed as its table.
-bool mixesItself(const PreparedBlend& blend, const editing::InterpolationMaterial& end) {
-  return blend.mixture->transform == DataTransform::none && fitsBesideBlends(*end.base) &&
-         editing::isIdentity(end.edits);
+bool mixesItself(const PreparedBlend& blend, const editing::InterpolationMaterial& material) {
+  return blend.mixture->transform == DataTransform::none && fitsBesideBlends(*material.base) &&
+         editing::isIdentity(material.edits);
 }
 
 void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heaviest) {
-  const editing::InterpolationMaterial& end = blend.ends[heaviest];
-  if (!end.base || !mixesItself(blend, end)) return;
+  const editing::InterpolationMaterial& material = blend.materials[heaviest];
+  if (!material.base || !mixesItself(blend, material)) return;
   double second = 0;
   for (std::size_t i = 0; i < shown.weights.size(); ++i)
     if (i != heaviest) second = std::max(second, shown.weights[i]);
-  shown.own = end.base;
+  shown.own = material.base;
   shown.ownIndex = heaviest;
   shown.ownFraction = shown.weights[heaviest] - second;
 }
@@ -48,18 +48,19 @@ void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heavies
 }  // namespace
 
 bool mixesTables(const PreparedBlend& blend) {
-  return std::ranges::any_of(blend.ends, [](const auto& end) { return end.base != nullptr; });
+  return blend.mixture &&
+         std::ranges::any_of(blend.materials, [](const auto& material) { return material.base != nullptr; });
 }
 
-PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationMaterial>& ends,
+PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationMaterial>& materials,
                               const editing::InterpolationOptions& options, const TaskControl& control) {
   auto blend = std::make_shared<PreparedBlend>();
   blend->space = space;
-  blend->ends = ends;
+  blend->materials = materials;
   blend->model = options.model ? options.model : &models::ggx();
-  for (const editing::InterpolationMaterial& end : ends)
-    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.material()));
-  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedFraction));
+  for (const editing::InterpolationMaterial& material : materials)
+    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*material.material()));
+  blend->interpolation = editing::prepareInterpolation(space, materials, options, control.between(0, preparedFraction));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
     blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));
@@ -69,17 +70,17 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  const editing::InterpolationMaterial& end = blend.ends[heaviest];
-  EditedMaterial material{end.table};
+  const editing::InterpolationMaterial& dominant = blend.materials[heaviest];
+  EditedMaterial material{dominant.table};
   const auto& lobe = blend.lobes[heaviest];
-  if (weights[heaviest] == 1) return {end.base ? EditedMaterial{end.base, end.edits} : material, lobe};
+  if (weights[heaviest] == 1) return {dominant.base ? EditedMaterial{dominant.base, dominant.edits} : material, lobe};
   if (blend.mixture) {
     PreviewBlend shown{blend.interpolation, blend.mixture, weights, blend.interpolation->differentialEdits(weights)};
     addOwn(shown, blend, heaviest);
     return {std::move(shown), lobe};
   }
   if (const auto parameters = blend.interpolation->parameters(weights))
-    return {StandaloneModel{blend.model, *parameters, blend.ends[heaviest].table->grid()}, lobe};
+    return {StandaloneModel{blend.model, *parameters, dominant.table->grid()}, lobe};
   if (auto factors = blend.interpolation->factors(weights)) material.edits = {{curvesAlone(std::move(*factors))}};
   return {material, lobe};
 }
@@ -103,8 +104,8 @@ QString spaceExplanation(InterpolationSpace space) {
   switch (space) {
     case InterpolationSpace::linear:
       return InterpolationSpaceText::tr(
-          "The BRDF values are mixed. Half of a sharp and half of a wide highlight shows both highlights, like two "
-          "coats, not one of medium width. All measured detail is preserved.");
+          "The BRDF values are mixed. An equal mix of a sharp and a wide highlight shows both, like two coats, instead "
+          "of one highlight of medium width. All measured detail is preserved.");
     case InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "

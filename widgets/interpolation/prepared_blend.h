@@ -12,7 +12,7 @@ namespace gonio::widgets {
 /// Materials ready to be blended in one space, for the preview and for pictures. Immutable.
 struct PreparedBlend {
   editing::InterpolationSpace space;
-  std::vector<editing::InterpolationMaterial> ends;
+  std::vector<editing::InterpolationMaterial> materials;
   std::vector<std::shared_ptr<const TabulatedLobe>> lobes;  ///< sampling densities of the materials
   const models::Model* model = nullptr;                     ///< for `parameters` and `differential`
   std::shared_ptr<const editing::Interpolation> interpolation;
@@ -23,11 +23,12 @@ using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
 /// Computes the fits, factors or codes for a space: up to a few seconds. @throws Error, Cancelled.
 PreparedBlendPtr prepareBlend(editing::InterpolationSpace space,
-                              const std::vector<editing::InterpolationMaterial>& ends,
+                              const std::vector<editing::InterpolationMaterial>& materials,
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 
-/// Whether the shader mixes tables although exported files and rendered images mix the materials in their native form.
+/// Whether the shader mixes tables, at least one of which was sampled from another native form (such as RGL and UTIA
+/// files).
 bool mixesTables(const PreparedBlend& blend);
 
 /// The preview's subject for given weights, in the form with the lowest cost per frame: the shader mixes `linear`,

@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// Filter buttons for each kind, origin and tag in the library, for favourites and recently opened materials. Buttons
-/// of the same group are combined with OR, different groups with AND.
+/// Filter buttons for each badge, kind and tag in the library, for favourites, and for recently opened materials.
+/// Buttons of the same group are combined with OR, different groups with AND.
 class LibraryChips : public QWidget {
   Q_OBJECT
 

@@ -35,8 +35,7 @@ struct LibraryThumbnail {
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
-/// The materials of a library, one row each, with their thumbnails, which other objects render and set; then one row
-/// per heading.
+/// The rows of a library: one per material, then one per heading. Other objects render the thumbnails and set them.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 

@@ -80,7 +80,9 @@ void EffectList::addRow(Effect effect) {
   row.choice->addItems({tr("auto"), tr("on"), tr("off")});
   row.choice->setAccessibleName(tr("%1: auto, on or off").arg(name));
   row.choice->setToolTip(
-      tr("Forces the effect on, to verify that the image stays the same, or off, to see what it contributes"));
+      tr("auto: simulated if the scene needs it.\n"
+         "on: always, to verify that an effect left out by auto does not change the image.\n"
+         "off: never, to see what the effect contributes."));
   row.choice->setFocusPolicy(Qt::StrongFocus);
   row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row.reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -6,8 +6,7 @@
 
 namespace gonio::widgets {
 
-/// A label of one line of plain text that ends in an ellipsis where it has too little room; the tooltip shows the
-/// whole.
+/// A label with one line of plain text, shortened by an ellipsis if it does not fit. It sets no tooltip.
 class ElidedLabel : public QLabel {
  public:
   using QLabel::QLabel;

@@ -25,7 +25,7 @@ QString familyTitle(models::ModelFamily family) {
     case models::ModelFamily::analytic:
       return ModelBox::tr("Physically based");
     case models::ModelFamily::series:
-      return ModelBox::tr("Series");
+      return ModelBox::tr("Series expansions");
   }
   return {};
 }

@@ -53,7 +53,8 @@ class PlausibilityBadges : public QWidget {
   QPushButton* showButton() const { return m_show; }
 
  Q_SIGNALS:
-  /// The user wants to display a check ("energy", "reciprocity", ...) for light at this polar angle, rad.
+  /// The user wants to display a check ("energy", "reciprocity", ...). @param theta polar angle of the worst value,
+  /// rad: of the viewer for energy, of the light for the other checks.
   void showRequested(const QString& check, double theta);
 
  private:

@@ -57,7 +57,8 @@ Text textOf(const metrics::PlausibilityCheck& check) {
   if (check.name == "non-finite")
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every BRDF value is a finite number."),
             PlausibilityText::tr("Values that are not finite: %1").arg(check.worst),
-            PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
+            PlausibilityText::tr(
+                "This is an error in the program: undo the last change to continue, and please report the error.")};
   return {
       PlausibilityText::tr("Complete"),
       PlausibilityText::tr("Where the table has no data, the image is black or uses the values of neighbouring cells."),

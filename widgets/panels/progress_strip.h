@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// Text, progress bar and Cancel button of running tasks, for a status bar; a list if there are several. Without tasks,
-/// the last notice is shown for a few seconds.
+/// Text, progress bar and Cancel button of running tasks, for a status bar; a list if there are several. Beside them,
+/// the last notice is shown for a limited time.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class ProgressStrip : public QWidget {
   void clear();
   /// Shown as a list if there are two or more.
   void setEntries(const std::vector<Entry>& entries);
-  /// Shows a result ("Wrote chrome.bsdf"), beside running tasks.
+  /// Shows a result, such as "Wrote chrome.bsdf", for this time.
   void showNotice(const QString& text, int milliseconds);
   QString notice() const;
   QToolButton* entriesButton() const { return m_entries; }

@@ -8,8 +8,8 @@
 
 namespace gonio::widgets {
 
-/// Minimum and maximum of a parameter's slider: the soft range, extended if the fitted value is outside, so that it is
-/// at four fifths of the slider; never beyond the hard range.
+/// Minimum and maximum of a parameter's slider: the soft range. If the fitted value is outside, the range is extended
+/// beyond this value, but not beyond the hard range.
 std::pair<double, double> sliderRange(const models::ParameterSpec& spec, double fitted);
 
 }  // namespace gonio::widgets

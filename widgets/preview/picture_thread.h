@@ -23,7 +23,7 @@ class PictureThread : public QObject {
   explicit PictureThread(QObject* parent = nullptr);
   ~PictureThread() override;
 
-  /// Starts the thread if it is not running. Earlier requests are then rendered.
+  /// Starts the thread if it is not running, with the last request made before.
   void start(const QSurfaceFormat& format);
   /// Finishes the current frame and frees the OpenGL objects.
   void stop();

@@ -31,7 +31,7 @@ class PreviewContent : public QObject {
   explicit PreviewContent(QObject* parent = nullptr);
 
   /// Sets the first subject. Its lobe (sampling density) is estimated in the background. Until then the previous lobe
-  /// is used if neither the previous nor the new subject is an unedited measurement, else subject.lobe. An unchanged
+  /// is used if neither the previous nor the new subject is a base without edits, else subject.lobe. An unchanged
   /// subject does not restart the picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});
   /// Sets the second subject of comparisons. It costs nothing if it is empty or the mode is off.

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 /// "1 sample", "64 samples".
 QString samplesText(int samples);
-/// Short description of the simulated effects, e.g. "environment, shadows, 8 of 64 reflections".
+/// Short description of the simulated effects, e.g. "Effects: environment, shadows, 8 of 64 reflections".
 /// @param followed maximum number of reflections that are rendered.
 QString effectsText(const EffectPlan& plan, int followed);
 

@@ -15,7 +15,7 @@ AcquisitionControls::AcquisitionControls(QWidget* parent) : QWidget(parent) {
   form->setContentsMargins(0, 0, 4, 0);
   form->setVerticalSpacing(4);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  m_subject = new SubjectRows(*form);
+  m_measuredMaterial = new MeasuredMaterialRows(*form);
   m_training = new TrainingRows(*form);
   m_directions = new DirectionRows(*form);
   buildReconstruction(*form);
@@ -54,15 +54,15 @@ void AcquisitionControls::connectRows() {
     refresh();
     Q_EMIT planSettingsEdited();
   };
-  connect(m_subject, &SubjectRows::edited, this, &AcquisitionControls::refresh);
-  connect(m_subject, &SubjectRows::noiseEdited, this, [this] {
+  connect(m_measuredMaterial, &MeasuredMaterialRows::edited, this, &AcquisitionControls::refresh);
+  connect(m_measuredMaterial, &MeasuredMaterialRows::noiseEdited, this, [this] {
     refresh();
     Q_EMIT noiseEdited();
   });
   connect(m_training, &TrainingRows::edited, this, edited);
   connect(m_directions, &DirectionRows::edited, this, edited);
   connect(m_directions, &DirectionRows::seedEdited, this, [this] {
-    if (m_subject->isNoisy()) Q_EMIT noiseEdited();
+    if (m_measuredMaterial->isNoisy()) Q_EMIT noiseEdited();
   });
   connect(m_reconstruction, &QComboBox::activated, this, &AcquisitionControls::reconstructionEdited);
 }
@@ -78,7 +78,9 @@ PlanSettings AcquisitionControls::planSettings() const {
   return settings;
 }
 
-acquisition::MeasurementNoise AcquisitionControls::noise() const { return m_subject->noise(m_directions->seed()); }
+acquisition::MeasurementNoise AcquisitionControls::noise() const {
+  return m_measuredMaterial->noise(m_directions->seed());
+}
 
 acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   const int index = m_reconstruction->currentIndex();
@@ -98,7 +100,7 @@ void AcquisitionControls::setBusy(bool busy) {
 
 void AcquisitionControls::refresh() {
   m_training->setEnabled(!m_busy);
-  m_directions->setEnabled(!m_busy, m_subject->isNoisy());
+  m_directions->setEnabled(!m_busy, m_measuredMaterial->isNoisy());
   m_training->refresh();
 }
 

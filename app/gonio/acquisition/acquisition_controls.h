@@ -6,7 +6,7 @@
 
 #include "app/gonio/acquisition/acquisition_session.h"
 #include "app/gonio/acquisition/direction_rows.h"
-#include "app/gonio/acquisition/subject_rows.h"
+#include "app/gonio/acquisition/measured_material_rows.h"
 #include "app/gonio/acquisition/training_rows.h"
 
 namespace gonio::app {
@@ -19,7 +19,7 @@ class AcquisitionControls : public QWidget {
  public:
   explicit AcquisitionControls(QWidget* parent = nullptr);
 
-  SubjectRows& subject() const { return *m_subject; }
+  MeasuredMaterialRows& measuredMaterial() const { return *m_measuredMaterial; }
   TrainingRows& training() const { return *m_training; }
   DirectionRows& directions() const { return *m_directions; }
   QComboBox& reconstructionBox() const { return *m_reconstruction; }
@@ -46,7 +46,7 @@ class AcquisitionControls : public QWidget {
   void refresh();
 
   bool m_busy = false;
-  SubjectRows* m_subject;
+  MeasuredMaterialRows* m_measuredMaterial;
   TrainingRows* m_training;
   DirectionRows* m_directions;
   QComboBox* m_reconstruction;

@@ -18,8 +18,8 @@ void remember(const QString& path) { widgets::rememberDialogFolder(planFolder, p
 }  // namespace
 
 AcquisitionFiles::AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls,
-                                   AcquisitionSubject& subject, QWidget* panel)
-    : QObject(panel), m_session(session), m_controls(controls), m_subject(subject), m_panel(panel) {}
+                                   MeasuredMaterialSource& source, QWidget* panel)
+    : QObject(panel), m_session(session), m_controls(controls), m_source(source), m_panel(panel) {}
 
 std::vector<std::string> AcquisitionFiles::planComments() const {
   const PlanSettings& settings = m_session.planner().settings();
@@ -47,7 +47,7 @@ void AcquisitionFiles::savePlan(const QString& path) {
 void AcquisitionFiles::readPlan(const QString& path) {
   try {
     const acquisition::SamplingPlan plan = materials::readPlan(path.toStdString());
-    m_subject.takeOpenMaterial();
+    m_source.takeOpenMaterial();
     m_controls.directions().setSamples(int(plan.samples.size()));
     m_session.plan(m_controls.planSettings(), plan);
   } catch (const Error& error) {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "app/gonio/acquisition/acquisition_subject.h"
+#include "app/gonio/acquisition/measured_material_source.h"
 
 class QFileDialog;
 
@@ -14,13 +14,14 @@ class AcquisitionFiles : public QObject {
 
  public:
   /// @param panel the parent of the dialogs.
-  AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls, AcquisitionSubject& subject,
+  AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls, MeasuredMaterialSource& source,
                    QWidget* panel);
 
   /// The plan as comma-separated text, with its settings in comments.
   QString planText() const;
   void savePlan(const QString& path);
-  /// Reads a plan saved by the editor or goniotool, learns its training set and uses its directions.
+  /// Reads a plan saved by the editor or goniotool and uses its directions instead of selecting new ones. The principal
+  /// components are learned from the training set selected in the controls.
   void readPlan(const QString& path);
   /// Reads values from comma-separated text, one row per sample. Reports errors.
   void paste(const QString& text);
@@ -44,7 +45,7 @@ class AcquisitionFiles : public QObject {
 
   AcquisitionSession& m_session;
   AcquisitionControls& m_controls;
-  AcquisitionSubject& m_subject;
+  MeasuredMaterialSource& m_source;
   QWidget* m_panel;
 };
 

@@ -31,8 +31,8 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_document(document),
       m_session(tasks),
       m_controls(new AcquisitionControls),
-      m_subject(new AcquisitionSubject(document, m_session, *m_controls)),
-      m_files(new AcquisitionFiles(m_session, *m_controls, *m_subject, this)),
+      m_source(new MeasuredMaterialSource(document, m_session, *m_controls)),
+      m_files(new AcquisitionFiles(m_session, *m_controls, *m_source, this)),
       m_charts(new AcquisitionCharts(m_session, *m_controls)),
       m_samples(new SamplesPage(m_session, *m_controls, *m_files)),
       m_reconstruction(new ReconstructionPage(m_session, *m_controls)),
@@ -111,7 +111,8 @@ void AcquisitionPanel::connectSession() {
 }
 
 void AcquisitionPanel::connectParts() {
-  connect(&m_controls->subject(), &SubjectRows::wanted, this, &AcquisitionPanel::subjectRequested);
+  connect(&m_controls->measuredMaterial(), &MeasuredMaterialRows::wanted, this,
+          &AcquisitionPanel::measuredMaterialRequested);
   connect(m_files, &AcquisitionFiles::exported, this, &AcquisitionPanel::exported);
   connect(m_files, &AcquisitionFiles::failed, this, &AcquisitionPanel::failed);
   connect(m_charts, &AcquisitionCharts::currentChanged, this, &AcquisitionPanel::mark);
@@ -135,14 +136,14 @@ bool AcquisitionPanel::isSettled() const {
 
 void AcquisitionPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  m_subject->takeOpenMaterial();
+  m_source->takeOpenMaterial();
 }
 
-void AcquisitionPanel::measure(const QString& id) { m_subject->choose(id); }
+void AcquisitionPanel::measure(const QString& id) { m_source->choose(id); }
 
 void AcquisitionPanel::start() {
   if (startCancels(m_session, *m_controls)) return m_session.cancel();
-  m_subject->takeOpenMaterial();
+  m_source->takeOpenMaterial();
   m_pageChosen = false;
   m_pages->setCurrentIndex(samplesPage);
   m_session.plan(m_controls->planSettings());
@@ -173,13 +174,13 @@ void AcquisitionPanel::refresh() {
 
 void AcquisitionPanel::openResult() {
   if (!m_session.result()) return;
-  m_subject->fixOpenMaterial();
+  m_source->fixOpenMaterial();
   m_session.open(m_document, reconstructionFolder());
 }
 
 void AcquisitionPanel::openPrediction() {
   if (!m_factors->result()) return;
-  m_subject->fixOpenMaterial();
+  m_source->fixOpenMaterial();
   m_session.openTable(m_document, m_factors->result()->table, m_factors->resultName(), reconstructionFolder());
 }
 

@@ -15,7 +15,7 @@ namespace gonio::app {
 
 class AcquisitionCharts;
 class AcquisitionFiles;
-class AcquisitionSubject;
+class MeasuredMaterialSource;
 class ErrorCurvePage;
 class FactorPage;
 class ReconstructionPage;
@@ -54,7 +54,7 @@ class AcquisitionPanel : public QWidget {
 
  Q_SIGNALS:
   /// The user wants to choose the measured material.
-  void subjectRequested();
+  void measuredMaterialRequested();
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 
@@ -76,7 +76,7 @@ class AcquisitionPanel : public QWidget {
   AcquisitionSession m_session;
   bool m_pageChosen = false;  ///< whether the user has chosen a page since the last start
   AcquisitionControls* m_controls;
-  AcquisitionSubject* m_subject;
+  MeasuredMaterialSource* m_source;
   AcquisitionFiles* m_files;
   AcquisitionCharts* m_charts;
   SamplesPage* m_samples;

@@ -55,7 +55,7 @@ ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionRef
 /// A reconstruction with its pictures and errors.
 struct AcquisitionResult : ComparedPicture {
   std::shared_ptr<const acquisition::Reconstruction> reconstruction;
-  double deviationRange = 0;  ///< upper limit of nearly all cells' standard deviations; 0 if they are not known
+  double deviationRange = 0;  ///< widgets::automaticRange() of the cells' standard deviations; 0 if they are unknown
 };
 using AcquisitionResultPtr = std::shared_ptr<const AcquisitionResult>;
 

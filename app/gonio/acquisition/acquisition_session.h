@@ -41,7 +41,7 @@ class AcquisitionSession : public QObject {
   void cancel();
   Step step() const { return m_step; }
   bool isBusy() const { return m_step != Step::idle; }
-  /// Fraction of the current step, [0, 1].
+  /// Progress of the current step, [0, 1].
   double fraction() const;
   /// Whether the reference, or a copy of it, is among the learned materials.
   bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceReader.id()); }

@@ -11,7 +11,7 @@
 namespace gonio::app {
 
 /// The chart's slice at the k-th phi_d of a grid: which cells can be measured, and how uncertain each cell is.
-/// @param mapping null before a basis is learned: then all cells above the horizon are used.
+/// @param mapping the cells with training data; null before a basis is learned: then no cell is CellState::unlearned.
 /// @param deviations one per cell of the mapping, or empty. O(cells of the slice).
 widgets::HalfDifferenceSlice sliceAt(int k, const HalfDifferenceGrid& grid,
                                      const acquisition::MeasurableDirections& measurable,

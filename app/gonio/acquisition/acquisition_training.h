@@ -18,15 +18,17 @@ struct TrainingSet {
   bool operator==(const TrainingSet&) const = default;
 };
 
-/// materials::libraryTrainingPaths().
+/// The default training set: the measured materials of the bundled library, and near-measured copies of materials that
+/// are not among them (materials::libraryTrainingPaths()).
 TrainingSet libraryTraining();
 /// The measured materials of the bundled library.
 TrainingSet measuredTraining();
-/// Its near-measured copies of MERL.
+/// The near-measured copies of MERL materials in the bundled library.
 TrainingSet nearMeasuredTraining();
-/// Its published fits.
+/// The published fits in the bundled library.
 TrainingSet fittedTraining();
-/// The material files of a folder without subfolders; no ids if there are none.
+/// The files of measured materials (MaterialFormat::isMeasurement) in a folder, not in its subfolders; no ids if there
+/// are none.
 TrainingSet folderTraining(const QString& folder);
 
 /// Name of a material independent of its file, in lower case: "cc_iris_purple_gem" for "library:rgl/cc_iris_purple_gem"

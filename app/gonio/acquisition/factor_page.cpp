@@ -24,7 +24,7 @@ namespace gonio::app {
 namespace {
 
 const QString factorKey = QStringLiteral("factor measurement");
-constexpr int leastReadings = 5, mostReadings = 500;
+constexpr int minReadings = 5, maxReadings = 500;
 constexpr double maxFixedAngle = radians(89);
 
 struct AxesText {
@@ -34,7 +34,8 @@ struct AxesText {
 /// In the order of acquisition::FactorAxes.
 std::array<AxesText, 4> axesTexts() {
   return {{{FactorPage::tr("Projected deviation (θR, |Δp|)"),
-            FactorPage::tr("The published axes (Tongbuasirilai et al. 2017); θR is the polar angle of the mirror "
+            FactorPage::tr("The axes of the published method (Tongbuasirilai et al. 2017, Efficient BRDF Sampling "
+                           "Using Projected Deviation Vector Parameterization); θR is the polar angle of the mirror "
                            "direction, equal to that of the viewer"),
             FactorPage::tr("θR [°]"), FactorPage::tr("|Δp|")},
            {FactorPage::tr("Symmetric deviation (θd, |Δp|)"),
@@ -99,13 +100,14 @@ QLayout* FactorPage::buildSettings() {
   m_axes->setCurrentIndex(int(acquisition::FactorAxes::symmetricDeviation));
   m_fixedAngle = rowField(tr("Fixed angle"), {}, 0, maxFixedAngle, radians(1), QStringLiteral("°"), degrees(1));
   m_fixedAngle->setValue(acquisition::FactorPlanOptions().fixedAngle);
-  m_readings = rowField(tr("Readings per curve"), {}, leastReadings, mostReadings, 1, {});
+  m_readings = rowField(tr("Readings per curve"), {}, minReadings, maxReadings, 1, {});
   m_readings->setValue(acquisition::FactorPlanOptions().angles);
   m_bound->setChecked(true);
   m_bound->setToolTip(
-      tr("Limits the prediction to the larger of two values, the first curve at the same angle and the second curve at "
-         "the same distance,\n"
-         "and to the prediction with light and viewer exchanged. If off, the published equation is used unchanged."));
+      tr("Limits the product of the curves in two ways. It is at most the larger of two readings: the one at the same "
+         "angle and the one at the same distance.\n"
+         "It is also at most the value with light and viewer exchanged. If off, the published equation is used "
+         "unchanged."));
   m_openReadings->setToolTip(tr(
       "Opens measured or saved readings of both curves and predicts the material from them.\n"
       "CSV with the columns index, curve (along or across), theta_i, phi_i, theta_o, phi_o in degrees, and r, g, b in "
@@ -205,7 +207,7 @@ void FactorPage::simulate() {
   m_opened.reset();
   // A file may have other numbers than a simulation.
   m_fixedAngle->setValue(std::min(m_fixedAngle->value(), maxFixedAngle));
-  m_readings->setValue(std::clamp(m_readings->value(), double(leastReadings), double(mostReadings)));
+  m_readings->setValue(std::clamp(m_readings->value(), double(minReadings), double(maxReadings)));
   measure();
 }
 
@@ -305,9 +307,9 @@ void FactorPage::refreshControls() {
                                       : tr("Available when there are readings of both curves"));
   m_simulate->setEnabled(m_opened.has_value());
   m_simulate->setToolTip(
-      m_opened
-          ? tr("Simulates the readings of the measured material again, instead of those of %1").arg(m_opened->name())
-          : tr("Available when the readings are from a file"));
+      m_opened ? tr("Replaces the readings from %1 by simulated ones of the material chosen under Measure")
+                     .arg(m_opened->name())
+               : tr("Available when the readings are from a file"));
   const QString ofFile =
       m_opened ? tr("\nDetermined by the readings of %1; press Simulate Readings to change it").arg(m_opened->name())
                : QString();

@@ -37,10 +37,11 @@ class FactorPage : public QWidget {
   FactorSettings settings() const;
   /// Null until there is a result.
   const FactorResultPtr& result() const { return m_result; }
-  /// Takes the readings, and the settings that belong to them, from a file. Reports errors; then nothing changes.
+  /// Takes the readings, and the settings that belong to them, from a file. If it cannot be read, reports the error and
+  /// changes nothing.
   void openReadings(const QString& path);
   void saveReadings(const QString& path);
-  /// Simulates the readings again instead of those of the file.
+  /// Discards the readings of the file and simulates readings again.
   void simulate();
   /// The file of the readings, without its folder; empty: they are simulated.
   QString readingsName() const { return m_opened ? m_opened->name() : QString(); }

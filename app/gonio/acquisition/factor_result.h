@@ -31,7 +31,8 @@ FactorResultPtr measureFactors(const FactorSettings& settings, const Acquisition
 FactorResultPtr predictFromReadings(const materials::FactorReadings& readings, acquisition::FactorBound bound,
                                     const AcquisitionReferencePtr& reference, const TaskControl& control = {});
 
-/// Readings from a file (core/materials/factor_readings_file.h). They lie on the curves of their axes.
+/// Readings from a file (core/materials/factor_readings_file.h) and their curves over two coordinates
+/// (acquisition::FactorAxes).
 struct FactorReadingsFile {
   QString path;
   materials::FactorReadings readings;
@@ -41,10 +42,11 @@ struct FactorReadingsFile {
   QString name() const { return path.section('/', -1); }
 };
 
-/// Reads a file. @param axes used if the file names none.
-/// @throws Error that names the file: it cannot be read, or the readings do not lie on the curves of the axes.
+/// Reads a file. @param axes the coordinates if the file names none.
+/// @throws Error that names the file if it cannot be read, or if the readings are not two curves over these
+/// coordinates: one in the mirror direction, one at a fixed angle.
 FactorReadingsFile readFactorReadings(const QString& path, acquisition::FactorAxes axes);
-/// The same readings over other axes. @throws Error that names the file if they do not lie on the curves of these axes.
+/// The same readings over other coordinates. @throws Error that names the file if they are not two curves over them.
 FactorReadingsFile withAxes(FactorReadingsFile file, acquisition::FactorAxes axes);
 
 }  // namespace gonio::app

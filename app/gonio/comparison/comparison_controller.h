@@ -32,8 +32,9 @@ struct WavelengthSubjects {
   widgets::PreviewSubject measured, edited;
 };
 
-/// Controls what the preview shows: the edited material, or a comparison of two of the measured, fitted and edited
-/// material and a reference. Synchronises preview, bar and document. The comparison is not part of the document.
+/// Controls what the preview shows: the edited material, or a comparison of two of these: the measurement, its fit, the
+/// edited material, and a reference. Synchronises preview, bar and document. The comparison is not part of the
+/// document.
 class ComparisonController : public QObject {
   Q_OBJECT
 
@@ -83,8 +84,8 @@ class ComparisonController : public QObject {
   /// Whether something other than the document's material is shown, so that dismissStandIn() has an effect.
   bool isReplaced() const { return m_pair || standIn(); }
 
-  /// Name of a side: sourceKind(), "Fit: GGX", "Edited", the name of a material without edits, "Encoded", or the name
-  /// of the reference; empty if the side does not exist.
+  /// Name of what a side shows, e.g. "Measured" (sourceKind()), "Fit: GGX", "Edited", or the name of the reference;
+  /// empty if the side does not exist.
   QString name(widgets::ComparedSubject side) const;
 
  Q_SIGNALS:

@@ -20,7 +20,7 @@ namespace gonio::app {
 /// How a background task is reported to the user and how it relates to other tasks.
 struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
-  QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
+  QString key;         ///< a newer task with the same key stops the older one, and the older result is dropped
   bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
   bool live = false;   ///< at normal priority in separate threads, never shown, not cancelled by Esc; for work after
                        ///< each step of an interaction (checks, comparisons, plots)

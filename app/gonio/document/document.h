@@ -65,13 +65,14 @@ class Document : public QObject {
 
   const History& history() const { return m_history; }
   History& history() { return m_history; }
-  /// Whether there are unsaved changes: of values, edits or the incident direction. The mere choice of a model is not a
-  /// change.
+  /// Whether there are unsaved changes: of the material, the edits or the incident direction. An edit that only chooses
+  /// a model is not a change.
   bool isModified() const;
   QString path() const { return m_content.path; }
   /// Name for titles: of the file, else of the material, else "Untitled".
   QString name() const;
-  /// The edits that the name of an export describes: none once the document has a name of its own.
+  /// The edits that a proposed file name describes. Empty if the document has a file, because then the name of that
+  /// file is proposed.
   editing::EditList describedEdits() const;
 
   /// Starts a new document with a material, without edits or with the edits of a .gonio file.
@@ -124,9 +125,9 @@ class Document : public QObject {
   void materialChanged();
   /// The material was replaced by an undo step, so the history continues. Emitted after materialChanged().
   void materialReplaced();
-  /// The models of the edits or the fits that they start from changed.
+  /// The sequence of models in the edits, or the fit from which one of them starts, changed.
   void stateChanged();
-  /// Something else of the edits changed.
+  /// Another part of the state changed: values, other edits or the incident direction.
   void editChanged();
   /// Another edit was selected.
   void selectionChanged();

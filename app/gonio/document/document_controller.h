@@ -10,7 +10,8 @@
 
 namespace gonio::app {
 
-/// What to do with a document if its measured file changed after it was saved.
+/// What to open if the source of a document has changed since the document was saved: the document with its edits, its
+/// source without them, or nothing.
 enum class ChangedSource { withEdits, withoutEdits, cancel };
 
 /// Actions on a document that take time or access files: opening, fitting, saving. They run in the background, except
@@ -21,21 +22,23 @@ class DocumentController : public QObject {
  public:
   DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// Opens a measured file, a bundled material ("library:...") or a .gonio document. It replaces the open document once
-  /// it is read, unless a newer call replaced the request. A material without edits is then fitted with the default
-  /// model.
+  /// Opens a material file, a bundled material ("library:...") or a .gonio document. It replaces the open document once
+  /// it is read, unless a newer call replaced the request. If no edit changes a model, the default model is then
+  /// fitted.
   void open(const QString& path);
   /// Opens an autosaved copy. @param originalPath path of the document itself; empty: it was never saved.
   void openRecovered(const QString& autosavePath, const QString& originalPath);
+  /// Path of the file that is being opened; empty if there is none.
   QString opening() const { return m_opening; }
-  /// Answers sourceChanged(). The document is then marked as unsaved.
+  /// Answers sourceChanged(). `withEdits` opens the document and marks it as unsaved; `withoutEdits` opens its source
+  /// like a material file; `cancel` changes nothing.
   void openChangedSource(ChangedSource choice);
 
   /// Uses the known fit of this model, or fits it first. One undo step.
   void chooseModel(const models::Model& model);
   /// Adds another edit with the fit in use, or with the default model if there is none.
   void addModelEdit();
-  /// Fits the current model again, with the conventions selected in the edit.
+  /// Fits the current model again, with the choices of the edit (parameters that select a formula).
   void fit();
   void applyProposal();
   void discardProposal() { m_proposal.reset(); }
@@ -77,7 +80,7 @@ class DocumentController : public QObject {
   void start(const QString& path, const QString& documentPath, bool recovered);
   void install(const Opened& opened);
   void offerChangedSource(Opened opened);
-  /// @param choices the conventions to use, as for fitting::fit().
+  /// @param choices the choices to use, as for fitting::fit().
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void dropTasks();

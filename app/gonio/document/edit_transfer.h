@@ -15,9 +15,10 @@ namespace gonio::app {
 /// new fit's values.
 models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
 
-/// A document's edits for the clipboard: as JSON, and the same as text so that they can be pasted into a .gonio file.
+/// A document's edits for the clipboard: as JSON, and the same JSON as plain text, which can be pasted into a .gonio
+/// file.
 QMimeData* toClipboard(const editing::EditDocument& document);
-/// The edits on a clipboard, without those that have no effect unless there are no others; empty if it contains no
+/// The edits on a clipboard. Edits without effect are left out, unless there are no others. Empty if there are no
 /// edits.
 editing::EditList editsFromClipboard(const QMimeData* data);
 

@@ -9,7 +9,7 @@
 namespace gonio::app {
 
 /// The documents that this editor has read or written, each with a digest of its content at that time. Before a file is
-/// replaced, it shows whether another program has written to it since.
+/// replaced, its digest shows whether another program has written to it since.
 class FileVersions {
  public:
   /// SHA-256 of the file's content; empty if there is no such file or it cannot be read.

@@ -85,7 +85,7 @@ QString reconstructionFolder() {
 
 QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
-  if (loaded.blend) return text("Saved blend");
+  if (loaded.blend) return text("Blend");
   if (loaded.material.source.path.parent_path() == reconstructionFolder().toStdString()) return text("Reconstruction");
   if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Near-measured");
   return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");

@@ -21,7 +21,7 @@ struct LoadedMaterial {
 
   materials::Material material;
   std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file
-  /// The BRDF that is shown, edited and exported: the measurement in its native form, or a table if the preview cannot
+  /// The BRDF that is shown, edited and exported: the material in its native form, or a table if the preview cannot
   /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
   std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< sampling density of the base
@@ -55,7 +55,7 @@ using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 /// forms that are sampled as a table.
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
-/// The same, also for a document: its edited material.
+/// As loadMaterial(), but also loads .gonio documents, with their edits applied.
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control = {});
 /// Loads the material of a document without its edits. The paths must be resolved. @throws Error, Cancelled.
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
@@ -64,7 +64,7 @@ LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<con
                                const TaskControl& control = {});
 
 /// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Near-measured", "Published
-/// fit", "Reconstruction" or "Saved blend".
+/// fit", "Reconstruction" or "Blend".
 QString sourceKind(const LoadedMaterial& material);
 /// Where the acquisition workspace stores the materials that it opens.
 QString reconstructionFolder();

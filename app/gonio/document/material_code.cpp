@@ -129,10 +129,10 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
                             "which the highlight dominates. The transform with the smaller gamma error was chosen.")},
       {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
        MaterialCodeText::tr(
-           "Dictionary of each channel, chosen from %1 as the one with the most energy in its largest coefficients. "
-           "All channels use the same dictionary unless separate ones lower the error by more than a "
-           "quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) "
-           "during training.")
+           "Dictionary of each channel: of %1 dictionaries, the one in which the largest coefficients of the material "
+           "contain the most energy. All channels use the same dictionary unless separate ones lower the error by more "
+           "than a quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) during "
+           "training.")
            .arg(code.dictionary->ensemble.dictionaries.size())}};
 }
 

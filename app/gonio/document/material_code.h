@@ -10,8 +10,8 @@
 
 namespace gonio::app {
 
-/// A material as a sparse code with the bundled dictionary, with its cost and error, both measured for the content of
-/// the code's file on this machine.
+/// A material as a sparse code with the bundled dictionary. Its cost and error are measured on this machine, for the
+/// rounded code that a file stores.
 struct MaterialCode {
   LoadedMaterialPtr material;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;

@@ -16,7 +16,7 @@ QString formFilter(exports::MaterialForm form);
 /// Content that a written file cannot represent; empty: none.
 struct ExportLosses {
   QStringList sentences;
-  double snr = 0;  ///< SNR of the file compared with the material, dB, if something was lost
+  double snr = 0;  ///< rendered SNR of the file against the material, dB, if something was lost
 
   /// A message for the user.
   QString text() const;

@@ -68,7 +68,8 @@ class ExportController : public QObject {
   /// @param trial trial of this request; null: the export is made first.
   void write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial);
   /// Writes a material of the library without edits. Never replaces its own file.
-  /// @param id a path or a bundled material, as for openMaterial(). @param replace whether existing files are replaced.
+  /// @param id a material file or a bundled material; a .gonio document is refused. @param replace whether existing
+  /// files are replaced.
   void writeMeasured(const QString& id, const ExportRequest& request, bool replace);
   /// Repeats the last export of this document with its current state. Precondition: canRepeat().
   void repeat();

@@ -35,7 +35,8 @@ class ExportDialog : public QDialog {
 
   const exports::ExportTarget& target() const;
   void chooseTarget(std::string_view id);
-  /// Path without the target's suffixes; relative to the folder of the last export.
+  /// Absolute path without the target's suffixes; empty if the field is empty. A relative entry is resolved against the
+  /// folder of the last export.
   QString name() const;
   void setName(const QString& name);
   /// The trial of the selected target with the current options; null while it is being made or if it failed.

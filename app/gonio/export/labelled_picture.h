@@ -8,9 +8,8 @@ namespace gonio::app {
 
 class ComparisonController;
 
-/// The numbers of the current comparison as a line below a picture: "gold-paint, Edited against Measured: BRDF SNR 23.4
-/// dB, ...".
-/// They are measured when the caption is called, in about a second. Not for the GUI thread.
+/// A function that measures the numbers of the current comparison, for a line below a picture: "gold-paint, Edited
+/// against Measured: BRDF SNR 23.4 dB; ...". The function takes about a second; call it outside the GUI thread.
 FileExports::Caption comparisonCaption(const ComparisonController& comparison, const QString& material);
 
 }  // namespace gonio::app

@@ -103,15 +103,17 @@ constexpr Button buttons[] = {
     {FactorOperation::weaker, QT_TRANSLATE_NOOP("FactorColumn", "Weaker"),
      QT_TRANSLATE_NOOP("FactorColumn", "Scales the curves of all terms by 1 / 1.1")},
     {FactorOperation::tiltUp, QT_TRANSLATE_NOOP("FactorColumn", "Tilt up"),
-     QT_TRANSLATE_NOOP("FactorColumn",
-                       "Tilts the curves about their midpoint: −10 % at the left end, +10 % at the right")},
+     QT_TRANSLATE_NOOP(
+         "FactorColumn",
+         "Tilts the curves of all terms about their midpoint: −10 % at the left end, +10 % at the right")},
     {FactorOperation::tiltDown, QT_TRANSLATE_NOOP("FactorColumn", "Tilt down"),
-     QT_TRANSLATE_NOOP("FactorColumn",
-                       "Tilts the curves about their midpoint: +10 % at the left end, −10 % at the right")},
+     QT_TRANSLATE_NOOP(
+         "FactorColumn",
+         "Tilts the curves of all terms about their midpoint: +10 % at the left end, −10 % at the right")},
     {FactorOperation::smooth, QT_TRANSLATE_NOOP("FactorColumn", "Smooth"),
-     QT_TRANSLATE_NOOP("FactorColumn", "Averages neighbouring nodes of the curves")},
+     QT_TRANSLATE_NOOP("FactorColumn", "Averages neighbouring nodes of the curves of all terms")},
     {FactorOperation::reset, QT_TRANSLATE_NOOP("FactorColumn", "Reset"),
-     QT_TRANSLATE_NOOP("FactorColumn", "Restores the curves of the measurement")}};
+     QT_TRANSLATE_NOOP("FactorColumn", "Restores the curves of all terms to those of the measurement")}};
 
 }  // namespace
 

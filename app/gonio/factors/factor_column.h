@@ -41,7 +41,7 @@ class FactorColumn : public QWidget {
   widgets::ResidualStrip& residuals() const { return *m_residuals; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
-  /// Sets the transform of the values, shown at the axis of F1, because the curves of F1 contain the magnitude.
+  /// Sets the transform of the values. Only the axis of F1 shows it, because F2 and F3 are relative to F1.
   void setTransform(DataTransform transform);
 
  Q_SIGNALS:

@@ -77,7 +77,8 @@ void FactorCurvesPanel::buildControls() {
   m_preserveDetail->setChecked(true);
   m_factorise->setToolTip(tr("Computes the factor curves of the open material"));
   m_save->setToolTip(tr("Saves the current curves as a file (.pdv) that opens as a material"));
-  m_resetAll->setToolTip(tr("Restores all curves of the measurement, with its detail"));
+  m_resetAll->setToolTip(
+      tr("Deletes the active edit of the factor curves, which restores all curves and the measured detail"));
   auto* top = new widgets::FlowLayout;
   for (QWidget* widget : std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_preserveDetail, m_resetAll,
                                                          m_save, m_factorise})

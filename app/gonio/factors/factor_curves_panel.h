@@ -57,7 +57,8 @@ class FactorCurvesPanel : public QWidget {
   void buildControls();
   void connectColumns();
   void connectDocument();
-  /// Shows the limits of the disk of directions for a viewer. @param thetaR rad.
+  /// Marks theta_R in F1, and in F2 the distances |Dp| from the mirror direction to the nearest and the farthest point
+  /// of the horizon. @param thetaR rad.
   void showLimits(double thetaR);
   void request();
   void forget();

@@ -60,10 +60,10 @@ FactorTermsView::FactorTermsView(QWidget* parent)
   m_slider->setPageStep(1);
   m_slider->setTickPosition(QSlider::TicksBelow);
   m_slider->setAccessibleName(tr("Number of terms"));
-  m_slider->setToolTip(tr(
-      "Number of products of curves that are summed; more terms lower the residual. The curves shown are those\nof the "
-      "first term; the others represent its residual and change with it when the highlight is widened, scaled or "
-      "tilted."));
+  m_slider->setToolTip(
+      tr("Number of products of curves that are summed; more terms lower the residual. The curves shown are those\n"
+         "of the first term; the others represent its residual. Dragging a point changes only the first term;\n"
+         "the buttons below a curve change it in all terms."));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* label = new QLabel(tr("&Terms"));

@@ -22,7 +22,8 @@ struct FactorsWithCosts {
   std::vector<std::size_t> bytes;                       ///< size of a file with the factors
   std::vector<double> nanoseconds;  ///< per evaluation on one core, median of several runs on this machine
 
-  /// The fraction of the transformed BRDF that is not explained by this number of terms, in [0, 1].
+  /// Relative residual |y - y^| / |y| with this number of terms, in the weighted norm of the factorisation; y is the
+  /// transformed BRDF, y^ its approximation. In [0, 1].
   double residual(int terms) const { return factorization.residuals[std::size_t(terms)]; }
 };
 

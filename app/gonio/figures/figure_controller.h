@@ -40,8 +40,8 @@ class FigureController : public QObject {
   std::optional<double> progress() const;
   bool isDrawing() const;
   const figures::FigureMeasurement& known() const { return m_known; }
-  /// A callback for other measurements in the background, which passes their results to this figure. Call it from any
-  /// thread.
+  /// A callback for other measurements in the background, which passes their results to this figure. The callback may
+  /// be called from any thread.
   std::function<void(const figures::FigureMeasurement&)> collector();
 
  Q_SIGNALS:

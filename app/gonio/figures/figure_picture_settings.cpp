@@ -59,8 +59,8 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
 }
 
 void FigurePictureSettings::build() {
-  m_scene->setToolTip(tr("Scene of the images; all objects have the material. Outside figures, the rendered SNR always "
-                         "uses the scene %1.")
+  m_scene->setToolTip(tr("Scene of the images and of the rendered SNR in this figure; all objects have the material. "
+                         "Everywhere else, the rendered SNR uses the scene %1.")
                           .arg(sceneTitle(bundledComparisonScene)));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);

@@ -24,8 +24,8 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
                            "are large, a difference where they are small"),
                         Qt::ToolTipRole);
   m_choice->setItemData(int(Composition::lobes),
-                        tr("The ratio of measurement to fit moves with each lobe as it widens (GGX, layered lobes, "
-                           "anisotropic models except Ashikhmin-Premoze)"),
+                        tr("The ratio of measurement to fit moves with each lobe as it widens; for the models GGX and "
+                           "Layered lobes, and for the anisotropic models except Ashikhmin-Premoze"),
                         Qt::ToolTipRole);
   m_choice->setToolTip(
       tr("Method that applies the change of the model to the measurement.\n\"Lobes\" preserves the measured "

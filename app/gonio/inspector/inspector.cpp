@@ -11,8 +11,8 @@
 
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/composition_choice.h"
-#include "app/gonio/inspector/direction_order.h"
 #include "app/gonio/inspector/edit_arguments.h"
+#include "app/gonio/inspector/incident_direction_choice.h"
 #include "app/gonio/inspector/plausibility_monitor.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
@@ -74,7 +74,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   auto* sourceRows = new QVBoxLayout(source);
   sourceRows->setContentsMargins(0, 0, 0, 0);
   sourceRows->addWidget(m_source);
-  sourceRows->addWidget(new DirectionOrder(document));
+  sourceRows->addWidget(new IncidentDirectionChoice(document));
   sourceRows->addWidget(m_wavelength);
   auto* model = new QWidget;
   auto* modelRows = new QVBoxLayout(model);

@@ -62,8 +62,9 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   if (!own)
     return {SourceFactsText::tr("Sampled table"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
-            SourceFactsText::tr("Factors, codes and the fits of isotropic materials use a table sampled from %1; the "
-                                "preview, the edits and the fits of anisotropic materials use the material itself.")
+            SourceFactsText::tr("Factors and codes use a table sampled from %1, and so do fits if the material is "
+                                "isotropic. The preview and the edits use the material itself, and so do fits if the "
+                                "material is anisotropic.")
                     .arg(sourceText(loaded)) +
                 '\n' + gridExplanation + '\n' + errorExplanation};
   widgets::Fact fact{

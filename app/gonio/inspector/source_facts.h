@@ -12,10 +12,10 @@
 namespace gonio::app {
 
 /// The facts of the Source section: file, hash, grid, range of values, fraction of invalid cells, albedo.
-/// @param tableSnr error of the material's table if it is sampled, dB. @param measuring whether the error is being
-/// measured.
+/// @param tableSnr rendered SNR of the table against the native form if the table is sampled, dB. @param measuring
+/// whether it is being measured.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);
-/// The error of a fit, in one or two lines.
+/// Up to two errors of a fit, its time and its number of cells, in one line.
 QString fitSummary(const fitting::FitResult& fit);
 
 }  // namespace gonio::app

@@ -12,7 +12,7 @@ namespace gonio::app {
 
 namespace {
 
-constexpr int endSide = 160, endSamples = 24;
+constexpr int pictureSide = 160, pictureSamples = 24;
 constexpr double loadFraction = 0.6, editFraction = 0.9;
 
 QString shortName(const QString& path) { return path.section('/', -1); }
@@ -21,18 +21,19 @@ QString shortName(const QString& path) { return path.section('/', -1); }
 
 BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
                                 const TaskControl& control) {
-  BlendMaterial end;
-  end.name = name;
+  BlendMaterial result;
+  result.name = name;
   const std::string& description = material.material.source.description;
-  end.description = QString::fromStdString(description.empty() ? material.material.name : description);
+  result.description = QString::fromStdString(description.empty() ? material.material.name : description);
   const auto table = material.table(control);
-  end.material = editing::interpolationMaterial(
+  result.material = editing::interpolationMaterial(
       material.material, withIncident(material.base, source.incident), table,
       editing::bakeEdits(table, source.edits, control.between(0, editFraction)), source.edits);
-  end.picture = spherePicture(*end.material.material(), endSide, endSamples, control.between(editFraction, 1));
+  result.picture =
+      spherePicture(*result.material.material(), pictureSide, pictureSamples, control.between(editFraction, 1));
   source.view = {};
-  end.source = std::move(source);
-  return end;
+  result.source = std::move(source);
+  return result;
 }
 
 BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control) {
@@ -57,11 +58,11 @@ BlendMaterials::BlendMaterials(Document& document, BackgroundTasks& tasks, QObje
   for (int i = 0; i < widgets::minBlended; ++i) m_slots.push_back({{}, {}, m_nextKey++});
 }
 
-QString BlendMaterials::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
+QString BlendMaterials::taskKey(int key) const { return QStringLiteral("blend-material-%1").arg(key); }
 
 const BlendMaterial* BlendMaterials::at(int slot) const {
-  const auto& end = m_slots[std::size_t(slot)].end;
-  return end ? &*end : nullptr;
+  const auto& material = m_slots[std::size_t(slot)].material;
+  return material ? &*material : nullptr;
 }
 
 bool BlendMaterials::isReading(int slot) const { return m_tasks.isRunning(taskKey(m_slots[std::size_t(slot)].key)); }
@@ -73,13 +74,13 @@ bool BlendMaterials::isReading() const {
 }
 
 bool BlendMaterials::isComplete() const {
-  return std::all_of(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return slot.end.has_value(); });
+  return std::all_of(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return slot.material.has_value(); });
 }
 
-std::vector<editing::InterpolationMaterial> BlendMaterials::ends() const {
-  std::vector<editing::InterpolationMaterial> ends;
-  for (const Slot& slot : m_slots) ends.push_back(slot.end->material);
-  return ends;
+std::vector<editing::InterpolationMaterial> BlendMaterials::materials() const {
+  std::vector<editing::InterpolationMaterial> result;
+  for (const Slot& slot : m_slots) result.push_back(slot.material->material);
+  return result;
 }
 
 int BlendMaterials::slotOf(int key) const {
@@ -94,8 +95,8 @@ void BlendMaterials::fill(int slot, const QString& title, const QString& name,
   m_slots[std::size_t(slot)].failure.clear();
   m_tasks.run<BlendMaterial>(
       {title, taskKey(key)}, std::move(make),
-      [this, key](const BlendMaterial& end) {
-        m_slots[std::size_t(slotOf(key))].end = end;
+      [this, key](const BlendMaterial& material) {
+        m_slots[std::size_t(slotOf(key))].material = material;
         Q_EMIT changed();
       },
       [this, key, name](const QString& error) {
@@ -125,7 +126,7 @@ void BlendMaterials::useCurrent(int slot) {
 void BlendMaterials::clear(int slot) {
   Slot& one = m_slots[std::size_t(slot)];
   m_tasks.drop(taskKey(one.key));
-  one.end.reset();
+  one.material.reset();
   one.failure.clear();
   Q_EMIT changed();
 }

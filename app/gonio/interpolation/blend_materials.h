@@ -42,7 +42,7 @@ class BlendMaterials : public QObject {
   bool isComplete() const;
   bool isReading() const;
   /// All materials. Precondition: isComplete().
-  std::vector<editing::InterpolationMaterial> ends() const;
+  std::vector<editing::InterpolationMaterial> materials() const;
 
   /// A file, a .gonio document, or a library's material by its id.
   void read(int slot, const QString& id);
@@ -54,7 +54,7 @@ class BlendMaterials : public QObject {
   void swap(int first, int second);
 
  Q_SIGNALS:
-  /// A slot was filled, emptied, added or removed; isComplete() and ends() may have changed.
+  /// A slot was filled, emptied, added or removed; isComplete() and materials() may have changed.
   void changed();
   /// Only the text of a slot changed: reading started or failed.
   void stateChanged();
@@ -62,7 +62,7 @@ class BlendMaterials : public QObject {
 
  private:
   struct Slot {
-    std::optional<BlendMaterial> end;
+    std::optional<BlendMaterial> material;
     QString failure;
     int key;  ///< number of its task
   };

@@ -32,7 +32,7 @@ BlendOverview::BlendOverview(const BlendSpaces& spaces)
 
 void BlendOverview::showSpaces() {
   std::vector<widgets::BlendStrip::Row> rows;
-  if (m_spaces.hasEnds()) rows.resize(m_spaces.spaces().size());
+  if (m_spaces.hasMaterials()) rows.resize(m_spaces.spaces().size());
   m_strip->setRows(std::move(rows));
   for (const auto space : m_spaces.spaces()) showSpace(space);
 }

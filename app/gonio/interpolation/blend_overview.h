@@ -23,7 +23,7 @@ class BlendOverview : public QWidget {
 
   widgets::BlendStrip& strip() const { return *m_strip; }
   QPushButton& drawButton() const { return *m_draw; }
-  /// Shows the spaces after BlendSpaces::setEnds().
+  /// Shows the spaces after BlendSpaces::setMaterials().
   void showSpaces();
 
  Q_SIGNALS:

@@ -24,19 +24,19 @@ namespace {
 constexpr int slotEms = 17;
 }
 
-BlendSlots::BlendSlots(const Document& document, BlendMaterials& ends)
-    : m_document(document), m_ends(ends), m_swap(new QToolButton), m_add(new QToolButton) {
+BlendSlots::BlendSlots(const Document& document, BlendMaterials& materials)
+    : m_document(document), m_materials(materials), m_swap(new QToolButton), m_add(new QToolButton) {
   build();
   for (int i = 0; i < widgets::maxBlended; ++i) connectSlot(i);
-  connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
-  connect(m_add, &QToolButton::clicked, &m_ends, &BlendMaterials::addSlot);
+  connect(m_swap, &QToolButton::clicked, this, [this] { m_materials.swap(0, 1); });
+  connect(m_add, &QToolButton::clicked, &m_materials, &BlendMaterials::addSlot);
 }
 
 widgets::MaterialSlotWidget* BlendSlots::nearestSlot(const QPointF& position) const {
   const QPoint inside = widget()->mapFrom(viewport(), position.toPoint());
   const auto distance = [&](int slot) { return std::abs(slotWidget(slot).geometry().center().y() - inside.y()); };
   int nearest = 0;
-  for (int slot = 1; slot < m_ends.count(); ++slot)
+  for (int slot = 1; slot < m_materials.count(); ++slot)
     if (distance(slot) < distance(nearest)) nearest = slot;
   return &slotWidget(nearest);
 }
@@ -105,18 +105,18 @@ void BlendSlots::build() {
 void BlendSlots::connectSlot(int slot) {
   connect(&slotWidget(slot), &widgets::MaterialSlotWidget::materialDropped, this, [this, slot](const QString& id) {
     Q_EMIT touched();
-    m_ends.read(slot, id);
+    m_materials.read(slot, id);
   });
   connect(&slotWidget(slot), &widgets::MaterialSlotWidget::currentRequested, this, [this, slot] {
     Q_EMIT touched();
-    m_ends.useCurrent(slot);
+    m_materials.useCurrent(slot);
   });
   connect(&slotWidget(slot), &widgets::MaterialSlotWidget::fileRequested, this, [this, slot] { askForFile(slot); });
   connect(&slotWidget(slot), &widgets::MaterialSlotWidget::clearRequested, this, [this, slot] {
-    if (m_ends.count() > widgets::minBlended)
-      m_ends.removeSlot(slot);
+    if (m_materials.count() > widgets::minBlended)
+      m_materials.removeSlot(slot);
     else
-      m_ends.clear(slot);
+      m_materials.clear(slot);
   });
 }
 
@@ -128,28 +128,29 @@ void BlendSlots::askForFile(int slot) {
   connect(dialog, &QFileDialog::fileSelected, this, [this, slot](const QString& path) {
     widgets::rememberDialogFolder(QStringLiteral("open"), path);
     Q_EMIT touched();
-    m_ends.read(slot, path);
+    m_materials.read(slot, path);
   });
   dialog->open();
 }
 
-void BlendSlots::showEnds(const std::vector<double>& weights) {
+void BlendSlots::showMaterials(const std::vector<double>& weights) {
   for (int i = 0; i < widgets::maxBlended; ++i) {
-    slotWidget(i).setVisible(i < m_ends.count());
+    slotWidget(i).setVisible(i < m_materials.count());
     slotWidget(i).setCurrentAvailable(m_document.material() != nullptr);
-    if (i < m_ends.count()) showEnd(i, weights[std::size_t(i)]);
+    if (i < m_materials.count()) showMaterial(i, weights[std::size_t(i)]);
   }
-  m_add->setEnabled(m_ends.count() < widgets::maxBlended);
+  m_add->setEnabled(m_materials.count() < widgets::maxBlended);
 }
 
-void BlendSlots::showEnd(int slot, double weight) {
+void BlendSlots::showMaterial(int slot, double weight) {
   widgets::SlotContent content;
-  if (const BlendMaterial* end = m_ends.at(slot)) content = {end->name, end->description, end->picture, {}};
-  content.removable = m_ends.count() > widgets::minBlended;
-  content.note = m_ends.isReading(slot)   ? tr("Opening...")
-                 : content.name.isEmpty() ? QString()
-                                          : widgets::weightText(weight);
-  if (const QString failure = m_ends.failure(slot); !failure.isEmpty()) {
+  if (const BlendMaterial* material = m_materials.at(slot))
+    content = {material->name, material->description, material->picture, {}};
+  content.removable = m_materials.count() > widgets::minBlended;
+  content.note = m_materials.isReading(slot) ? tr("Opening...")
+                 : content.name.isEmpty()    ? QString()
+                                             : widgets::weightText(weight);
+  if (const QString failure = m_materials.failure(slot); !failure.isEmpty()) {
     content.note = tr("Could not be opened");
     content.toolTip = failure;
     content.failed = true;
@@ -158,8 +159,8 @@ void BlendSlots::showEnd(int slot, double weight) {
 }
 
 void BlendSlots::showWeights(const std::vector<double>& weights) {
-  for (int i = 0; i < m_ends.count(); ++i)
-    if (m_ends.at(i) && !m_ends.isReading(i) && m_ends.failure(i).isEmpty())
+  for (int i = 0; i < m_materials.count(); ++i)
+    if (m_materials.at(i) && !m_materials.isReading(i) && m_materials.failure(i).isEmpty())
       slotWidget(i).setNote(widgets::weightText(weights[std::size_t(i)]));
 }
 

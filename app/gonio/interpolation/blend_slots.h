@@ -19,10 +19,10 @@ class BlendSlots : public QScrollArea {
   Q_OBJECT
 
  public:
-  BlendSlots(const Document& document, BlendMaterials& ends);
+  BlendSlots(const Document& document, BlendMaterials& materials);
 
   widgets::MaterialSlotWidget& slotWidget(int slot) const { return *m_widgets[std::size_t(slot)]; }
-  void showEnds(const std::vector<double>& weights);
+  void showMaterials(const std::vector<double>& weights);
   void showWeights(const std::vector<double>& weights);
 
  Q_SIGNALS:
@@ -41,11 +41,11 @@ class BlendSlots : public QScrollArea {
   widgets::MaterialSlotWidget* nearestSlot(const QPointF& position) const;
   void build();
   void connectSlot(int slot);
-  void showEnd(int slot, double weight);
+  void showMaterial(int slot, double weight);
   void askForFile(int slot);
 
   const Document& m_document;
-  BlendMaterials& m_ends;
+  BlendMaterials& m_materials;
   std::vector<widgets::MaterialSlotWidget*> m_widgets;
   QToolButton *m_swap, *m_add;
   widgets::MaterialSlotWidget* m_offered = nullptr;  ///< target of a drag beside the slots

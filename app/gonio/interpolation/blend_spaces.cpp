@@ -14,22 +14,22 @@ namespace {
 
 const QString blendKey = QStringLiteral("blend-spaces");
 
-bool sameEnd(const editing::InterpolationMaterial& a, const editing::InterpolationMaterial& b) {
+bool sameMaterial(const editing::InterpolationMaterial& a, const editing::InterpolationMaterial& b) {
   return a.table == b.table && a.factors == b.factors && a.code == b.code && a.base == b.base;
 }
 
-/// Where each of `ends` stands in `known`; empty where these are other ones.
+/// Where each of `materials` stands in `known`; empty where these are other ones.
 std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationMaterial>& known,
-                                 const std::vector<editing::InterpolationMaterial>& ends) {
-  if (known.size() != ends.size()) return {};
+                                 const std::vector<editing::InterpolationMaterial>& materials) {
+  if (known.size() != materials.size()) return {};
   std::vector<std::size_t> order;
-  for (const editing::InterpolationMaterial& end : ends)
+  for (const editing::InterpolationMaterial& material : materials)
     for (std::size_t i = 0; i < known.size(); ++i)
-      if (sameEnd(known[i], end) && std::find(order.begin(), order.end(), i) == order.end()) {
+      if (sameMaterial(known[i], material) && std::find(order.begin(), order.end(), i) == order.end()) {
         order.push_back(i);
         break;
       }
-  return order.size() == ends.size() ? order : std::vector<std::size_t>();
+  return order.size() == materials.size() ? order : std::vector<std::size_t>();
 }
 
 std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::vector<double>& weights) {
@@ -41,7 +41,7 @@ std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::ve
 std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::vector<std::size_t>& order,
                               const StripPictures& strip, const TaskControl& control) {
   std::vector<QImage> pictures;
-  const int materials = int(blend.ends.size());
+  const int materials = int(blend.materials.size());
   for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
     const double t = i / (BlendSpaces::pictureCount - 1.0);
     const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::pathPosition(materials, t)));
@@ -60,13 +60,13 @@ BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent, const StripPic
       m_stripPictures(pictures),
       m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
-void BlendSpaces::setEnds(std::vector<editing::InterpolationMaterial> ends) {
+void BlendSpaces::setMaterials(std::vector<editing::InterpolationMaterial> materials) {
   pause();
-  m_complete = !ends.empty();
-  if (const auto order = orderIn(m_ends, ends); m_complete && order.empty()) {
-    m_ends = std::move(ends);
+  m_complete = !materials.empty();
+  if (const auto order = orderIn(m_materials, materials); m_complete && order.empty()) {
+    m_materials = std::move(materials);
     m_entries = {};
-    m_order.resize(m_ends.size());
+    m_order.resize(m_materials.size());
     std::iota(m_order.begin(), m_order.end(), 0);
   } else if (m_complete && order != m_order) {
     m_order = order;
@@ -93,7 +93,7 @@ std::vector<double> BlendSpaces::ordered(const std::vector<double>& weights) con
 void BlendSpaces::turnPictures() {
   for (Entry& entry : m_entries) {
     // Of two materials it is the same way backward, of more another one.
-    if (m_ends.size() == 2) {
+    if (m_materials.size() == 2) {
       std::reverse(entry.pictures.begin(), entry.pictures.end());
     } else if (entry.state == State::ready) {
       entry.pictures.clear();
@@ -141,8 +141,8 @@ void BlendSpaces::next() {
 void BlendSpaces::prepare(Space space) {
   m_tasks.run<widgets::PreparedBlendPtr>(
       {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
-      [space, ends = m_ends, model = m_model](const TaskControl& control) {
-        return widgets::prepareBlend(space, ends, editing::blendOptions(model), control);
+      [space, materials = m_materials, model = m_model](const TaskControl& control) {
+        return widgets::prepareBlend(space, materials, editing::blendOptions(model), control);
       },
       [this, space](const widgets::PreparedBlendPtr& prepared) {
         entry(space).prepared = prepared;

@@ -36,16 +36,16 @@ class BlendSpaces : public QObject {
   /// Sets the materials; empty: none. Prepared blends are reused if the materials are those of the last non-empty set,
   /// in any order. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
   /// for a material that stays, because the nodes and dictionaries of a blend depend on all materials.
-  void setEnds(std::vector<editing::InterpolationMaterial> ends);
+  void setMaterials(std::vector<editing::InterpolationMaterial> materials);
   /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.
   void setModel(const models::Model& model);
   const models::Model& model() const { return *m_model; }
   static bool usesModel(Space space) { return space == Space::parameters || space == Space::differential; }
-  bool hasEnds() const { return m_complete; }
-  /// Index in prepared() of the material of each slot. The order of prepared() is that in which the materials were
-  /// first set.
+  bool hasMaterials() const { return m_complete; }
+  /// For each slot, the index of its material in PreparedBlend::materials, which has the order in which the materials
+  /// were first set.
   const std::vector<std::size_t>& order() const { return m_order; }
-  /// Weights of the slots in the order of prepared().
+  /// Weights of the slots in the order of PreparedBlend::materials.
   std::vector<double> ordered(const std::vector<double>& weights) const;
   /// Starts or resumes the work with this space, even if it was cancelled or failed.
   void want(Space first);
@@ -87,7 +87,7 @@ class BlendSpaces : public QObject {
   BackgroundTasks& m_tasks;
   StripPictures m_stripPictures;
   std::vector<Space> m_spaces;
-  std::vector<editing::InterpolationMaterial> m_ends;  ///< in the order of prepared()
+  std::vector<editing::InterpolationMaterial> m_materials;  ///< in the order of PreparedBlend::materials
   std::vector<std::size_t> m_order;
   bool m_complete = false;
   const models::Model* m_model = &models::ggx();

@@ -29,10 +29,10 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
     : QWidget(parent),
       m_document(document),
       m_tasks(tasks),
-      m_ends(document, tasks),
+      m_materials(document, tasks),
       m_spaces(tasks, nullptr, pictures),
       m_position(widgets::centrePosition(widgets::minBlended)),
-      m_slots(new BlendSlots(document, m_ends)),
+      m_slots(new BlendSlots(document, m_materials)),
       m_positionEditor(new BlendPositionEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
@@ -48,7 +48,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
   layout->addWidget(m_overview, 1);
   connectParts();
   setSpace(m_space);
-  endsChanged();
+  blendMaterialsChanged();
 }
 
 QSize InterpolationPanel::sizeHint() const { return QSize(80, 22) * fontMetrics().height(); }
@@ -59,7 +59,9 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
   m_spaceBox->setAccessibleName(tr("Interpolation space"));
-  m_show->setToolTip(tr("Shows the blend in the preview while it changes; if off, shows the open material"));
+  m_show->setToolTip(
+      tr("Shows the blend in the preview and updates it with every change; if off, the preview shows the open "
+         "material"));
   m_show->setChecked(true);
   m_open->setToolTip(
       tr("Opens the blend as a material that can be edited, saved and exported.\nUndo restores the previous "
@@ -87,9 +89,9 @@ QWidget* InterpolationPanel::buildChoice() {
 }
 
 void InterpolationPanel::connectParts() {
-  connect(&m_ends, &BlendMaterials::changed, this, &InterpolationPanel::endsChanged);
-  connect(&m_ends, &BlendMaterials::stateChanged, this, &InterpolationPanel::showEnds);
-  connect(&m_ends, &BlendMaterials::failed, this, &InterpolationPanel::failed);
+  connect(&m_materials, &BlendMaterials::changed, this, &InterpolationPanel::blendMaterialsChanged);
+  connect(&m_materials, &BlendMaterials::stateChanged, this, &InterpolationPanel::showMaterials);
+  connect(&m_materials, &BlendMaterials::failed, this, &InterpolationPanel::failed);
   connect(&m_spaces, &BlendSpaces::changed, this, [this](Space space) {
     showOpenable();
     if (space != m_space) return;
@@ -110,7 +112,7 @@ void InterpolationPanel::connectParts() {
   });
   connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
     setSpace(space);
-    moveTo(t < 0 ? m_position : widgets::pathPosition(m_ends.count(), t));
+    moveTo(t < 0 ? m_position : widgets::pathPosition(m_materials.count(), t));
   });
   connect(m_overview, &BlendOverview::drawRequested, this, [this] { m_spaces.want(m_space); });
   connect(m_show, &QCheckBox::toggled, this, &InterpolationPanel::subjectChanged);
@@ -121,7 +123,7 @@ void InterpolationPanel::connectParts() {
   connect(&m_document, &Document::materialChanged, this, &InterpolationPanel::materialChanged);
 }
 
-std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_ends.count(), m_position); }
+std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_materials.count(), m_position); }
 
 bool InterpolationPanel::isShownInPreview() const { return m_show->isChecked(); }
 
@@ -136,9 +138,9 @@ std::optional<widgets::PreviewSubject> InterpolationPanel::subject() const {
 QString InterpolationPanel::description() const {
   QStringList fractions;
   const std::vector<double> all = weights();
-  for (int i = 0; i < m_ends.count(); ++i)
-    if (const BlendMaterial* end = m_ends.at(i); end && all[std::size_t(i)] > 0)
-      fractions << tr("%1 %2").arg(widgets::weightText(all[std::size_t(i)]), end->name);
+  for (int i = 0; i < m_materials.count(); ++i)
+    if (const BlendMaterial* material = m_materials.at(i); material && all[std::size_t(i)] > 0)
+      fractions << tr("%1 %2").arg(widgets::weightText(all[std::size_t(i)]), material->name);
   return tr("%1 (%2)").arg(fractions.join(QStringLiteral(", ")), widgets::spaceName(m_space));
 }
 
@@ -164,7 +166,7 @@ void InterpolationPanel::showExplanation() {
 }
 
 void InterpolationPanel::moveTo(const QPointF& position) {
-  m_position = widgets::nearestPosition(m_ends.count(), position);
+  m_position = widgets::nearestPosition(m_materials.count(), position);
   touched();
   showPosition();
   Q_EMIT subjectChanged();
@@ -177,35 +179,36 @@ void InterpolationPanel::useMaterials(const QStringList& ids) {
   touched();
   if (ids.size() > 1) {
     const int count = int(ids.size());
-    while (m_ends.count() < count) m_ends.addSlot();
-    while (m_ends.count() > count) m_ends.removeSlot(m_ends.count() - 1);
-    for (int i = 0; i < count; ++i) m_ends.read(i, ids[i]);
+    while (m_materials.count() < count) m_materials.addSlot();
+    while (m_materials.count() > count) m_materials.removeSlot(m_materials.count() - 1);
+    for (int i = 0; i < count; ++i) m_materials.read(i, ids[i]);
     return;
   }
   const QString& id = ids.front();
-  for (int i = 0; i < m_ends.count(); ++i)
-    if (!m_ends.at(i) && !m_ends.isReading(i)) return m_ends.read(i, id);
-  if (m_ends.count() == widgets::maxBlended)
+  for (int i = 0; i < m_materials.count(); ++i)
+    if (!m_materials.at(i) && !m_materials.isReading(i)) return m_materials.read(i, id);
+  if (m_materials.count() == widgets::maxBlended)
     return Q_EMIT failed(tr("All %1 slots have a material").arg(widgets::maxBlended),
                          tr("Empty a slot, or drop the material on the slot to replace."));
-  m_ends.addSlot();
-  m_ends.read(m_ends.count() - 1, id);
+  m_materials.addSlot();
+  m_materials.read(m_materials.count() - 1, id);
 }
 
 void InterpolationPanel::begin() {
-  if (m_document.material() && !m_ends.at(0) && !m_ends.isReading(0)) m_ends.useCurrent(0);
+  if (m_document.material() && !m_materials.at(0) && !m_materials.isReading(0)) m_materials.useCurrent(0);
   touched();
   m_slots->slotWidget(0).setFocus(Qt::OtherFocusReason);
 }
 
-void InterpolationPanel::endsChanged() {
-  const int count = m_ends.count();
+void InterpolationPanel::blendMaterialsChanged() {
+  const int count = m_materials.count();
   // What was equal fractions stays equal fractions.
   const bool middle = m_position == widgets::centrePosition(m_positionCount);
   m_position = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_position);
   m_positionCount = count;
-  m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationMaterial>());
-  showEnds();
+  m_spaces.setMaterials(m_materials.isComplete() ? m_materials.materials()
+                                                 : std::vector<editing::InterpolationMaterial>());
+  showMaterials();
   m_overview->showSpaces();
   if (isVisible()) m_spaces.want(m_space);
   Q_EMIT subjectChanged();
@@ -214,15 +217,15 @@ void InterpolationPanel::endsChanged() {
 void InterpolationPanel::materialChanged() {
   // A blend that is still being computed was to replace the material that was open before.
   m_tasks.drop(openKey);
-  showEnds();
+  showMaterials();
 }
 
-void InterpolationPanel::showEnds() {
-  m_slots->showEnds(weights());
+void InterpolationPanel::showMaterials() {
+  m_slots->showMaterials(weights());
   std::vector<widgets::BlendCorner> corners;
-  for (int i = 0; i < m_ends.count(); ++i) {
-    const BlendMaterial* end = m_ends.at(i);
-    corners.push_back(end ? widgets::BlendCorner{end->name, end->picture} : widgets::BlendCorner());
+  for (int i = 0; i < m_materials.count(); ++i) {
+    const BlendMaterial* material = m_materials.at(i);
+    corners.push_back(material ? widgets::BlendCorner{material->name, material->picture} : widgets::BlendCorner());
   }
   m_positionEditor->setCorners(std::move(corners));
   showPosition();
@@ -232,8 +235,8 @@ void InterpolationPanel::showPosition() {
   m_slots->showWeights(weights());
   m_positionEditor->setPosition(m_position);
   // The strip only marks positions on its path.
-  const double t = m_ends.count() == 3 ? 2 * m_position.x() : m_position.x();
-  m_overview->strip().setMark(widgets::pathPosition(m_ends.count(), t) == m_position ? t : -1);
+  const double t = m_materials.count() == 3 ? 2 * m_position.x() : m_position.x();
+  m_overview->strip().setMark(widgets::pathPosition(m_materials.count(), t) == m_position ? t : -1);
   showOpenable();
 }
 
@@ -247,8 +250,9 @@ void InterpolationPanel::openAsMaterial() {
   source->model = blend->model;
   // As they were prepared: a document makes the blend again in the order that it names.
   source->weights = m_spaces.ordered(weights());
-  source->materials.resize(std::size_t(m_ends.count()));
-  for (int i = 0; i < m_ends.count(); ++i) source->materials[m_spaces.order()[std::size_t(i)]] = m_ends.at(i)->source;
+  source->materials.resize(std::size_t(m_materials.count()));
+  for (int i = 0; i < m_materials.count(); ++i)
+    source->materials[m_spaces.order()[std::size_t(i)]] = m_materials.at(i)->source;
   const QString text = tr("Open %1").arg(description());
   m_tasks.run<LoadedMaterialPtr>(
       {text, openKey},
@@ -262,7 +266,7 @@ void InterpolationPanel::openAsMaterial() {
 }
 
 bool InterpolationPanel::isSettled() const {
-  return !isVisible() || (!m_ends.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(openKey));
+  return !isVisible() || (!m_materials.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(openKey));
 }
 
 void InterpolationPanel::showEvent(QShowEvent* event) {

@@ -35,13 +35,13 @@ class InterpolationPanel : public QWidget {
   InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr,
                      const StripPictures& pictures = {});
 
-  /// The subject that the preview shows instead of the document's material; nullopt while the panel is hidden, is not
-  /// to be shown in the preview, or has no blend.
+  /// The subject that the preview shows instead of the document's material; nullopt while the panel is hidden, "Show in
+  /// the preview" is off, or there is no blend.
   std::optional<widgets::PreviewSubject> subject() const;
   /// E.g. "40 % nickel, 60 % chrome (Linear)".
   QString description() const;
 
-  BlendMaterials& ends() { return m_ends; }
+  BlendMaterials& materials() { return m_materials; }
   BlendSpaces& spaces() { return m_spaces; }
   editing::InterpolationSpace space() const { return m_space; }
   void setSpace(editing::InterpolationSpace space);
@@ -82,18 +82,18 @@ class InterpolationPanel : public QWidget {
  private:
   QWidget* buildChoice();
   void connectParts();
-  void endsChanged();
+  void blendMaterialsChanged();
   void materialChanged();
   /// The user works in this panel, so the preview shows the blend.
   void touched() { setShownInPreview(true); }
-  void showEnds();
+  void showMaterials();
   void showPosition();
   void showExplanation();
   void showOpenable();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  BlendMaterials m_ends;
+  BlendMaterials m_materials;
   BlendSpaces m_spaces;
   QPointF m_position;
   int m_positionCount = widgets::minBlended;  ///< the number of materials for which m_position was chosen

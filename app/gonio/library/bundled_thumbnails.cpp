@@ -20,7 +20,7 @@ constexpr int columns = 12;
 constexpr int jpegQuality = 92;
 
 QRect tile(int index) {
-  return {index % columns * shippedSide, index / columns * shippedSide, shippedSide, shippedSide};
+  return {index % columns * bundledSide, index / columns * bundledSide, bundledSide, bundledSide};
 }
 
 struct Shipped {
@@ -95,7 +95,7 @@ std::optional<widgets::LibraryThumbnail> bundledThumbnail(const std::string& sha
 
 void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
   const auto& entries = materials::bundledLibrary();
-  QImage sheet(columns * shippedSide, ((int(entries.size()) + columns - 1) / columns) * shippedSide,
+  QImage sheet(columns * bundledSide, ((int(entries.size()) + columns - 1) / columns) * bundledSide,
                QImage::Format_RGB32);
   sheet.fill(Qt::black);
   QImage coverage;
@@ -105,7 +105,7 @@ void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
   for (const materials::LibraryEntry& entry : entries) {
     control.throwIfStopped();
     const materials::Material material = materials::readMaterial(std::string(materials::libraryScheme) + entry.id);
-    const QImage picture = spherePicture(*material.brdf, shippedSide, shippedSamples);
+    const QImage picture = spherePicture(*material.brdf, bundledSide, bundledSamples);
     if (coverage.isNull()) coverage = picture.convertToFormat(QImage::Format_Alpha8);
     painter.drawImage(tile(number++), onMeanGround(picture));
     index += QByteArray::fromStdString(material.source.sha256) + ',' + picture.text("hue").toLatin1() + ',' +

@@ -11,7 +11,7 @@
 namespace gonio::app {
 
 /// Size of the pictures of the bundled materials, pixels, and their samples per pixel.
-inline constexpr int shippedSide = 128, shippedSamples = 64;
+inline constexpr int bundledSide = 128, bundledSamples = 64;
 
 /// The rendered thumbnail of a bundled material, by the SHA-256 of its content; nullopt for other materials. All
 /// thumbnails are tiles of one JPEG file, resources/thumbnails/bundled.jpg; coverage.png is the coverage of the sphere,

@@ -9,7 +9,8 @@
 
 namespace gonio::app {
 
-/// The user's notes on materials, in an SQLite file. If it cannot be opened, notes exist until the program ends.
+/// The user's notes on materials, in an SQLite file. If the file cannot be opened, notes are lost when the program
+/// ends.
 class LibraryStore {
  public:
   /// @param path path of the file, which is created together with its folder if it does not exist.

@@ -52,7 +52,7 @@ materials::Material libraryMaterial(const QString& id, const TaskControl& contro
 widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   // A bundled material is not read for its hash: that would decode it.
   if (const std::string hash = materials::librarySha256(id.toStdString()); !hash.empty())
-    if (const auto shipped = bundledThumbnail(hash)) return *shipped;
+    if (const auto bundled = bundledThumbnail(hash)) return *bundled;
   // A file has to be read for its hash; its values are parsed beside that.
   const materials::Material material = libraryMaterial(id, control);
   const QString cached =

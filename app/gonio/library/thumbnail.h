@@ -9,11 +9,9 @@
 
 namespace gonio::app {
 
-/// The thumbnail of a material: a sphere in the studio environment on a transparent background, 192 x 192, or for a
-/// bundled material the built-in one, 128 x 128. Read from the disk cache in `cacheFolder`, with the material's content
-/// hash and the version of the renderer as key, else rendered from the native form (without a table) in about 100 ms
-/// and cached.
-/// @throws Error, Cancelled.
+/// The thumbnail of a material: a sphere in the studio environment on a transparent background. A bundled material has
+/// a built-in one (bundledThumbnail()). Others are rendered from the native form and cached in `cacheFolder`, by the
+/// hash of the material's content and the version of the renderer. @throws Error, Cancelled.
 widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control);
 
 /// Reads the material of a library id: a bundled material, a file, or a document with its edits applied.

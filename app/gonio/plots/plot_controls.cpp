@@ -156,7 +156,7 @@ void PlotControls::addSections() {
 void PlotControls::addIncidence() {
   const QString toolTip = tr(
       "Angle of incidence: between the direction to the light and the normal. Drag it in the plot; Ctrl + drag on the "
-      "sphere in the preview sets it to the angle at which the surface is viewed there.");
+      "sphere in the preview sets it to the viewing angle there (not to the angle of the light).");
   m_thetaISlider = new widgets::ParameterSlider;
   m_thetaISlider->setRange(0, widgets::maxThetaI, models::ParameterScale::angle);
   m_thetaISlider->setFixedWidth(fontMetrics().height() * 8);
@@ -176,9 +176,9 @@ void PlotControls::addIncidence() {
   QWidget* row = addLabelled(tr("θi"), m_thetaISlider);
   row->layout()->addWidget(m_thetaI);
   auto* pick = new QCheckBox(tr("Pick on sphere"));
-  pick->setToolTip(tr(
-      "Sets θi to the angle at which the surface is viewed at the point of the sphere that is clicked in the preview "
-      "(also Ctrl + drag)"));
+  pick->setToolTip(
+      tr("Sets θi to the viewing angle (not the angle of the light) at the point of the sphere that is clicked in the "
+         "preview (also Ctrl + drag)"));
   connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
   addLabelled({}, pick);
 }

@@ -13,7 +13,7 @@ namespace gonio::app {
 
 namespace {
 const QString recentKey = QStringLiteral("environments/recent");
-constexpr int mostRecent = 6;
+constexpr int maxRecent = 6;
 }  // namespace
 
 EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewContent& preview, QObject* parent)
@@ -41,7 +41,7 @@ void EnvironmentController::remember(const QString& path) {
   readRecent();  // other windows have opened some too
   m_recent.removeAll(whole);
   m_recent.prepend(whole);
-  m_recent = m_recent.mid(0, mostRecent);
+  m_recent = m_recent.mid(0, maxRecent);
   QSettings().setValue(recentKey, m_recent);
   Q_EMIT recentChanged();
 }

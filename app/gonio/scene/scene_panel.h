@@ -23,7 +23,7 @@ namespace gonio::app {
 QString sceneTitle(const std::string& name);
 
 /// The Scene dock: the choice of the scene, the plan of its effects with a switch and the measured cost of each, and
-/// the error of the preview's picture compared with a converged one.
+/// the SNR of the preview's picture against that of the path tracer.
 class ScenePanel : public QWidget {
   Q_OBJECT
 

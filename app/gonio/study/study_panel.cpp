@@ -30,7 +30,7 @@ StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget
       m_tasks(tasks),
       m_run(new StudyRun(document, tasks, m_model, this)),
       m_measure(new QPushButton),
-      m_kinds(new QPushButton(tr("&Kinds"))),
+      m_families(new QPushButton(tr("&Kinds"))),
       m_back(new QPushButton(tr("&Back to the Material"))),
       m_sheet(new QPushButton(tr("Contact &Sheet..."))),
       m_copy(new QPushButton(tr("Copy as &CSV"))),
@@ -71,13 +71,13 @@ QWidget* StudyPanel::buildChoice() {
   m_export->setToolTip(tr("Saves the plot as shown, on a white background"));
   m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
   m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
-  m_kinds->setToolTip(tr("Kinds of representations to measure; deselecting a kind removes its results"));
-  buildKinds();
+  m_families->setToolTip(tr("Kinds of representations to measure; deselecting a kind removes its results"));
+  buildFamilies();
   auto* choice = new QWidget;
   auto* top = new QHBoxLayout(choice);
   top->setContentsMargins(0, 0, 0, 0);
   top->addWidget(m_measure);
-  top->addWidget(m_kinds);
+  top->addWidget(m_families);
   const auto labelled = [&](const QString& text, QComboBox* box) {
     auto* label = new QLabel(text);
     label->setBuddy(box);
@@ -91,23 +91,23 @@ QWidget* StudyPanel::buildChoice() {
   return choice;
 }
 
-void StudyPanel::buildKinds() {
-  auto* menu = new QMenu(m_kinds);
+void StudyPanel::buildFamilies() {
+  auto* menu = new QMenu(m_families);
   menu->setToolTipsVisible(true);
   for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
     QAction* action = menu->addAction(widgets::toQString(familyName(family)));
     action->setCheckable(true);
     action->setChecked(std::ranges::count(m_run->families(), family) > 0);
     action->setData(int(family));
-    action->setToolTip(kindToolTip(family));
-    connect(action, &QAction::toggled, this, &StudyPanel::chooseKinds);
+    action->setToolTip(familyToolTip(family));
+    connect(action, &QAction::toggled, this, &StudyPanel::chooseFamilies);
   }
-  m_kinds->setMenu(menu);
+  m_families->setMenu(menu);
 }
 
-void StudyPanel::chooseKinds() {
+void StudyPanel::chooseFamilies() {
   std::vector<study::RepresentationFamily> families;
-  for (const QAction* action : m_kinds->menu()->actions())
+  for (const QAction* action : m_families->menu()->actions())
     if (action->isChecked()) families.push_back(study::RepresentationFamily(action->data().toInt()));
   m_run->setFamilies(families);
 }
@@ -218,7 +218,7 @@ void StudyPanel::refresh() {
   const bool whole = open && m_model.missing().empty();
   m_measure->setText(running ? tr("Stop") : whole ? tr("Re-meas&ure") : tr("Meas&ure"));
   m_measure->setEnabled(open && m_model.rowCount() > 0);
-  m_kinds->setEnabled(!running);
+  m_families->setEnabled(!running);
   m_back->setVisible(m_subject.has_value());
   refreshBudget();
   m_view->setMarks(m_shown, m_best);

@@ -17,9 +17,9 @@ namespace gonio::app {
 class StudyView;
 struct SheetSource;
 
-/// Accuracy versus cost: the representations of the open material of the selected kinds, measured in the background, as
-/// a table and as points over a cost. A click on either shows the representation in the preview; a second click or
-/// Escape shows the material again. It does not change the document.
+/// Accuracy versus cost: the representations of the selected families for the open material, measured in the background
+/// and shown as a table and as points over a cost. A click on either shows the representation in the preview; a second
+/// click or Escape shows the material again. It does not change the document.
 class StudyPanel : public QWidget {
   Q_OBJECT
 
@@ -51,8 +51,8 @@ class StudyPanel : public QWidget {
 
  private:
   QWidget* buildChoice();
-  void buildKinds();
-  void chooseKinds();
+  void buildFamilies();
+  void chooseFamilies();
   void connectParts();
   void adopt(int row, const widgets::PreviewSubject& subject);
   void useBest();
@@ -68,7 +68,7 @@ class StudyPanel : public QWidget {
   StudyRun* m_run;
   std::optional<widgets::PreviewSubject> m_subject;
   int m_wanted = -1, m_shown = -1, m_best = -1;  ///< rows; m_wanted will be shown when it is ready
-  QPushButton *m_measure, *m_kinds, *m_back, *m_sheet, *m_copy, *m_export;
+  QPushButton *m_measure, *m_families, *m_back, *m_sheet, *m_copy, *m_export;
   QComboBox *m_quality, *m_cost;
   StudyView* m_view;
   StudyBudgetBar* m_budget;

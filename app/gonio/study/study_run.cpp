@@ -13,9 +13,9 @@ namespace {
 const QString studyKey = QStringLiteral("study");
 }
 
-QString kindToolTip(study::RepresentationFamily family) {
+QString familyToolTip(study::RepresentationFamily family) {
   if (family == study::RepresentationFamily::baselines)
-    return StudyRun::tr("Other factorisations from the literature, at the sizes of PDV factors");
+    return StudyRun::tr("Other factorisations from the literature, limited to the file sizes of the PDV factors");
   if (family == study::RepresentationFamily::published)
     return StudyRun::tr("PDV factors and sparse codes as the papers describe them");
   if (family == study::RepresentationFamily::alternatives)

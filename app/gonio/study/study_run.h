@@ -12,8 +12,8 @@
 
 namespace gonio::app {
 
-/// The tooltip for a kind of representations.
-QString kindToolTip(study::RepresentationFamily family);
+/// The tooltip of a family of representations.
+QString familyToolTip(study::RepresentationFamily family);
 
 /// Measures the representations of the open material in the background, one row of the model after the other, and
 /// records the results.
@@ -25,7 +25,7 @@ class StudyRun : public QObject {
 
   /// Sets what to measure; by default study::RepresentationChoice(). Drops the results.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
-  /// Sets the kinds to measure. The results of kinds that remain stay.
+  /// Sets the families of representations to measure. Results of families that remain are not dropped.
   void setFamilies(const std::vector<study::RepresentationFamily>& families);
   const std::vector<study::RepresentationFamily>& families() const { return m_choice.families; }
   bool isRunning() const;

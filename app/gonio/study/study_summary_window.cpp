@@ -99,7 +99,7 @@ QWidget* StudySummaryWindow::buildFamilies() {
   for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
     auto* box = new QCheckBox(widgets::toQString(familyName(family)));
     box->setChecked(std::ranges::count(chosen, family) > 0);
-    box->setToolTip(kindToolTip(family));
+    box->setToolTip(familyToolTip(family));
     connect(box, &QCheckBox::toggled, this, &StudySummaryWindow::planFamilies);
     layout->addWidget(box);
     m_families.push_back(box);

@@ -17,7 +17,7 @@ class QTreeView;
 
 namespace gonio::app {
 
-/// Accuracy versus cost for several materials: the representations of the checked families are measured in the
+/// Accuracy versus cost for several materials: the representations of the selected families are measured in the
 /// background, one material after the other, and summarised in one row per representation. If the user stops, the
 /// results stay, and Measure continues from there.
 class StudySummaryWindow : public QDialog {
@@ -30,7 +30,7 @@ class StudySummaryWindow : public QDialog {
 
   StudySummaryModel& model() { return m_model; }
   QTreeView& table() const { return *m_table; }
-  /// Sets the representations, instead of all representations of the checked families.
+  /// Sets the representations, instead of all representations of the selected families.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
   bool isRunning() const;
   void measure();

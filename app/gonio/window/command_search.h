@@ -29,8 +29,8 @@ struct SearchEntry {
   bool isCommand = false;  ///< also listed for an empty search text
 };
 
-/// Search for commands and other entries by parts of their names in any order. Entries with all words in their text
-/// come before those with words in their keywords.
+/// Search for commands and other entries by words in any order. Entries are listed in this order: each word begins a
+/// word of the text; each begins a word of the text or the keywords; each stands anywhere in them.
 class CommandSearch : public QDialog {
   Q_OBJECT
 

@@ -268,7 +268,7 @@ void MainWindow::connectRequests() {
   });
   connect(&m_parts.comparison, &ComparisonController::referenceRequested, this,
           [this] { chooseMaterial({}, [this](const QString& path) { m_parts.comparison.openReference(path); }); });
-  connect(&m_parts.acquisition, &AcquisitionPanel::subjectRequested, this, [this] {
+  connect(&m_parts.acquisition, &AcquisitionPanel::measuredMaterialRequested, this, [this] {
     chooseMaterial(tr("Material to Measure"), [this](const QString& path) { m_parts.acquisition.measure(path); });
   });
 }

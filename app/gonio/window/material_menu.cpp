@@ -83,7 +83,8 @@ void MaterialMenu::addCancel(const Parts& parts) {
                                 if (comparison.isReplaced()) return comparison.dismissStandIn();
                                 tasks.cancelTopmost();
                               });
-  cancel->setToolTip(tr("Shows the material again, or stops the most recent task"));
+  cancel->setToolTip(
+      tr("Shows the open material if the preview shows something else; otherwise stops the most recent task"));
   const auto update = [&tasks = parts.tasks, &comparison = parts.comparison, cancel] {
     const auto task = tasks.topmost();
     cancel->setEnabled(comparison.isReplaced() || (task && !task->quiet));

@@ -19,7 +19,7 @@ Screenshot::Screenshot(QWidget& window, std::function<bool()> isSettled, const Q
       m_window(window),
       m_isSettled(std::move(isSettled)),
       m_path(path),
-      m_longestWaitSeconds(maxWaitSeconds) {
+      m_maxWaitSeconds(maxWaitSeconds) {
   m_elapsed.start();
   m_timer.setInterval(checkMilliseconds);
   connect(&m_timer, &QTimer::timeout, this, &Screenshot::check);
@@ -28,7 +28,7 @@ Screenshot::Screenshot(QWidget& window, std::function<bool()> isSettled, const Q
 
 void Screenshot::check() {
   m_settledChecks = m_isSettled() ? m_settledChecks + 1 : 0;
-  const bool late = double(m_elapsed.elapsed()) > 1000 * m_longestWaitSeconds;
+  const bool late = double(m_elapsed.elapsed()) > 1000 * m_maxWaitSeconds;
   if (m_settledChecks < neededChecks && !late) return;
   m_timer.stop();
   const int quality = m_path.endsWith(".jpg") ? 90 : -1;  // -1: that of the format

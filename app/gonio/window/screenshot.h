@@ -25,7 +25,7 @@ class Screenshot : public QObject {
   QWidget& m_window;
   std::function<bool()> m_isSettled;
   QString m_path;
-  double m_longestWaitSeconds;
+  double m_maxWaitSeconds;
   QElapsedTimer m_elapsed;
   QTimer m_timer;
   int m_settledChecks = 0;

@@ -11,8 +11,8 @@ namespace gonio::app {
 class DocumentFiles;
 struct EditorParts;
 
-/// Entries of the search in addition to the commands: the current materials of the library, sliders, scenes and lights,
-/// and the pages of the guide.
+/// Entries of the search in addition to the commands: sliders, models, scenes, lights, the current materials of the
+/// library, and the pages of the guide.
 std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files, QWidget& window);
 
 }  // namespace gonio::app

@@ -250,8 +250,8 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(editor.document.history().canUndo());
     QCOMPARE(panel.session().result(), result);
     QCOMPARE(panel.session().referenceReader().name(), "subject");
-    QCOMPARE(panel.controls().subject().subject(), SubjectRows::Subject::chosen);
-    QCOMPARE(panel.controls().subject().box().currentText(), "subject");
+    QCOMPARE(panel.controls().measuredMaterial().choice(), MeasuredMaterialRows::Choice::chosen);
+    QCOMPARE(panel.controls().measuredMaterial().box().currentText(), "subject");
     editor.document.history().undo();
     QCOMPARE(editor.document.name(), "subject");
   }

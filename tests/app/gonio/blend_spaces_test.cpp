@@ -22,11 +22,11 @@ class BlendSpacesTest : public QObject {
   static editing::InterpolationMaterial grey(const char* name, double albedo) {
     return {.table = greyMaterial(name, albedo)->table(), .code = anyCode()};
   }
-  const std::vector<editing::InterpolationMaterial> m_ends{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
+  const std::vector<editing::InterpolationMaterial> m_materials{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
 
-  std::vector<editing::InterpolationMaterial> ends(std::initializer_list<std::size_t> which) const {
+  std::vector<editing::InterpolationMaterial> materials(std::initializer_list<std::size_t> which) const {
     std::vector<editing::InterpolationMaterial> result;
-    for (const std::size_t i : which) result.push_back(m_ends[i]);
+    for (const std::size_t i : which) result.push_back(m_materials[i]);
     return result;
   }
   /// Prepares and draws all that is missing.
@@ -49,7 +49,7 @@ class BlendSpacesTest : public QObject {
   void anotherModel() {
     BackgroundTasks tasks;
     BlendSpaces spaces(tasks, nullptr, smallPictures);
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     // The spaces behind these two take longer and know no model.
     const auto prepareThree = [&] {
       spaces.want(Space::linear);
@@ -76,16 +76,16 @@ class BlendSpacesTest : public QObject {
   void aSwapKeepsEverything() {
     BackgroundTasks tasks;
     BlendSpaces spaces(tasks, nullptr, smallPictures);
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     settle(spaces);
     const auto before = prepared(spaces);
     const std::vector<QImage> pictures = spaces.pictures(Space::linear);
-    spaces.setEnds(ends({1, 0}));
+    spaces.setMaterials(materials({1, 0}));
     QVERIFY(prepared(spaces) == before && tasks.isIdle());
     QVERIFY(std::equal(pictures.rbegin(), pictures.rend(), spaces.pictures(Space::linear).begin()));
     QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.25, 0.75}) - (0.25 * 0.4 + 0.75 * 0.2)) < 1e-6);
     QVERIFY(std::abs(valueAt(spaces, Space::factors, {1, 0}) - 0.4) < 1e-6);
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     QVERIFY(spaces.pictures(Space::linear) == pictures);
     QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.25, 0.75}) - (0.25 * 0.2 + 0.75 * 0.4)) < 1e-6);
   }
@@ -94,18 +94,18 @@ class BlendSpacesTest : public QObject {
   void threeTurnedAround() {
     BackgroundTasks tasks;
     BlendSpaces spaces(tasks, nullptr, smallPictures);
-    spaces.setEnds(ends({0, 1, 2}));
+    spaces.setMaterials(materials({0, 1, 2}));
     settle(spaces);
     const auto before = prepared(spaces);
     const QImage first = spaces.pictures(Space::linear).front();
-    spaces.setEnds(ends({2, 0, 1}));
+    spaces.setMaterials(materials({2, 0, 1}));
     QVERIFY(prepared(spaces) == before);
     QVERIFY(spaces.pictures(Space::linear).empty());
     QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.5, 0.3, 0.2}) - (0.5 * 0.9 + 0.3 * 0.2 + 0.2 * 0.4)) < 1e-6);
     settle(spaces);
     QVERIFY(prepared(spaces) == before);
     QVERIFY(spaces.pictures(Space::linear).front() != first);
-    spaces.setEnds(ends({0, 1, 2}));
+    spaces.setMaterials(materials({0, 1, 2}));
     settle(spaces);
     QVERIFY(spaces.pictures(Space::linear).front() == first);
   }
@@ -114,15 +114,15 @@ class BlendSpacesTest : public QObject {
   void noneInBetween() {
     BackgroundTasks tasks;
     BlendSpaces spaces(tasks, nullptr, smallPictures);
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     settle(spaces);
     const auto before = prepared(spaces);
-    spaces.setEnds({});
-    QVERIFY(!spaces.hasEnds() && spaces.isSettled());
+    spaces.setMaterials({});
+    QVERIFY(!spaces.hasMaterials() && spaces.isSettled());
     for (const Space space : spaces.spaces()) QVERIFY(!spaces.prepared(space) && spaces.pictures(space).empty());
     spaces.want(Space::linear);
     QVERIFY(tasks.isIdle());
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     QVERIFY(prepared(spaces) == before && tasks.isIdle());
     QCOMPARE(int(spaces.pictures(Space::dictionary).size()), BlendSpaces::pictureCount);
   }
@@ -131,10 +131,10 @@ class BlendSpacesTest : public QObject {
   void othersAreForgotten() {
     BackgroundTasks tasks;
     BlendSpaces spaces(tasks, nullptr, smallPictures);
-    spaces.setEnds(ends({0, 1}));
+    spaces.setMaterials(materials({0, 1}));
     settle(spaces);
-    for (const auto& others : {ends({0, 2}), ends({0, 0}), ends({0, 1, 2})}) {
-      spaces.setEnds(others);
+    for (const auto& others : {materials({0, 2}), materials({0, 0}), materials({0, 1, 2})}) {
+      spaces.setMaterials(others);
       for (const Space space : spaces.spaces()) QVERIFY(!spaces.prepared(space));
     }
   }

@@ -67,9 +67,9 @@ class InterpolationPanelTest : public QObject {
     // The end is the material, not a blend of one.
     Q_EMIT editor.panel.positionEditor().slider().numberEdited(1);
     QVERIFY(editor.panel.subject()->isMeasured());
-    QVERIFY(editor.panel.subject()->base() == editor.panel.ends().at(1)->material.table);
+    QVERIFY(editor.panel.subject()->base() == editor.panel.materials().at(1)->material.table);
     // Swapped: the same place, the other end.
-    editor.panel.ends().swap(0, 1);
+    editor.panel.materials().swap(0, 1);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.2) < 1e-6);
   }
@@ -106,7 +106,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     QVERIFY(editor.panel.positionEditor().slider().isVisible());
-    editor.panel.ends().addSlot();
+    editor.panel.materials().addSlot();
     QVERIFY(!editor.panel.positionEditor().slider().isVisible() && editor.panel.positionEditor().pad().isVisible());
     QVERIFY(!editor.panel.subject());
     for (const double weight : editor.panel.weights()) QVERIFY(std::abs(weight - 1 / 3.0) < 1e-12);  // as before: equal
@@ -122,7 +122,7 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
     // Back to two: the place goes to the nearest that there is.
     editor.panel.blendSlots().slotWidget(2).clearButton()->click();
-    QCOMPARE(editor.panel.ends().count(), 2);
+    QCOMPARE(editor.panel.materials().count(), 2);
     QVERIFY(editor.panel.positionEditor().slider().isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
   }
@@ -159,9 +159,9 @@ class InterpolationPanelTest : public QObject {
     QApplication::sendEvent(blendSlots.viewport(), &move);
     QDropEvent drop(below, Qt::CopyAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(blendSlots.viewport(), &drop);
-    QVERIFY(!editor.panel.ends().isReading(0) && editor.panel.ends().isReading(1));
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(1), patienceMilliseconds);
-    QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("nickel"));
+    QVERIFY(!editor.panel.materials().isReading(0) && editor.panel.materials().isReading(1));
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.materials().at(1), patienceMilliseconds);
+    QCOMPARE(editor.panel.materials().at(1)->name, QStringLiteral("nickel"));
   }
 
   /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
@@ -169,10 +169,10 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     editor.panel.useMaterials({"library:sgd/nickel"});
     editor.panel.useMaterials({"library:sgd/red-fabric"});
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().isComplete(), patienceMilliseconds);
-    QCOMPARE(editor.panel.ends().at(0)->name, QStringLiteral("nickel"));
-    QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("red-fabric"));
-    QVERIFY(!editor.panel.ends().at(0)->picture.isNull());
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.materials().isComplete(), patienceMilliseconds);
+    QCOMPARE(editor.panel.materials().at(0)->name, QStringLiteral("nickel"));
+    QCOMPARE(editor.panel.materials().at(1)->name, QStringLiteral("red-fabric"));
+    QVERIFY(!editor.panel.materials().at(0)->picture.isNull());
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
     QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
     editor.panel.hide();
@@ -184,22 +184,22 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     editor.fill(0, "dark", 0.2);
     editor.panel.useMaterials({"library:sgd/nickel", "library:sgd/red-fabric", "library:sgd/chrome"});
-    QCOMPARE(editor.panel.ends().count(), 3);
-    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
-    QCOMPARE(editor.panel.ends().at(0)->name, QString("nickel"));
-    QCOMPARE(editor.panel.ends().at(2)->name, QString("chrome"));
+    QCOMPARE(editor.panel.materials().count(), 3);
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.materials().isReading(), patienceMilliseconds);
+    QCOMPARE(editor.panel.materials().at(0)->name, QString("nickel"));
+    QCOMPARE(editor.panel.materials().at(2)->name, QString("chrome"));
     editor.panel.useMaterials({"library:sgd/chrome", "library:sgd/nickel"});
-    QCOMPARE(editor.panel.ends().count(), 2);
+    QCOMPARE(editor.panel.materials().count(), 2);
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.useMaterials({"a", "b", "c", "d", "e"});
-    QVERIFY(failed.count() == 1 && editor.panel.ends().count() == 2);
+    QVERIFY(failed.count() == 1 && editor.panel.materials().count() == 2);
     // One more takes a slot of its own, also while the others are being read; without a free slot nothing is replaced.
     for (const char* more : {"library:sgd/red-fabric", "library:sgd/alumina-oxide", "library:sgd/black-fabric"})
       editor.panel.useMaterials({more});
-    QVERIFY(failed.count() == 2 && editor.panel.ends().count() == 4);
-    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
-    QCOMPARE(editor.panel.ends().at(1)->name, QString("nickel"));
-    QCOMPARE(editor.panel.ends().at(3)->name, QString("alumina-oxide"));
+    QVERIFY(failed.count() == 2 && editor.panel.materials().count() == 4);
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.materials().isReading(), patienceMilliseconds);
+    QCOMPARE(editor.panel.materials().at(1)->name, QString("nickel"));
+    QCOMPARE(editor.panel.materials().at(3)->name, QString("alumina-oxide"));
     editor.panel.spaces().pause();
   }
 

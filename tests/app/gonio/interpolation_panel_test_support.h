@@ -59,7 +59,7 @@ struct Editor {
   void fill(int slot, const char* name, double albedo) {
     document.setMaterial(greyMaterial(name, albedo));
     panel.blendSlots().slotWidget(slot).currentButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(slot), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.materials().at(slot), patienceMilliseconds);
   }
 };
 

@@ -69,9 +69,9 @@ class KeptBlendTest : public QObject {
     editor.document.adoptFit(fit);
     setParameter(editor.document, 0, Rgb(0.5));
     editor.panel.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(0), patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.panel.ends().at(0)->material.table) - 0.5) < 1e-6);
-    QCOMPARE(editor.panel.ends().at(0)->source.edits.size(), std::size_t(1));
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.materials().at(0), patienceMilliseconds);
+    QVERIFY(std::abs(normalValue(*editor.panel.materials().at(0)->material.table) - 0.5) < 1e-6);
+    QCOMPARE(editor.panel.materials().at(0)->source.edits.size(), std::size_t(1));
   }
 
   /// A blend that is still being computed does not take the place of a material that was opened meanwhile.
@@ -93,7 +93,7 @@ class KeptBlendTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
-    editor.panel.ends().swap(0, 1);
+    editor.panel.materials().swap(0, 1);
     editor.panel.moveTo({0.25, 0});
     editor.panel.openButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patienceMilliseconds);

@@ -88,7 +88,7 @@ class GoniotoolShardsTest : public QObject {
     };
     fails({"a1"}, "shards are missing: 2/2");
     fails({"a1", "a2", "a1"}, "found shard 1/2 twice");
-    fails({"a1", "b2"}, "b2 are not shards of one study: found pictures");
+    fails({"a1", "b2"}, "b2 are not shards of one study: different settings: pictures");
     fails({"a1", "c3"}, "found shards 1/2 and 3/3");
     fails({"a1", "d2"}, "they contain different materials");
     fails({"a1", "whole"}, "whole/shard.json: not found");

@@ -74,7 +74,7 @@ void checkMax(const DictionaryPrior& prior, const Eigen::MatrixXd& signals) {
   for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
     if (geometry->aboveHorizon[cell])
       highest =
-          std::max(highest, signals.row(Eigen::Index(cell)).maxCoeff() / importanceOfCell(smallGrid, *geometry, cell));
+          std::max(highest, signals.row(Eigen::Index(cell)).maxCoeff() / cellScalingOf(smallGrid, *geometry, cell));
   QVERIFY(std::abs(double(prior.highest) - highest) < 1e-5 * highest);
 }
 

@@ -84,7 +84,7 @@ MeasuredValues valuesOf(const Truth& truth) {
     Rgb& rgb = values.rgb.emplace_back(0);
     for (int c = 0; c < 3; ++c)
       rgb[c] = inverseTransformed(DataTransform::cosineLog,
-                                  truth.signals(cell, c) / importanceOfCell(smallGrid, *geometry, cell),
+                                  truth.signals(cell, c) / cellScalingOf(smallGrid, *geometry, cell),
                                   double(geometry->weights[cell]));
   }
   return values;
@@ -148,7 +148,7 @@ class DictionaryReconstructionTest : public QObject {
                                   transformed(DataTransform::cosineLog, rho - step, w)) /
                                  (2 * step);
             reported[Eigen::Index(s)] +=
-                std::pow(importanceOfCell(smallGrid, *geometry, cell) * slope * values.noise[s][c], 2) / 3;
+                std::pow(cellScalingOf(smallGrid, *geometry, cell) * slope * values.noise[s][c], 2) / 3;
           }
         }
       constexpr double noise = 3;
@@ -165,9 +165,9 @@ class DictionaryReconstructionTest : public QObject {
       const auto signals = decodeSignals(ensemble, found.code);
       for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
         for (Eigen::Index c = 0; c < 3; ++c)
-          QVERIFY(std::abs(double(signals[std::size_t(c)][Eigen::Index(cell)]) *
-                               importanceOfCell(smallGrid, *geometry, cell) -
-                           expected(Eigen::Index(cell), c)) < 1e-4 * expected.cwiseAbs().maxCoeff());
+          QVERIFY(
+              std::abs(double(signals[std::size_t(c)][Eigen::Index(cell)]) * cellScalingOf(smallGrid, *geometry, cell) -
+                       expected(Eigen::Index(cell), c)) < 1e-4 * expected.cwiseAbs().maxCoeff());
       if (hasKnownNoise) continue;
       const double energy = residuals.cwiseProduct(dual).sum();
       const double evidence =

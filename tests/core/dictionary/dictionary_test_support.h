@@ -55,11 +55,11 @@ inline Matrix<double> plantedSignals(const Sizes& sizes, const std::vector<ModeM
 
 inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 12, .phiDCount = 16};
 
-/// The product of the importance of its three nodes.
-inline double importanceOfCell(const HalfDifferenceGrid& grid, const GridGeometry& geometry, std::size_t cell) {
+/// The product of the cell scaling of its three nodes.
+inline double cellScalingOf(const HalfDifferenceGrid& grid, const GridGeometry& geometry, std::size_t cell) {
   const std::size_t n0 = std::size_t(grid.phiDCount), n1 = std::size_t(grid.thetaDCount);
-  return geometry.importance[0][Eigen::Index(cell % n0)] * geometry.importance[1][Eigen::Index(cell / n0 % n1)] *
-         geometry.importance[2][Eigen::Index(cell / (n0 * n1))];
+  return geometry.cellScaling[0][Eigen::Index(cell % n0)] * geometry.cellScaling[1][Eigen::Index(cell / n0 % n1)] *
+         geometry.cellScaling[2][Eigen::Index(cell / (n0 * n1))];
 }
 
 inline Ensemble randomEnsemble(int dictionaries) {

@@ -26,7 +26,7 @@ double squaredError(const Ensemble& ensemble, const SparseCode& code, const Tabu
   double error = 0;
   for (std::size_t cell = 0; cell < table.grid().size(); ++cell) {
     if (table.valid()[cell] == 0) continue;
-    const double scale = importanceOfCell(table.grid(), *geometry, cell);
+    const double scale = cellScalingOf(table.grid(), *geometry, cell);
     for (std::size_t c = 0; c < 3; ++c)
       error += std::pow(double(signals[c][Eigen::Index(cell)]) - scale * double(decoded[c][Eigen::Index(cell)]), 2);
   }

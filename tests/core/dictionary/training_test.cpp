@@ -95,22 +95,22 @@ class TrainingTest : public QObject {
     for (std::size_t cell = slab; cell < smallGrid.size(); ++cell) {
       const auto i = Eigen::Index(cell), before = Eigen::Index(cell - slab);
       if (table->valid()[cell] != 0) {
-        const double y = double(held[0][i]) / importanceOfCell(smallGrid, *geometry, cell);
+        const double y = double(held[0][i]) / cellScalingOf(smallGrid, *geometry, cell);
         QVERIFY(std::abs(y - std::log1p(double(table->values()[cell].x))) < 1e-6);
         continue;
       }
       ++invalid;
-      QVERIFY(std::abs(double(held[0][i]) / importanceOfCell(smallGrid, *geometry, cell) -
-                       double(held[0][before]) / importanceOfCell(smallGrid, *geometry, cell - slab)) < 1e-6);
+      QVERIFY(std::abs(double(held[0][i]) / cellScalingOf(smallGrid, *geometry, cell) -
+                       double(held[0][before]) / cellScalingOf(smallGrid, *geometry, cell - slab)) < 1e-6);
     }
     QVERIFY(invalid > 100);
   }
 
   /// Its square is the cells' measure times cos^2 theta_h cos^2 theta_d, but for the floor where that is small.
-  void importanceIsThatOfProjectedSolidAngles() {
+  void cellScalingIsThatOfProjectedSolidAngles() {
     const HalfDifferenceGrid grid;
     const auto geometry = GridGeometry::of(grid);
-    for (const Eigen::ArrayXd& mode : geometry->importance) {
+    for (const Eigen::ArrayXd& mode : geometry->cellScaling) {
       QVERIFY(std::abs(mode.square().mean() - 1) < 1e-12);
       QVERIFY(mode.minCoeff() >= 0.0999 * mode.maxCoeff());
     }
@@ -118,7 +118,7 @@ class TrainingTest : public QObject {
       const std::size_t cell = grid.index(i, j, 7);
       const HalfDifference node = grid.node(cell);
       const double cosines = std::cos(node.thetaH) * std::cos(node.thetaD);
-      return std::pow(importanceOfCell(grid, *geometry, cell), 2) / (grid.cellMeasure(cell) * cosines * cosines);
+      return std::pow(cellScalingOf(grid, *geometry, cell), 2) / (grid.cellMeasure(cell) * cosines * cosines);
     };
     for (int i = 25; i <= 80; i += 5)
       for (int j = 10; j <= 60; j += 5) QVERIFY(std::abs(ratio(i, j) / ratio(50, 30) - 1) < 0.01);

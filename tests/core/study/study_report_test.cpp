@@ -115,7 +115,7 @@ class StudyReportTest : public QObject {
     QCOMPARE(lines.size(), qsizetype(records.size()) + 1);
     QVERIFY(text.startsWith("# material: a\n# images and frame times: scene\n# Abacus <10"));
     QVERIFY(text.contains("# 2026-11-21T22:00:00Z\n"));
-    QVERIFY(lines[1].startsWith("table,table-nearest,\"Table, nearest cell\",0,,20412000,0,20,19,22,2,30,"));
+    QVERIFY(lines[1].startsWith("table,table-nearest,\"Table, cell look-up\",0,,20412000,0,20,19,22,2,30,"));
     QVERIFY(lines[2].contains(",inf,"));
     QVERIFY(lines[4].contains(",9,,"));  // an SNR that is no number
     QCOMPARE(lines[0].count(',') + 1, 12 + qsizetype(metrics::allBrdfMetrics().size()));
@@ -177,7 +177,7 @@ class StudyReportTest : public QObject {
     QCOMPARE(titles, int(panels.size() * (records.size() - 1)));
     QCOMPARE(fronts, int(panels.size()));
     for (const char* text : {"A <material> & \"more\"", "evaluation [ns]", "frame [ms]", "size [B]", "encoding [s]",
-                             "rendered SNR [dB]", "Table, nearest cell", "PDV factors, two curves", "10 terms", "∞"})
+                             "rendered SNR [dB]", "Table, cell look-up", "PDV factors, two curves", "10 terms", "∞"})
       QVERIFY2(texts.contains(text), text);
     QVERIFY(texts.contains("Abacus <10 & \"more\">, 2 cores, 1 thread"));
     // Nothing to show is no error.

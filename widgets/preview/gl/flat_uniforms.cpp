@@ -23,7 +23,7 @@ struct Uniform {
 };
 
 /// Loops over so many elements are unrolled: their arrays are indexed by constants.
-constexpr int longestSceneArray = 4;
+constexpr int maxSceneArray = 4;
 
 /// Lengths by the names of their macros.
 using Lengths = QHash<QString, int>;
@@ -35,7 +35,7 @@ int lengthOf(const QString& text, const Lengths& lengths) {
   const int number = text.toInt(&isNumber);
   if (isNumber) return number;
   const int length = lengths.value(text, -1);
-  return length <= longestSceneArray ? length : -1;
+  return length <= maxSceneArray ? length : -1;
 }
 
 /// Of a line that declares uniforms which can all be moved; else none.

@@ -30,7 +30,7 @@ void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const m
 
 /// Adds the definitions and files of a shader that contains a model's formula.
 void addModel(const models::Model& model, QStringList& definitions, QStringList& preamble);
-/// The same for a shader that evaluates the model in place of a measurement, with the uniform "modelParameters".
+/// The same for a shader that evaluates the model in place of a base, with the uniform "modelParameters".
 void addModelAlone(const models::Model& model, QStringList& definitions, QStringList& preamble);
 
 }  // namespace gonio::widgets

@@ -7,8 +7,8 @@
 
 namespace gonio::widgets {
 
-/// Reads the picture of a framebuffer into memory. Therefore the window that shows it needs no OpenGL and never waits
-/// for rendering.
+/// Reads the picture of a framebuffer into memory, so that the window that shows it needs no OpenGL and never waits for
+/// rendering.
 class PictureReadback {
  public:
   using Gl = QOpenGLFunctions_4_1_Core;

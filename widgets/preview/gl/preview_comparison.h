@@ -11,9 +11,9 @@ namespace gonio::widgets {
 
 /// The possible subjects on the sides of a comparison.
 enum class ComparedSubject {
-  measured,  ///< the measurement in its native form
+  measured,  ///< the base: the material before edits, in its native form
   fit,       ///< the fitted model alone
-  edited,    ///< the measurement with its edits
+  edited,    ///< the base with its edits
   reference  ///< another material
 };
 

@@ -84,7 +84,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// decodes it instead, provided that decodesCodes() and the code fits its textures.
   std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const std::shared_ptr<const EnsembleCode>& code = nullptr);
-  /// A measurement that is not a table, uploaded at first use (a few ms); shared by all its incident directions
+  /// A base that is not a table, uploaded at first use (a few ms); shared by all its incident directions
   /// (IncidentDirection).
   std::shared_ptr<ShaderBase> base(const std::shared_ptr<const Brdf>& base);
   /// The textures of all tables of a mixture, uploaded at first use.

@@ -12,14 +12,14 @@
 
 namespace gonio::widgets {
 
-/// A measurement in its native form, with or without edits, that the shader can evaluate.
+/// A base that the shader can evaluate, with or without edits.
 struct EditedMaterial {
   std::shared_ptr<const Brdf> base;  ///< never null; isShownNatively() (widgets/preview/gl/shader_base.h)
   editing::EditList edits = {};
   std::shared_ptr<const EnsembleCode> code = {};  ///< the code from which a table was decoded, or null
 };
 
-/// A model without a measurement.
+/// A model without a base.
 struct StandaloneModel {
   const models::Model* model = nullptr;
   models::ParameterValues parameters = {};
@@ -49,17 +49,17 @@ struct PreviewSubject {
   std::shared_ptr<const TabulatedLobe> lobe = {};  ///< density of the reflected samples; null: not known yet
 
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
-  /// The measurement; null if there is none.
+  /// The base; null if there is none.
   std::shared_ptr<const Brdf> base() const;
-  /// Whether it is a measurement without edits that have an effect, or empty.
+  /// Whether it is a base without edits that have an effect, or empty.
   bool isMeasured() const;
 };
 
-/// A measurement without edits; empty if `base` is null.
+/// A base without edits; empty if `base` is null.
 PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedLobe> lobe = {});
 
-/// Whether two subjects have the same measurement and equal values, so that their images are equal; may be false for
-/// equal images.
+/// Whether two subjects have the same base and equal values, so that their images are equal; may be false for equal
+/// images.
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 
 /// The BRDF of a subject, for core/rendering and metrics. Null if the subject is empty.

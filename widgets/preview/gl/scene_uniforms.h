@@ -47,7 +47,8 @@ class SceneUniforms {
        showEnvironment_ = false, blurBackground_ = false;
 };
 
-/// The plan of the effects for a scene with materialsInSlots().
+/// Plans the effects of a scene with `material` in its first slot and `otherSlotMaterials` in the others
+/// (materialsInSlots()).
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
                        const EffectOverrides& overrides = {}, const RenderMaterials& otherSlotMaterials = {});
 

@@ -11,7 +11,8 @@
 
 namespace gonio::widgets {
 
-/// A measurement on the graphics card that is not a table. The context must be current when it is destroyed.
+/// A base on the graphics card that is not a table: a measurement, a model or factors. The context must be current when
+/// it is destroyed.
 class ShaderBase {
  public:
   virtual ~ShaderBase() = default;
@@ -26,10 +27,10 @@ bool isShownNatively(const Brdf& base);
 /// adds together with those of edits.
 void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble);
 
-/// Whether a measurement can be shown together with the tables of a blend, with at most 16 textures in total.
+/// Whether a base can be shown together with the tables of a blend, with at most 16 textures in total.
 bool fitsBesideBlends(const Brdf& base);
 
-/// Uploads a measurement, in a few ms. Null for a table and for a BRDF that the shader cannot evaluate.
+/// Uploads a base, in a few ms. Null for a table and for a BRDF that the shader cannot evaluate.
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base);
 
 /// The data that uploadShaderBase() uploads: the same object for every incident direction of a measurement.

@@ -8,13 +8,13 @@
 
 namespace gonio::app {
 
-/// Passes the material selected in the controls to a session: the open material with its edits (only while the controls
-/// are visible), a chosen material, or none.
-class AcquisitionSubject : public QObject {
+/// Passes the measured material selected in the controls to a session, as its reference: the open material with its
+/// edits (only while the controls are visible), a chosen material, or none.
+class MeasuredMaterialSource : public QObject {
   Q_OBJECT
 
  public:
-  AcquisitionSubject(const Document& document, AcquisitionSession& session, AcquisitionControls& controls);
+  MeasuredMaterialSource(const Document& document, AcquisitionSession& session, AcquisitionControls& controls);
 
   /// Updates the session's reference from the document, if the document's material is the selected one.
   void takeOpenMaterial();

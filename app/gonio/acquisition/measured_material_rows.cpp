@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/acquisition/subject_rows.h"
+#include "app/gonio/acquisition/measured_material_rows.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -10,18 +10,18 @@
 
 namespace gonio::app {
 
-SubjectRows::SubjectRows(QFormLayout& form)
+MeasuredMaterialRows::MeasuredMaterialRows(QFormLayout& form)
     : QObject(&form),
       m_box(rowBox(tr("Material that is measured in simulation and compared with the reconstruction; choose None for "
                       "values measured with a rig"))) {
   build(form);
-  connect(m_box, &QComboBox::activated, this, &SubjectRows::activated);
+  connect(m_box, &QComboBox::activated, this, &MeasuredMaterialRows::activated);
   for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment})
-    connect(number, &widgets::NumberField::valueEdited, this, &SubjectRows::noiseEdited);
+    connect(number, &widgets::NumberField::valueEdited, this, &MeasuredMaterialRows::noiseEdited);
   refresh();
 }
 
-void SubjectRows::build(QFormLayout& form) {
+void MeasuredMaterialRows::build(QFormLayout& form) {
   m_box->addItems({tr("The open material"), QString(), tr("None (measured values)"), tr("Choose...")});
   hideItem(*m_box, chosenMaterial, true);
   form.addRow(tr("Meas&ure"), m_box);
@@ -39,7 +39,7 @@ void SubjectRows::build(QFormLayout& form) {
   form.addRow(tr("Misali&gnment"), m_misalignment);
 }
 
-void SubjectRows::activated(int index) {
+void MeasuredMaterialRows::activated(int index) {
   if (index == chooseMaterial) {
     m_box->setCurrentIndex(m_last);
     return Q_EMIT wanted();
@@ -49,14 +49,13 @@ void SubjectRows::activated(int index) {
   Q_EMIT edited();
 }
 
-void SubjectRows::refresh() {
-  for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment})
-    number->setEnabled(subject() != Subject::none);
+void MeasuredMaterialRows::refresh() {
+  for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment}) number->setEnabled(choice() != Choice::none);
 }
 
-SubjectRows::Subject SubjectRows::subject() const { return Subject(m_box->currentIndex()); }
+MeasuredMaterialRows::Choice MeasuredMaterialRows::choice() const { return Choice(m_box->currentIndex()); }
 
-void SubjectRows::choose(const QString& id, const QString& name) {
+void MeasuredMaterialRows::choose(const QString& id, const QString& name) {
   m_box->setItemText(chosenMaterial, name);
   m_box->setItemData(chosenMaterial, id);
   hideItem(*m_box, chosenMaterial, false);
@@ -65,19 +64,19 @@ void SubjectRows::choose(const QString& id, const QString& name) {
   refresh();
 }
 
-QString SubjectRows::chosenId() const { return m_box->itemData(chosenMaterial).toString(); }
+QString MeasuredMaterialRows::chosenId() const { return m_box->itemData(chosenMaterial).toString(); }
 
-acquisition::MeasurementNoise SubjectRows::noise(std::uint64_t seed) const {
+acquisition::MeasurementNoise MeasuredMaterialRows::noise(std::uint64_t seed) const {
   return {.relative = m_noise->value(),
           .absolute = m_floor->value(),
           .misalignment = m_misalignment->value(),
           .seed = seed};
 }
 
-bool SubjectRows::isNoisy() const {
+bool MeasuredMaterialRows::isNoisy() const {
   return m_noise->value() > 0 || m_floor->value() > 0 || m_misalignment->value() > 0;
 }
 
 }  // namespace gonio::app
 
-#include "moc_subject_rows.cpp"
+#include "moc_measured_material_rows.cpp"

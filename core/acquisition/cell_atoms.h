@@ -12,11 +12,12 @@ namespace gonio::acquisition {
 
 /// The atoms of the simultaneous pursuit, one per candidate cell: the columns of D^-1 = Sigma_p^-1 U_p^T, the left
 /// inverse of the scaled basis D = U Sigma of the first p components, normalised to unit length. A zero column stays
-/// zero and has score 0. Rows are indices into the basis' mapping; atoms are indices into these rows.
-class DictionaryAtoms {
+/// zero and has score 0. Rows are indices into the basis' mapping; atoms are indices into these rows. Unrelated to the
+/// atoms of a dictionary::Dictionary.
+class CellAtoms {
  public:
   /// @param components 1 or more. @param rows ascending. The basis must outlive this object.
-  DictionaryAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows);
+  CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows);
 
   Eigen::Index count() const { return Eigen::Index(rows_.size()); }
   Eigen::Index length() const { return inverseSigma_.size(); }

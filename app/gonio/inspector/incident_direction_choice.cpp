@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/inspector/direction_order.h"
+#include "app/gonio/inspector/incident_direction_choice.h"
 
 #include <QComboBox>
 #include <QFormLayout>
 
 namespace gonio::app {
 
-DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
+IncidentDirectionChoice::IncidentDirectionChoice(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_choice(new QComboBox) {
   m_choice->addItem(tr("Viewer, as in Mitsuba and pbrt"));
   m_choice->addItem(tr("Light, as stored in the file"));
@@ -22,11 +22,11 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
   connect(m_choice, &QComboBox::activated, this,
           [this](int index) { m_document.setIncident(IncidentDirection(index)); });
   for (const auto signal : {&Document::materialChanged, &Document::editChanged, &Document::stateChanged})
-    connect(&m_document, signal, this, &DirectionOrder::refresh);
+    connect(&m_document, signal, this, &IncidentDirectionChoice::refresh);
   refresh();
 }
 
-void DirectionOrder::refresh() {
+void IncidentDirectionChoice::refresh() {
   const auto base = m_document.base();
   setVisible(base && incidentDirectionOf(*base));
   m_choice->setCurrentIndex(int(m_document.state().incident));
@@ -34,4 +34,4 @@ void DirectionOrder::refresh() {
 
 }  // namespace gonio::app
 
-#include "moc_direction_order.cpp"
+#include "moc_incident_direction_choice.cpp"

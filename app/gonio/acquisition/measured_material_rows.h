@@ -16,15 +16,15 @@ class NumberField;
 namespace gonio::app {
 
 /// Rows of a form: the measured material, and the noise of a simulated measurement.
-class SubjectRows : public QObject {
+class MeasuredMaterialRows : public QObject {
   Q_OBJECT
 
  public:
-  enum class Subject { openMaterial, chosen, none };
+  enum class Choice { openMaterial, chosen, none };
 
-  explicit SubjectRows(QFormLayout& form);
+  explicit MeasuredMaterialRows(QFormLayout& form);
 
-  Subject subject() const;
+  Choice choice() const;
   /// Selects a fixed material, independent of the open one.
   void choose(const QString& id, const QString& name);
   QString chosenId() const;
@@ -33,14 +33,14 @@ class SubjectRows : public QObject {
   QComboBox& box() const { return *m_box; }
 
  Q_SIGNALS:
-  /// The user selected another kind of subject.
+  /// The user selected another item.
   void edited();
   /// The user wants to choose another measured material.
   void wanted();
   void noiseEdited();
 
  private:
-  /// Items of the box; the first are those of Subject.
+  /// Items of the box; the first are those of Choice.
   enum Item { openMaterial, chosenMaterial, noMaterial, chooseMaterial };
   void build(QFormLayout& form);
   void activated(int index);

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/dictionary_atoms.h"
+#include "core/acquisition/cell_atoms.h"
 
 #include <utility>
 
 namespace gonio::acquisition {
 
-DictionaryAtoms::DictionaryAtoms(const dictionary::PrincipalComponents& basis, int components,
-                                 std::vector<std::size_t> rows)
+CellAtoms::CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows)
     : basis_(basis),
       inverseSigma_(basis.svd.singularValues[components - 1] *
                     basis.svd.singularValues.head(components).cwiseInverse()),
       rows_(std::move(rows)) {}
 
-Eigen::VectorXd DictionaryAtoms::column(std::size_t row) const {
+Eigen::VectorXd CellAtoms::column(std::size_t row) const {
   return basis_.svd.u.view()
       .row(Eigen::Index(row))
       .head(length())
@@ -22,7 +21,7 @@ Eigen::VectorXd DictionaryAtoms::column(std::size_t row) const {
       .cwiseProduct(inverseSigma_);
 }
 
-Eigen::MatrixXf DictionaryAtoms::inSinglePrecision(Eigen::Index begin, Eigen::Index end) const {
+Eigen::MatrixXf CellAtoms::inSinglePrecision(Eigen::Index begin, Eigen::Index end) const {
   const auto u = basis_.svd.u.view();
   constexpr float shortest = 1e-15f;
   Eigen::MatrixXf atoms(length(), end - begin);

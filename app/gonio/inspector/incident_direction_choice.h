@@ -10,13 +10,13 @@ class QComboBox;
 
 namespace gonio::app {
 
-/// Choice of the direction that is used as the incident one in a measurement that is not reciprocal; hidden for all
+/// Choice of the incident direction of a measurement that is not reciprocal (RGL and UTIA files); hidden for all
 /// others.
-class DirectionOrder : public QWidget {
+class IncidentDirectionChoice : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DirectionOrder(Document& document, QWidget* parent = nullptr);
+  explicit IncidentDirectionChoice(Document& document, QWidget* parent = nullptr);
   QComboBox& choice() { return *m_choice; }
 
  private:
