@@ -18,9 +18,10 @@ struct AOptimalSelection {
 };
 
 /// Greedy A-optimal Bayesian design (Chaloner and Verdinelli 1995, "Bayesian Experimental Design: A Review"): each
-/// sample is the one after which the sum over all cells of the posterior variances of mapped values is smallest, if the
-/// coefficients of the components are independent and have the variances of the training set. A sample has a noise of
-/// variance 0.03 (a factor of 1.2 in the BRDF value), plus the variance that the components leave out at its cell.
+/// step chooses the row that, once measured, leaves the smallest sum over all cells of the posterior variances of
+/// mapped values. Assumes that the coefficients of the components are independent and have the variances of the
+/// training set. A sample has a noise of variance 0.03 (a factor of 1.2 in the BRDF value), plus the variance that the
+/// components leave out at its cell.
 ///
 /// Of more than 2^18 rows, evenly spaced ones are candidates. O(candidates components^2) per sample, 0.05 s for 30
 /// components; 4 bytes x candidates x components of memory. Among equally good candidates the first is chosen; the same

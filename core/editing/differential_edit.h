@@ -19,7 +19,8 @@ struct DifferentialEdit {
   models::ParameterValues fitted;
   models::ParameterValues edited;
   Composition composition = Composition::additive;
-  /// Values of artistControls(): applied to `edited` (target()), or to the edited values (colours()).
+  /// Values of artistControls(): applied to the parameters `edited` (target()), or to the edited BRDF values
+  /// (colours()).
   models::ParameterValues controls = models::defaultParameters(artistControls());
 
   /// The parameters of the edited model: `edited` with the controls applied.

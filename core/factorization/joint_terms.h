@@ -18,8 +18,9 @@ struct JointOptions {
 /// Improves the terms of a weighted CP decomposition together: alternating least squares of the weighted squared error
 /// (Kolda and Bader 2009, "Tensor Decompositions and Applications", section 3.4, with a weight per cell). All entries
 /// of one mode are solved exactly for fixed other modes, index by index: L equations for L terms. A small proximal term
-/// bounds the change where the equations are singular, and the bound of the first term is met exactly, so the error
-/// never increases. Entries without any weighted cell are not changed.
+/// limits the change where the equations are singular, and the condition that the factors of the first product are >= 0
+/// (JointOptions::firstNonnegative) is met exactly, so the error never increases. Entries without any weighted cell are
+/// not changed.
 ///
 /// Afterwards the largest absolute entry of b and c of each term is 1. RankOne::residuals is not changed. In double,
 /// deterministic, on one thread; callers process channels in parallel. O(cells L^2) per sweep: 50 ms for ten terms of

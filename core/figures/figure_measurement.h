@@ -75,8 +75,8 @@ FigureMeasurement measureFigure(const FigureDescription& description, const Task
 /// The label of a row: that of the description, or the material's name.
 std::string rowLabel(const FigureDescription& description, const FigureMeasurement& measurement, std::size_t row);
 
-/// Luminance difference at the end of the scale of all error maps: that of the description, or the largest 99.5th
-/// percentile of the rows, rounded up; 0 if all pictures are equal.
+/// Luminance difference at the end of the scale of all error maps: that of the description, or the largest of the
+/// 99.5th percentiles of the differences in each row, rounded up; 0 if all pictures are equal.
 double errorMaximum(const FigureDescription& description, const FigureMeasurement& measurement);
 
 }  // namespace gonio::figures

@@ -38,6 +38,7 @@ inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear
 
 /// One of the materials to blend.
 struct InterpolationMaterial {
+  /// The material as a table, with `edits` applied.
   std::shared_ptr<const TabulatedBrdf> table;
   /// The factors of a material that consists of PDV factors; they are used unchanged. Null: the table is factorised.
   std::shared_ptr<const factorization::PdvFactors> factors = nullptr;

@@ -18,8 +18,8 @@ struct GltfParts {
   std::span<const std::byte> text, binary;
 };
 
-/// The chunks of a binary file; all bytes as text for another file. @throws Error if a chunk is truncated or the
-/// version is not supported.
+/// The chunks of a binary file; if the file is not binary, all its bytes as `text`. @throws Error if a chunk is
+/// truncated or the version is not supported.
 GltfParts gltfParts(std::span<const std::byte> bytes);
 /// @throws Error that names the buffer if the text is not base64.
 std::vector<std::byte> decodedBase64(const JsonObject& buffer, std::string_view text);

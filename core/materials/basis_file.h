@@ -9,7 +9,7 @@
 #include "core/dictionary/principal_components.h"
 #include "core/io/byte_source.h"
 
-/// A file of principal components, `.basis`, in which materials are reconstructed from the samples of a plan. A
+/// A file of principal components, `.basis`, with which materials are reconstructed from the samples of a plan. A
 /// container (core/io/container.h) "GONIOPCA", version 2; a description with the grid, the numbers of cells, components
 /// and signals, the precision and the training materials; then
 ///   the mask of the mapped cells, one bit per cell of the grid, lowest bit first; for each mapped cell the reference

@@ -20,10 +20,11 @@ double peakSignalToNoiseRatio(const Image& reference, const Image& test);
 
 /// Rendered SNR and PSNR without the noise of the pictures, as for infinitely many samples. Per pixel, the differences
 /// d0 and d1 of the two renderings have independent noise, so the sum of d0 . d1 is an unbiased estimate of the error's
-/// energy, while the squared difference of the means would include noise. The estimate is limited to at least its own
-/// standard error, the square root of the sum of (d0 . d1)^2; then the SNR is a lower bound. If all products are 0 but
-/// the pictures differ, the means are compared. If the two pictures of each pair are equal, the results are those of
-/// the functions above. Special cases and errors are the same as for those functions.
+/// energy, while the squared difference of the means would include noise. If the estimate is smaller than its own
+/// standard error, the square root of the sum of (d0 . d1)^2, the standard error is used instead; then the SNR is a
+/// lower bound. If all products are 0 but the pictures differ, the means are compared. If the two pictures of each pair
+/// are equal, the results are those of the functions above. Special cases and errors are the same as for those
+/// functions.
 double signalToNoiseRatio(const PicturePair& reference, const PicturePair& test);
 double peakSignalToNoiseRatio(const PicturePair& reference, const PicturePair& test);
 

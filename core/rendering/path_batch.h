@@ -28,7 +28,7 @@ class PathTracer::PathBatch {
     Direction normal{0};   ///< shading normal at the first hit of a reflecting surface
   };
 
-  /// @param recorded gets the light that surfaces reflect, instead of the results; null: it goes to the results.
+  /// @param recorded the light that surfaces reflect is added here (RecordedPaths); null: it is added to the results.
   PathBatch(const PathTracer& tracer, RayCounters& counters, RecordedPaths::Row* recorded)
       : tracer_(tracer),
         counters_(counters),

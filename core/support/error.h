@@ -7,11 +7,11 @@
 
 namespace gonio {
 
-/// The base class of the library's exceptions: invalid user data, and Cancelled (catch that first where a stop is not
-/// an error). The message states the file (if any), what was found, what was
-/// expected, and a hint. Code that knows more, such as the file name, may catch it and throw it again. Finally the
-/// editor displays the message, and the command line prints it and returns an exit code. Programming errors are
-/// `assert`s.
+/// The base class of the library's exceptions. Thrown for invalid user data; the derived class Cancelled is thrown
+/// after a stop (catch Cancelled first where a stop is not an error). The message states the file (if any), what was
+/// found, what was expected, and a hint. Code that knows more, such as the file name, may catch it and throw it again.
+/// Finally the editor displays the message, and the command line prints it and returns an exit code. Programming errors
+/// are `assert`s.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -103,7 +103,7 @@ def bundled_basis(progress: Progress = None) -> Basis:
 
 def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 1024,
                 progress: Progress = None) -> Basis:
-    """Computes the principal components of a training set, on the grid of MERL tables. Takes about 1 s and 13 MB of
+    """Computes the principal components of a training set, on the grid of MERL tables. Takes up to 1 s and about 14 MB of
     memory per material; training sets that need more than 6 GB are stored in a temporary file instead.
 
     Args:

@@ -25,9 +25,9 @@ ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidg
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Residual"));
   setToolTip(
-      tr("Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\n"
-         "with the weights of the factorisation. More terms lower it. With \"Preserve measured detail\", the residual "
-         "remains part of the material."));
+      tr("Residual of the unedited curves at each position of the curve above, as a fraction of the transformed BRDF "
+         "value there,\nwith the weights of the factorisation. More terms lower it. With \"Preserve measured detail\", "
+         "the residual remains part of the material."));
 }
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }

@@ -124,7 +124,7 @@ QWidget* ComparisonBar::buildDifference() {
     emitComparison();
   });
   m_automatic = new QCheckBox(tr("Automatic maximum"), row);
-  m_automatic->setToolTip(tr("Sets the scale to the next round number above 99.5 % of the differences"));
+  m_automatic->setToolTip(tr("Sets the maximum of the scale to the 99.5th percentile of the differences, rounded up"));
   connect(m_automatic, &QCheckBox::clicked, this, [this](bool automatic) {
     m_comparison.range = automatic ? 0 : m_range->value();
     emitComparison();

@@ -58,8 +58,8 @@ void DirectionRows::buildMethod(QFormLayout& form) {
        tr("Chooses measurable cells at random with equal probability")},
       {acquisition::SelectionMethod::uniform, tr("Uniform"), tr("Spreads the samples evenly over the directions")},
       {acquisition::SelectionMethod::aOptimal, tr("A-optimal"),
-       tr("Chooses the directions after which the expected error of all values is smallest (Bayesian A-optimal "
-          "design)")}};
+       tr("Chooses the directions that, once measured, leave the smallest expected error of all values (Bayesian "
+          "A-optimal design)")}};
   for (const auto& [method, name, explanation] : methods) {
     m_method->addItem(name, int(method));
     m_method->setItemData(m_method->count() - 1, explanation, Qt::ToolTipRole);
