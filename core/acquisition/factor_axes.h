@@ -45,8 +45,8 @@ inline bool isDeviation(FactorAxes axes) {
 }
 
 /// The pair of directions in the plane of incidence with these coordinates; the light is between the mirror direction
-/// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R. None if no light above the
-/// horizon exists. O(1).
+/// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R here, not theta_d, because its
+/// readings are those of projectedDeviation. None if no light above the horizon exists. O(1).
 std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place);
 
 }  // namespace gonio::acquisition

@@ -53,9 +53,9 @@ FactorPlan planFactors(const FactorPlanOptions& options = {});
 std::string factorMethod(FactorAxes axes);
 std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 
-/// The value of FactorPlanOptions::angles with which planFactors() returns these `along` angles: their number plus, if
-/// they are evenly spaced, that of the readings below the first angle, which planFactors() leaves out because one arm
-/// occludes the other. @param angles increasing, rad.
+/// The value of FactorPlanOptions::angles for a plan with these `along` angles. For successive multiples of one spacing
+/// it also counts the multiples below the first angle, which planFactors() leaves out because one arm occludes the
+/// other; for other angles it is their number. @param angles increasing, rad.
 int plannedReadings(std::span<const double> angles);
 
 }  // namespace gonio::acquisition

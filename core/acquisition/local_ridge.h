@@ -32,8 +32,8 @@ struct LocalRidge {
   double leaveOneOutError = 0;  ///< of that pair: root mean square over samples and channels
   /// F with F F^T the covariance of the coefficients given the samples, for that pair, mean of the channels.
   Eigen::MatrixXd posteriorFactor;
-  /// Observed over predicted squared differences between the samples and the weighted mean of the training signals. The
-  /// prediction is that of the covariances of signals and noise. 1 if all noise is known.
+  /// The squared differences between the samples and the weighted mean of the training signals, divided by the squared
+  /// differences that the covariances of signals and noise predict. 1 if all noise is known.
   double scale = 1;
 };
 

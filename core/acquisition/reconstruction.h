@@ -40,8 +40,8 @@ struct ReconstructionOptions {
   std::optional<double> noise;  ///< `ridge` only: standard deviation of a mapped value, for `standardDeviation`; if
                                 ///< empty, estimated
   bool uncertainty = true;      ///< whether to compute `standardDeviation`
-  /// Whether all samples have the same weight, as in eq. 5.14 as printed: the ridge is eta alone, without the
-  /// components that are not used and without the standard deviations of the values.
+  /// Whether all samples have the same weight, as in eq. 5.14 as printed: eta is used alone. Otherwise the variance of
+  /// the components that are not used and the standard deviations of the values count as noise (see reconstruct()).
   bool equalNoise = false;
   bool componentsAsSamples = false;  ///< whether to use as many components as samples, instead of `components`
 };
@@ -69,8 +69,8 @@ struct Reconstruction {
   /// `noise` is given (and eta > 0, finite), v = noise^2 / eta. Otherwise v is estimated as the most likely value given
   /// the samples of all channels and one additional value with the variance 1/t of the training set; if eta is
   /// infinite, v = 1/t. In this estimate, each sample has a weight equal to the fraction of its noise that is not
-  /// known; if known noise dominates, v is therefore 1/t. Components that are not used are independent from cell to
-  /// cell: samples carry no information about them.
+  /// known; if known noise dominates, v is therefore 1/t. In this model, what the components that are not used add
+  /// is independent from cell to cell, so samples carry no information about it.
   std::vector<float> standardDeviation;
 };
 

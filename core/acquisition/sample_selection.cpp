@@ -24,7 +24,7 @@ using dictionary::PrincipalComponents;
 using Rows = std::vector<std::size_t>;
 using Chosen = std::function<void(std::uint32_t cell)>;
 
-/// The rows of the mapping that can be measured, each pair of directions once, ascending.
+/// Indices into basis.mapping.cells of the cells that can be measured, each pair of directions once, ascending.
 Rows measurableRows(const PrincipalComponents& basis, const MeasurableDirections& measurable) {
   measurable.check();
   constexpr std::size_t block = 4096;

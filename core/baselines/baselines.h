@@ -16,10 +16,10 @@
 namespace gonio::factorization {
 
 struct ComparedModel {
-  /// Evaluated from its factors. sample() uses the factors for the baselines of Lawrence et al. and Bilgili et al., and
-  /// is cosine-weighted for the others.
+  /// sample() uses the factors for the baselines of Lawrence et al. and Bilgili et al., and is cosine-weighted for the
+  /// others.
   std::shared_ptr<const Brdf> brdf;
-  std::size_t bytes = 0;  ///< of its factors and colours in single precision, without the nodes of the axes
+  std::size_t bytes = 0;  ///< of the stored model, values in single precision, without the nodes of the axes
 };
 
 struct Baseline {

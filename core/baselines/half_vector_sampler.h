@@ -34,8 +34,8 @@ class LinearDensity {
 ///
 /// Differences from the paper: curves are linear in cos theta_h and in phi_h between their nodes, so that the density
 /// is exactly that of the samples. A tenth of the samples is cosine-weighted, as for PDV factors, so that the density
-/// is also positive beyond the last node of theta_h; where all products are 0, all samples are. A viewer along the
-/// normal has no azimuth, so phi_h is uniform. Immutable.
+/// is also positive beyond the last node of theta_h; where all products are 0, all samples are cosine-weighted. A
+/// viewer along the normal has no azimuth, so phi_h is uniform. Immutable.
 class HalfVectorSampler {
  public:
   struct Product {

@@ -18,8 +18,8 @@ namespace gonio::factorization {
 ///
 /// Differences from the paper: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around
 /// theta_o is chosen at random with the weights of linear interpolation, so that the density is exactly that of the
-/// samples. A tenth of the samples is cosine-weighted, as for PDV factors; where g is 0, all samples are. For a viewer
-/// along the normal, half vectors are uniform in phi_h. Immutable. 32 bytes per node.
+/// samples. A tenth of the samples is cosine-weighted, as for PDV factors; where g is 0, all samples are
+/// cosine-weighted. For a viewer along the normal, half vectors are uniform in phi_h. Immutable. 32 bytes per node.
 class TensorHalfVectorSampler {
  public:
   /// @param density g per solid angle of the half vector, >= 0, in the order of axes.index().

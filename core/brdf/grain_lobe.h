@@ -15,7 +15,8 @@ class TabulatedLobe;
 struct GrainLobe {
   double alphaX = 1, alphaY = 1;  ///< [1e-3, 1], along the lobe's x and y axes
   double rotation = 0;            ///< angle of the lobe's x axis from the tangent, rad, counter-clockwise
-  double fraction = 0;            ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: no grain
+  /// Fraction of this lobe in the samples that are not cosine-weighted, [0, 0.9]; 0: no grain.
+  double fraction = 0;
 
   RotatedLobe<VisibleNormalLobe> lobe() const { return {VisibleNormalLobe(alphaX, alphaY), rotation}; }
 };

@@ -13,8 +13,8 @@ namespace gonio::dictionary {
 /// modes: the matrix from which orthogonalProcrustes() computes the dictionary's matrix of `mode`. Projects the signal
 /// only onto the atoms that have coefficients: for few coefficients much faster than the projection onto all.
 /// @param block X of `sizes`, the first index fastest. @param matrices U, one per mode, sizes[mode] rows.
-/// @param coefficients indices count atoms in the order of a block with as many entries per mode as `matrices` have
-/// columns. @param z sizes[mode] x columns.
+/// @param coefficients their indices are those of a block with as many entries in each mode as the matrix of that mode
+/// has columns. @param z sizes[mode] x columns.
 template <typename Scalar>
 void addCorrelation(const Scalar* block, const Sizes& sizes, const ModeMatrices<Scalar>& matrices, int mode,
                     std::span<const Coefficient<Scalar>> coefficients, Workspace<Scalar>& workspace,

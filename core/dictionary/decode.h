@@ -25,8 +25,8 @@ ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::ve
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The atoms, divided by GridGeometry::cellScaling at their nodes if `scaled` is true. If `scaled` equals
-/// SparseCode::scaled, compose() of these atoms gives the transformed values of the code.
+/// The atoms without cell scaling: divided by GridGeometry::cellScaling at their nodes if `scaled`. compose() of them
+/// gives the transformed values of a code. @param scaled SparseCode::scaled of that code.
 std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry,
                                              bool scaled = true);
 

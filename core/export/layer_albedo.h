@@ -5,8 +5,8 @@
 /// Directional albedos with which shaders attenuate the layers below a lobe and compensate for multiple scattering.
 namespace gonio::exports {
 
-/// Directional albedo of a GGX lobe with the height-correlated Smith term and a generalised Schlick term: F_0 normal +
-/// F_90 edge.
+/// Directional albedo of a GGX lobe with the height-correlated Smith term and a generalised Schlick term. The albedo is
+/// F_0 times `normal` plus F_90 times `edge`.
 struct GgxAlbedo {
   double normal, edge;
 

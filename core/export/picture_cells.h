@@ -15,7 +15,8 @@ namespace gonio::exports {
 /// reaches the viewer from a patch of directions: single nodes, 2 x 2 nodes, 4 x 4 nodes and so on up to the
 /// hemisphere. Its square is divided by the sum of the patch's solid angle and 0.5 sr, the solid angle of a large area
 /// light. Thus a patch that is small compared with this area light counts by its squared light, and a large patch by
-/// its solid angle times the square of its mean light per steradian. Residuals are linear in the BRDF.
+/// its solid angle times the square of its mean light per steradian. Residuals are linear in the BRDF: those of a fit's
+/// error are the residuals of the fit minus those of the material.
 class PictureCells {
  public:
   /// @param isotropic true: one azimuth of the viewer and, by mirror symmetry, half of the light's azimuths, about

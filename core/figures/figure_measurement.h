@@ -66,9 +66,9 @@ bool rendersTheSame(FigurePictures a, const FigurePictures& b);
 FigureMeasurement knownPart(const FigureDescription& description, const FigureMeasurement& known);
 
 /// Reads the materials, encodes and renders their representations and measures the numbers with study::runStudy(), in
-/// the scene of the description. Deterministic except for times, whatever is known from an earlier measurement. About
-/// two seconds per material and representation on two cores, for pictures of 256 x 256 pixels. @throws Error as
-/// checkFigure(), or if a file cannot be read; Cancelled.
+/// the scene of the description. The results other than times are deterministic and do not
+/// depend on MeasureFigureOptions::known. About two seconds per material and representation on two cores, for pictures
+/// of 256 x 256 pixels. @throws Error as checkFigure(), or if a file cannot be read; Cancelled.
 FigureMeasurement measureFigure(const FigureDescription& description, const TaskControl& control = {},
                                 const MeasureFigureOptions& options = {});
 

@@ -46,7 +46,7 @@ class ProjectedProblem {
   int unknownCount() const { return int(unknowns_.size()); }
   int residualCount() const { return int(target_.cells.size() * channels_.size()); }
   const UnitScale& scale(int unknown) const { return unknowns_[std::size_t(unknown)].scale; }
-  /// The unknowns in parameter values, in units of UnitScale.
+  /// The values that `values` has for the unknowns, converted to units of UnitScale.
   std::vector<double> unitsOf(const models::ParameterValues& values) const;
 
   /// Sum of squared residuals at `units`; solves the linear parameters.

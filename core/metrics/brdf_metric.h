@@ -25,7 +25,7 @@ enum class BrdfMetric {
   cosineCubeRoot,           ///< sqrt mean(|d|^(2/3)), d as for `cosineL2`
   projectedRms,             ///< sqrt mean(d^2 cos theta_o), d as for `rms`
   meanAbsolute,             ///< mean(|d|), d as for `rms`
-  cosinesCubeRoot,          ///< mean(|d|^(2/3)), d: difference of rho c
+  cosinesCubeRoot,          ///< mean(|d|^(2/3)), d: difference of rho c, c as for `logRelative`
   meanAbsoluteLogRelative,  ///< mean(|d|), d as for `logRelative`
   lab                       ///< sqrt mean(Delta E^2 cos theta_i cos theta_o), Delta E of CIE 1976
 };

@@ -96,7 +96,7 @@ class FactorPrediction:
     extrapolated: float
     """Fraction outside the readings, where the last reading of a curve is used."""
     bounded: float
-    """Fraction at which the product is more than twice as large as the readings at the same angle and at the same distance."""
+    """Fraction at which the product is more than twice the larger of the readings at the same angle and at the same distance."""
     unscaled: tuple[bool, bool, bool]
     """For each channel, whether the mirror direction at the fixed angle is black; the curve "across" is then used for all
     angles without scaling."""
@@ -112,8 +112,8 @@ def predict_from_factors(plan: FactorPlan, readings: Readings, bound: str = "rea
     Args:
         plan: The directions, by gonio.plan_factors() or gonio.open_factor_readings().
         readings: The values, by gonio.measure() or gonio.Readings(values).
-        bound: "readings" limits the prediction: never above both of the nearest readings (at the same angle and at the same
-            distance), nor above the prediction with light and viewer exchanged. "none" is the printed equation.
+        bound: "readings" limits the prediction: at most the larger of the readings at the same angle and at the same
+            distance, and at most the prediction with light and viewer exchanged. "none" is the printed equation.
         name: Name of the material.
 
     Raises:

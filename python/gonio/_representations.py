@@ -357,7 +357,8 @@ def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Di
             grid than that of the dictionary is resampled.
         coefficients: Maximum number of coefficients per channel.
         dictionary: The ensemble of dictionaries; None: the bundled one.
-        transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
+        transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used, or
+            with `rendered_snr` the one that needs fewer coefficients.
         gamma: g of the gamma error, 1 to 3: values are raised to the power 1/g (Tongbuasirilai 2023, section 4.3.2.4).
         relative_error: Use fewer coefficients if the squared error of the transformed values is then at most this fraction of
             their energy; None: no such limit.

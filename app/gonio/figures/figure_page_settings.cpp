@@ -102,8 +102,8 @@ void FigurePageSettings::buildParts(QFormLayout& form) {
   }
   m_maps->setToolTip(tr("Shows the absolute luminance difference from the reference, on one scale for all images"));
   m_fixed->setToolTip(
-      tr("Maximum of the scale of the error maps, luminance difference. Default: the 99.5th percentile of the "
-         "differences in each row; the largest of these, rounded up"));
+      tr("Maximum of the scale of the error maps, luminance difference. Default: the largest of the "
+         "rows' 99.5th percentiles of the differences, rounded up"));
   m_maximum = numberField(usualMaximum, 0.05, tr("Error maximum"), m_fixed->toolTip());
   m_maximum->setRange(FigureDescription::minErrorMaximum, FigureDescription::maxErrorMaximum);
   auto* maximum = new QHBoxLayout;

@@ -73,10 +73,11 @@ QString editFormulae() {
          composition(compositionName(editing::Composition::lobes),
                      HelpPagesText::tr(
                          "multiplies each edited lobe k by the ratio q of measurement to fit. The ratio moves with a "
-                         "highlight: it is taken at the directions w<sub>k</sub> where the fitted lobe has the point "
-                         "of its profile that the edited lobe has at the evaluated directions. For the diffuse term, "
-                         "1 + (lobe<sub>k</sub>(fitted) / model(fitted))<sup>4</sup> (q − 1) is used instead of q; it "
-                         "is near 1 where this term is only a small part of the model"),
+                         "highlight: it is taken at the directions w<sub>k</sub>, which have the same position in the "
+                         "profile of the fitted lobe as the evaluated directions have in the profile of the edited "
+                         "lobe. For the diffuse term, 1 + (lobe<sub>k</sub>(fitted) / model(fitted))<sup>4</sup> "
+                         "(q − 1) is used instead of q; it is near 1 where this term is only a small part of the "
+                         "model"),
                      HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
                                        "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
                                        "(model(fitted) + 0.001)"));

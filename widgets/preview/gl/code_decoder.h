@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 class PreviewResources;
 
-/// Decodes sparse codes on the graphics card, in three passes of mode products: coefficients into fibres along phi_d,
+/// Decodes sparse codes on the graphics card, in three steps of mode products: coefficients into fibres along phi_d,
 /// fibres into slabs over phi_d and theta_d, slabs into the table. Same result as dictionary::decode() on the CPU, up
 /// to single-precision rounding. For K coefficients in G groups and A slabs (code_texels.h) on a 90 x 90 x 180 grid
 /// this takes 180 K + 16,200 G + 1.5e6 A products per channel; the direct sum over all coefficients at every node would
