@@ -12,11 +12,11 @@ namespace gonio::factorization {
 
 /// A Gaussian process over half-difference coordinates (Rasmussen and Williams 2006, "Gaussian Processes for Machine
 /// Learning"): the posterior mean of y = ln(1 + rho) in each channel,
-///   y(x) = mean + sum_k weight_k k(|(x - x_k) / lengths|), k(r) = (1 + sqrt(3) r) exp(-sqrt(3) r) (Matern 3/2).
+///   y(x) = mean + sum_j weight_j k(|(x - x_j) / lengths|), k(r) = (1 + sqrt(3) r) exp(-sqrt(3) r) (Matern 3/2).
 /// Reciprocal and symmetric about the plane of incidence.
 struct GaussianProcess {
   using Points = Eigen::Matrix<float, 3, Eigen::Dynamic>;
-  Points nodes;    ///< x_k divided by the lengths
+  Points nodes;    ///< x_j divided by the lengths
   Points weights;  ///< rows are red, green and blue
   Eigen::Vector3f lengths, mean;
 

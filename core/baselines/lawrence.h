@@ -36,8 +36,8 @@ struct LawrenceFactors {
 
 /// The axes used in comparisons: 90 x 24 x 30 nodes.
 HalfOutAxes lawrenceAxes();
-/// The ranks that fit in the budget: the largest number of products K in {4, 3, 2} with which more than K terms fit;
-/// otherwise K = 1 with at least one term.
+/// The ranks that fit in the budget: K = 4, 3 or 2 products, the largest K with which more than K terms fit; if there
+/// is none, K = 1, with at least one term.
 LawrenceRanks lawrenceRanks(const HalfOutAxes& axes, std::size_t byteBudget);
 
 /// Takes a few seconds for 20 terms. @throws Cancelled.

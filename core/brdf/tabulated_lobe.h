@@ -17,7 +17,7 @@ namespace gonio {
 /// several viewers over the unit square of half vectors (core/brdf/lobe_square.h). For an anisotropic BRDF the table is
 /// the mean over several azimuths, and grain() follows the highlight. A lobe for LobeMixture; the preview's shader
 /// reads the same table. Samples with a half vector that faces away from the viewer, or with a direction below the
-/// horizon, fail (a few in a thousand, for grazing viewers): LobeMixture has none of them to mirror.
+/// horizon, fail (a few in a thousand, for grazing viewers), so that LobeMixture gets no direction below the horizon.
 class TabulatedLobe {
  public:
   /// Evaluates the BRDF about 50,000 times (a few ms), an anisotropic one about 430,000 times.

@@ -21,7 +21,7 @@ struct BoundingVolumes {
   struct Child {
     AxisBox box;
     std::uint32_t first = 0;  ///< index of the node, or of the leaf's first entry in `order`
-    std::uint32_t count = 0;  ///< number of primitives of the leaf; 0: a node
+    std::uint32_t count = 0;  ///< number of primitives of the leaf; 0: a node, or nothing if box.min > box.max
   };
   struct Node {
     Child children[2];

@@ -106,7 +106,7 @@ QLayout* FactorPage::buildSettings() {
   m_bound->setToolTip(
       tr("Limits the product of the curves in two ways. It is at most the larger of two readings: the one at the same "
          "angle and the one at the same distance.\n"
-         "It is also at most the value with light and viewer exchanged. If off, the published equation is used "
+         "It is also at most the prediction with light and viewer exchanged. If off, the published equation is used "
          "unchanged."));
   m_openReadings->setToolTip(tr(
       "Opens measured or saved readings of both curves and predicts the material from them.\n"
