@@ -103,7 +103,7 @@ void readNeuralMaterial(const io::ByteSource& source, const TaskControl&, Materi
   material.source.description = "network with two hidden layers of " + std::to_string(NeuralBrdf::hidden) + " units";
 }
 
-constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
+constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin", ".exr"},
                            astmSuffixes[] = {".astm"}, goniophotometerSuffixes[] = {".txt"}, curetSuffixes[] = {".dat"},
                            pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"}, neuralSuffixes[] = {".nbrdf"};
 

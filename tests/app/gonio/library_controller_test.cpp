@@ -8,11 +8,13 @@
 #include <QTest>
 #include <atomic>
 #include <mutex>
+#include <span>
 
 #include "app/gonio/library/thumbnail.h"
 #include "core/documents/edit_document.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
+#include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
 
 namespace library_controller_test {
@@ -62,6 +64,22 @@ class LibraryControllerTest : public QObject {
     QVERIFY(QFile::remove(folder.filePath("a.code")));
     QTRY_COMPARE(idsOf(library.model()), QStringList{folder.filePath("b.code")});
     QCOMPARE(made.load(), 2);
+  }
+
+  /// Suffixes that other files have too: UTIA files are listed under each of theirs, other images are not.
+  void utiaFilesAreListedUnderEachSuffix() {
+    const QTemporaryDir folder;
+    const auto add = [&](const QString& name, std::span<const std::byte> bytes) {
+      QFile file(folder.filePath(name));
+      return file.open(QFile::WriteOnly) &&
+             file.write(reinterpret_cast<const char*>(bytes.data()), qint64(bytes.size())) == qint64(bytes.size());
+    };
+    const std::vector<std::byte> utia = fuzz::utiaSeed();
+    QVERIFY(add("a.bin", utia) && add("b.exr", utia) && add("c.exr", std::span(utia).first(64)));
+    BackgroundTasks tasks;
+    LibraryController library(tasks, [](const QString&, const TaskControl&) { return anyThumbnail(); });
+    library.showFolder(folder.path());
+    QTRY_COMPARE(idsOf(library.model()), QStringList({folder.filePath("a.bin"), folder.filePath("b.exr")}));
   }
 
   /// The window may take half a second a frame: the pictures must not wait for one each.
