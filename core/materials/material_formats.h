@@ -29,7 +29,7 @@ struct MaterialFormat {
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
   bool isSuffixAmbiguous;  ///< whether files that are not materials often have the suffix (.bin, .exr, .txt, .dat), so
                            ///< that it does not identify a material
-  bool isMeasurement;  ///< false: modelled or reconstructed from a measurement; training sets exclude it
+  bool isMeasurement;      ///< false: modelled or reconstructed from a measurement; training sets exclude it
   FormatCapabilities holds;
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);
