@@ -99,8 +99,8 @@ class MaterialFormatsTest : public QObject {
     const auto broken = writeFile("materials/words.pdv", bytesOf("words"));
     QVERIFY(materials::formatOfFile(broken) == &materials::formatOf(FormatId::pdv));
     QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
-             std::string(".binary, .bsdf, .bin, .astm, .txt, .dat, .pdv, .code or .nbrdf"));
-    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf and .bin"));
+             std::string(".binary, .bsdf, .bin, .exr, .astm, .txt, .dat, .pdv, .code or .nbrdf"));
+    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf, .bin and .exr"));
     QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
   }
 
