@@ -75,7 +75,8 @@ TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> 
 
 void TabulatedBrdf::markInterior() {
   const auto phiCount = std::size_t(grid_.phiDCount), thetaDCount = std::size_t(grid_.thetaDCount);
-  interior_.resize(grid_.size());
+  wordsPerRow_ = (phiCount + 63) / 64;
+  interior_.assign(std::size_t(grid_.thetaHCount) * thetaDCount * wordsPerRow_, 0);
   parallelForBlocks(std::size_t(grid_.thetaHCount), 4, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint8_t> columns(phiCount + 1);
     for (std::size_t row = begin * thetaDCount; row < end * thetaDCount; ++row) {
@@ -85,8 +86,9 @@ void TabulatedBrdf::markInterior() {
       const std::size_t d = aboveD * phiCount, h = aboveH * phiCount;
       for (std::size_t k = 0; k < phiCount; ++k) columns[k] = r[k] & r[k + d] & r[k + h] & r[k + d + h];
       columns[phiCount] = columns[0];
-      std::uint8_t* interior = interior_.data() + row * phiCount;
-      for (std::size_t k = 0; k < phiCount; ++k) interior[k] = columns[k] & columns[k + 1];
+      std::uint64_t* interior = interior_.data() + row * wordsPerRow_;
+      for (std::size_t k = 0; k < phiCount; ++k)
+        interior[k / 64] |= std::uint64_t(columns[k] & columns[k + 1]) << (k % 64);
     }
   });
 }
@@ -121,16 +123,21 @@ void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb
 void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values,
                                     std::span<std::uint8_t> measured) const {
   HalfDifferenceGrid::Position positions[HalfDifferenceBlock::capacity];
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i)
     positions[i] = grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]);
+  GridCorners corners[HalfDifferenceBlock::capacity];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    corners[i] = GridCorners(grid_, positions[i]);
     // The table is larger than the near caches: ask for all cells of the block before using the first.
-    const GridCorners corners(grid_, positions[i]);
-    for (const std::size_t row : corners.rows) __builtin_prefetch(values_.data() + row + std::size_t(corners.phiD.low));
-    __builtin_prefetch(interior_.data() + corners.cell(0));
+    for (const std::size_t row : corners[i].rows) {
+      const auto* low = reinterpret_cast<const char*>(values_.data() + row + std::size_t(corners[i].phiD.low));
+      __builtin_prefetch(low);
+      __builtin_prefetch(low + 2 * sizeof(Value) - 1);
+    }
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     bool valid = false;
-    values[i] = block.valid[i] ? interpolate(GridCorners(grid_, positions[i]), valid) : Rgb(0);
+    values[i] = block.valid[i] ? interpolate(corners[i], valid) : Rgb(0);
     if (!measured.empty()) measured[i] = valid;
   }
 }
@@ -155,9 +162,15 @@ bool TabulatedBrdf::hasData(const DirectionPair& pair) const {
   return valid;
 }
 
+bool TabulatedBrdf::isInterior(const GridCorners& at) const {
+  const std::size_t row = std::size_t(at.thetaH.low) * std::size_t(grid_.thetaDCount) + std::size_t(at.thetaD.low);
+  const auto column = std::size_t(at.phiD.low);
+  return (interior_[row * wordsPerRow_ + column / 64] >> (column % 64) & 1) != 0;
+}
+
 Rgb TabulatedBrdf::interpolate(const GridCorners& at, bool& valid) const {
   valid = true;
-  if (interior_[at.cell(0)]) {
+  if (isInterior(at)) {
     const auto row = [&](int r) {
       return mix(Rgb(values_[at.cell(2 * r)]), Rgb(values_[at.cell(2 * r + 1)]), at.phiD.weight);
     };

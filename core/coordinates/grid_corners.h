@@ -34,6 +34,7 @@ struct GridCorners {
   GridBracket thetaH, thetaD, phiD;
   std::size_t rows[4];  ///< first cells of the phi_d rows, by bits 1 and 2 of the corner
 
+  GridCorners() = default;  ///< uninitialised
   GridCorners(const HalfDifferenceGrid& grid, const HalfDifferenceGrid::Position& position)
       : thetaH(clampedBracket(position.thetaH, grid.thetaHCount)),
         thetaD(clampedBracket(position.thetaD, grid.thetaDCount)),

@@ -114,8 +114,15 @@ class TabulatedBrdfTest : public QObject {
   /// Tables without holes, with some and with many.
   void invalidCornersAreDropped() {
     std::mt19937_64 random(5);
-    for (const double invalidFraction : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-      const auto table = randomTable(smallGrid, invalidFraction, 6);
+    // More nodes of phi_d than one word of interior bits has.
+    const HalfDifferenceGrid wideGrid{.thetaHCount = 5, .thetaDCount = 4, .phiDCount = 150};
+    for (const auto& [grid, invalidFraction] : {std::pair{smallGrid, 0.0},
+                                                {smallGrid, 0.1},
+                                                {smallGrid, 0.5},
+                                                {smallGrid, 0.9},
+                                                {smallGrid, 1.0},
+                                                {wideGrid, 0.1}}) {
+      const auto table = randomTable(grid, invalidFraction, 6);
       for (int n = 0; n < 5000; ++n) {
         const HalfDifference at = randomCoordinates(random);
         bool valid = false, expectedValid = false;
