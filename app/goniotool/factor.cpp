@@ -30,7 +30,8 @@ struct FactorArguments {
   std::string method = pdvMethod, weights{pdvWeightNames[1]}, deviations = nodesOfMaterial;
   std::size_t bytes = bytesOfTenTerms;
   int terms = 10, samples = smallComparisonPicture().samples;
-  bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false, joint = false;
+  bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false, joint = false,
+       compact = false;
 
   PdvOptions pdvOptions() const {
     PdvOptions result = separateOptions();
@@ -46,11 +47,13 @@ struct FactorArguments {
             .transform = DataTransform(std::ranges::find(dataTransformNames, transform) - dataTransformNames.begin()),
             .terms = count,
             .weights = PdvWeights(std::ranges::find(pdvWeightNames, weights) - pdvWeightNames.begin()),
-            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>()};
+            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>(),
+            .thetaNodes = compact ? compactPdvThetaNodes : pdvThetaNodes,
+            .phiNodes = compact ? compactPdvPhiNodes : pdvPhiNodes};
   }
   /// Whether options other than form, transform and terms change the factorisation.
   bool choosesNodesOrWeights() const {
-    return asPublished || joint || weights != pdvWeightNames[1] || deviations != nodesOfMaterial;
+    return asPublished || joint || compact || weights != pdvWeightNames[1] || deviations != nodesOfMaterial;
   }
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
@@ -65,7 +68,7 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
   if (options.formGiven || options.transformGiven || options.choosesNodesOrWeights())
     throw UsageError("factor: " + options.material +
                      " contains factors already: leave out --form, --transform, --weights, --deviations, "
-                     "--joint and --as-published");
+                     "--joint, --compact and --as-published");
   return {.factors = materials::readPdv(options.material).truncated(options.terms),
           .residuals = {},
           .cells = 0,
@@ -82,7 +85,9 @@ PdvFactors otherFactors(const std::string& other, const FactorArguments& options
                        .transform = target.transform,
                        .terms = 1,
                        .weights = options.pdvOptions().weights,
-                       .deviationNodes = target.deviationNodes},
+                       .deviationNodes = target.deviationNodes,
+                       .thetaNodes = int(target.thetaNodes.size()),
+                       .phiNodes = std::max(2, int(target.phiNodes.size()))},
                       tool.control("factorising " + material.name))
       .factors;
 }
@@ -98,8 +103,10 @@ PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Too
 
 void checkOptions(const FactorArguments& options) {
   if (options.asPublished &&
-      (options.transformGiven || options.weights != pdvWeightNames[1] || options.deviations != nodesOfMaterial))
-    throw UsageError("factor: --as-published sets --transform, --weights and --deviations; leave these out");
+      (options.transformGiven || options.compact || options.weights != pdvWeightNames[1] ||
+       options.deviations != nodesOfMaterial))
+    throw UsageError("factor: --as-published sets --transform, --weights and all nodes; leave out --transform, "
+                     "--weights, --deviations and --compact");
   if (options.joint && options.swaps())
     throw UsageError(
         "factor: --joint cannot be used with --swap-f1 or --swap-f2: --joint refines all terms together, but --swap-f1 "
@@ -185,6 +192,8 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
       command.add_flag("--as-published", options->asPublished,
                        "Published method: --transform log-plus --weights equal --deviations library"),
       command.add_flag("--joint", options->joint, "Refine all terms jointly after finding them one after the other"),
+      command.add_flag("--compact", options->compact,
+                       "Fewer nodes of theta_R and |phi|, 60 and 30 instead of 90 and 180: half the bytes per term"),
       command.add_option("--decode", options->decode,
                          outputHelp("Also write the material that the factors represent to this file")),
       command.add_option("--swap-f1", options->swapF1,

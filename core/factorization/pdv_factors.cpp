@@ -26,9 +26,12 @@ PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const
   if (options.terms < 1 || options.terms > maxPdvTerms)
     throw Error("the count of terms is " + std::to_string(options.terms) + "; expected 1 to " +
                 std::to_string(maxPdvTerms));
+  for (const int count : {options.thetaNodes, options.phiNodes})
+    if (count < 2 || count > maxPdvNodes)
+      throw Error("the count of nodes is " + std::to_string(count) + "; expected 2 to " + std::to_string(maxPdvNodes));
   PdvFactors axes{.form = options.form, .transform = options.transform};
-  axes.thetaNodes = evenNodes(pdvThetaNodes, maxPolarAngle);
-  axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(pdvPhiNodes, pi);
+  axes.thetaNodes = evenNodes(options.thetaNodes, maxPolarAngle);
+  axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(options.phiNodes, pi);
   axes.deviationNodes = options.deviationNodes;
   if (axes.deviationNodes.empty()) {
     // No owner: the table outlives the call.

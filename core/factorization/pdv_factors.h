@@ -60,6 +60,13 @@ enum class PdvWeights {
 /// Names in JSON and on the command line, in the order of PdvWeights.
 inline constexpr std::array<std::string_view, 2> pdvWeightNames{"equal", "projected-solid-angle"};
 
+/// Numbers of nodes of theta_R and |phi| of the published method, which are the default.
+inline constexpr int pdvThetaNodes = 90, pdvPhiNodes = 180;
+/// Numbers that halve the bytes of a term. The curves over theta_R and |phi| are smooth, so that twice as many terms in
+/// the same bytes are more accurate (docs/results/factors.md).
+inline constexpr int compactPdvThetaNodes = 60, compactPdvPhiNodes = 30;
+inline constexpr int maxPdvNodes = 4096;
+
 struct PdvOptions {
   PdvForm form = PdvForm::threeFactors;
   DataTransform transform = DataTransform::logPlus;
@@ -67,6 +74,8 @@ struct PdvOptions {
   PdvWeights weights = PdvWeights::projectedSolidAngle;
   /// Nodes of |Dp|; empty: deviationNodes() of the material.
   std::vector<double> deviationNodes = {};
+  /// Numbers of nodes of theta_R and |phi|, [2, maxPdvNodes], at equal distances. The two-factor form has no |phi|.
+  int thetaNodes = pdvThetaNodes, phiNodes = pdvPhiNodes;
   /// Improves all terms together after they were found one by one (core/factorization/joint_terms.h). The squared error
   /// is never larger; the first terms of the result alone are then not the best model with that number of terms.
   bool joint = false;
@@ -76,9 +85,6 @@ inline constexpr int maxPdvTerms = 20;
 /// The options of the published method (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, eq. 4.24 to 4.26):
 /// ln(1 + rho), equal weights of all cells, and libraryDeviationNodes() for all materials.
 PdvOptions publishedPdvOptions(PdvForm form, int terms);
-/// Numbers of nodes of theta_R and |phi| in factorisations.
-inline constexpr int pdvThetaNodes = 90, pdvPhiNodes = 180;
-
 struct PdvFactorization {
   PdvFactors factors;
   /// |y - y^| / |y| in the weighted norm over all channels, for 0, 1, ... terms; never increases. The first is 1, or 0

@@ -21,7 +21,7 @@ using factorization::PdvForm;
 using factorization::PdvTerm;
 
 constexpr io::ContainerFormat pdvFormat{.name = "PDV", .signature = "GONIOPDV"};
-constexpr std::uint32_t maxFactorNodes = 4096;
+constexpr std::uint32_t maxFactorNodes = factorization::maxPdvNodes;
 enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
 using Header = std::array<std::uint32_t, headerNumbers>;
 /// Signature, version, header and highest y.

@@ -116,6 +116,8 @@ void add(List& list, RepresentationFamily family, const RepresentationChoice& ch
     case RepresentationFamily::alternatives:
       addCounted(list, {family, "factors-2d-joint", "PDV factors, two curves, joint fit"}, choice.terms, "term");
       addCounted(list, {family, "factors-3d-joint", "PDV factors, three curves, joint fit"}, choice.terms, "term");
+      addCounted(list, {family, "factors-3d-compact", "PDV factors, three curves, joint fit, compact"}, choice.terms,
+                 "term");
       return addCounted(list, {family, "code-basis-pursuit", "Sparse code by basis pursuit"}, choice.coefficients,
                         "coefficient");
     case RepresentationFamily::neural:

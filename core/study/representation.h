@@ -48,8 +48,8 @@ struct Representation {
                       ///< "table-trilinear", a model's id, "factors-2d", "factors-3d", "code", "components",
                       ///< "components-separated", "patches", "nonparametric", "published-nonparametric", a baseline's
                       ///< id, "factors-2d-published", "factors-3d-published", "code-published", "factors-2d-joint",
-                      ///< "factors-3d-joint", "code-basis-pursuit", "neural". 2d: two factors, F1 and F2; 3d: three
-                      ///< factors
+                      ///< "factors-3d-joint", "factors-3d-compact", "code-basis-pursuit", "neural". 2d: two factors, F1
+                      ///< and F2; 3d: three factors
   std::string label;  ///< for display, e.g. "GGX", "PDV factors, three curves"
   double budget = 0;  ///< number of terms, of coefficients or components per channel, or of fitted parameters; of a
                       ///< baseline: maximum bytes; 0 if there is no budget

@@ -36,7 +36,7 @@ DataTransform transformOf(const std::string& name) {
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
 PyFactors factorize(const PyMaterial& material, int terms, const std::string& form, const std::string& transform,
-                    const std::string& weights, const std::vector<double>& deviationNodes, bool joint,
+                    const std::string& weights, const std::vector<double>& deviationNodes, bool joint, bool compact,
                     const py::object& progress) {
   const auto chosen = std::ranges::find(formNames, form);
   if (chosen == formNames.end()) throw Error("form: found '" + form + "', expected 2d or 3d");
@@ -48,6 +48,8 @@ PyFactors factorize(const PyMaterial& material, int terms, const std::string& fo
                            .terms = terms,
                            .weights = PdvWeights(weighting - pdvWeightNames.begin()),
                            .deviationNodes = deviationNodes,
+                           .thetaNodes = compact ? compactPdvThetaNodes : pdvThetaNodes,
+                           .phiNodes = compact ? compactPdvPhiNodes : pdvPhiNodes,
                            .joint = joint};
   PdvFactorization found = resultOf(progress, [&](const TaskControl& control) {
     return factorizePdv(*material.table(control.between(0, 0.1)), options, control.between(0.1, 1));

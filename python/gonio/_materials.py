@@ -135,7 +135,7 @@ class Material:
     def evaluate(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
         """BRDF values of pairs of directions, without the cosine.
 
-        A table takes about 50 ns per pair on one core; edits and codes take longer. Large arrays are evaluated on all cores.
+        A table takes about 30 ns per pair on one core; edits and codes take longer. Large arrays are evaluated on all cores.
 
         Args:
             wi: Directions toward the light, shape (..., 3), unit vectors.

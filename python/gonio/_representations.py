@@ -128,7 +128,7 @@ class Factors:
 
 def factorize(material: Material, terms: int = 10, form: str = "3d", transform: str = "log-plus",
               weights: str = "projected-solid-angle", deviation_nodes: Sequence[float] = (), joint: bool = False,
-              progress: Progress = None) -> Factors:
+              compact: bool = False, progress: Progress = None) -> Factors:
     """Factorises a material into curves over projected-deviation coordinates. Takes about 1 s for ten terms. The published
     method is `factorize(material, terms, form, weights="equal", deviation_nodes=gonio.published_deviation_nodes())`.
 
@@ -144,12 +144,13 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
         joint: Fit all terms together after they were found one after the other (docs/factors.md). Takes a few seconds. The
             first terms then depend on the number.
+        compact: Use 60 nodes of theta_R and 30 of |phi| instead of 90 and 180, which halves the bytes per term.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
         Error: An argument is out of its range.
     """
-    return Factors(_core.factorize(material._handle, terms, form, transform, weights, list(deviation_nodes), joint, progress))
+    return Factors(_core.factorize(material._handle, terms, form, transform, weights, list(deviation_nodes), joint, compact, progress))
 
 
 def published_deviation_nodes(materials: Sequence[Material] = (), progress: Progress = None) -> NDArray[np.float64]:

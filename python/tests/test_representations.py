@@ -116,6 +116,12 @@ def test_joint_factors(paint, factors):
     assert joint.f1[:, 0].min() >= 0
 
 
+def test_compact_factors(paint, factors):
+    compact = gonio.factorize(paint, terms=3, compact=True)
+    assert compact.theta_nodes.size == 60 and compact.phi_nodes.size == 30
+    assert compact.bytes < 0.55 * factors.bytes and compact.residuals[3] < 1.1 * factors.residuals[3]
+
+
 def test_code_files_round_trip(code, tmp_path):
     code.save(tmp_path / "paint.code")
     assert (tmp_path / "paint.code").stat().st_size == code.bytes

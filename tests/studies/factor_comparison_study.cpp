@@ -3,7 +3,8 @@
 //
 // gonio_studies factor_comparison [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] [--materials]
 // FILE...: how well factorisations keep materials at equal bytes. Budgets are the bytes of the three-factor PDV model
-// of 1, 2, 5 and 10 terms, found one by one (pdv3) or fitted together (pdv3-joint); the two-factor form and each
+// of 1, 2, 5 and 10 terms, found one by one (pdv3) or fitted together (pdv3-joint), and twice as
+// many terms over the compact nodes, fitted together (pdv3-compact); the two-factor form and each
 // baseline get as many terms as a budget holds. A line a
 // material, model and budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At
 // the end a table of means over the materials. With --csv records are kept in a file, and what is in it is not computed
@@ -114,11 +115,12 @@ std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const 
 }
 
 /// A fit of its own for each budget: fewer terms of a joint fit are not the best ones.
-std::vector<ComparedModel> buildJointPdv(const TabulatedBrdf& table) {
+std::vector<ComparedModel> buildJointPdv(const TabulatedBrdf& table, bool compact) {
   std::vector<ComparedModel> models;
   for (const int terms : budgetTerms) {
-    const PdvFactors factors =
-        factorizePdv(table, {.form = PdvForm::threeFactors, .terms = terms, .joint = true}).factors;
+    PdvOptions options{.form = PdvForm::threeFactors, .terms = compact ? 2 * terms : terms, .joint = true};
+    if (compact) options.thetaNodes = compactPdvThetaNodes, options.phiNodes = compactPdvPhiNodes;
+    const PdvFactors factors = factorizePdv(table, options).factors;
     models.push_back({makePdvBrdf(factors), materials::pdvFileBytes(factors)});
   }
   return models;
@@ -132,7 +134,8 @@ std::vector<Contestant> contestants(const Options& options) {
       {"symmetric", bound(study::symmetricMean), true},
       {"pdv-grid", bound(study::deviationGrid), true},
       {"pdv3", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::threeFactors); }},
-      {"pdv3-joint", [](const Table& table, auto) { return buildJointPdv(*table); }},
+      {"pdv3-joint", [](const Table& table, auto) { return buildJointPdv(*table, false); }},
+      {"pdv3-compact", [](const Table& table, auto) { return buildJointPdv(*table, true); }},
       {"pdv2", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::twoFactors); }}};
   for (const Baseline& baseline : baselines())
     all.push_back({std::string(baseline.id),

@@ -112,6 +112,26 @@ class GoniotoolFactorTest : public QObject {
     QCOMPARE(runTool({"factor", out, "--joint"}).code, 2);
   }
 
+  /// --compact writes the factors of the library over fewer nodes; swaps use the same nodes.
+  void compactCurves() {
+    const QString out = folder_.path("compact.pdv");
+    const QStringList start{"factor", plastic_, "--samples", "1", "--terms", "2", "--compact"};
+    const ToolResult result = runJson(start + QStringList{"--joint", "--out", out});
+    VERIFY_SUCCESS(result);
+    const auto library = factorizePdv(*readTable(plastic_), {.terms = 2,
+                                                             .thetaNodes = compactPdvThetaNodes,
+                                                             .phiNodes = compactPdvPhiNodes,
+                                                             .joint = true});
+    QVERIFY(result.json["residuals"] == nlohmann::json({library.residuals[1], library.residuals[2]}));
+    QVERIFY(result.json["grid"] == nlohmann::json({60, 90, 30}));
+    QCOMPARE(result.json["bytes"].get<qint64>(), QFileInfo(out).size());
+    const ToolResult swapped = runJson(start + QStringList{"--swap-f1", rough_});
+    VERIFY_SUCCESS(swapped);
+    QVERIFY(swapped.json["grid"] == nlohmann::json({60, 90, 30}));
+    QCOMPARE(runTool(start + QStringList{"--as-published"}).code, 2);
+    QCOMPARE(runTool({"factor", out, "--compact"}).code, 2);
+  }
+
   /// Of a file of factors the factors are taken, not found again.
   void factorsOfFactors() {
     const QString all = folder_.path("all.pdv"), two = folder_.path("two.pdv");

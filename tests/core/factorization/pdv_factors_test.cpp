@@ -8,7 +8,9 @@
 
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/deviation_grid.h"
+#include "core/materials/pdv_file.h"
 #include "core/math/parallel.h"
+#include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/random_directions.h"
@@ -160,8 +162,10 @@ class PdvFactorsTest : public QObject {
       }
     };
     const auto table = bakeTable(Separable());
-    for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors}) {
-      const PdvFactorization f = factorizePdv(*table, {.form = form, .terms = 1});
+    const PdvOptions compact{.terms = 1, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes};
+    for (const PdvOptions& options : {PdvOptions{.form = PdvForm::twoFactors, .terms = 1}, {.terms = 1}, compact}) {
+      const PdvFactorization f = factorizePdv(*table, options);
+      QCOMPARE(f.factors.thetaNodes.size(), std::size_t(options.thetaNodes));
       QVERIFY2(f.residuals[1] < 2e-3, QByteArray::number(f.residuals[1]));
       const auto brdf = makePdvBrdf(f.factors);
       std::mt19937_64 random(1);
@@ -223,12 +227,29 @@ class PdvFactorsTest : public QObject {
     for (std::size_t j = 1; j < nodes.size(); ++j) QVERIFY(nodes[j] - nodes[j - 1] < 3 * maxDeviation / 89 + 1e-9);
   }
 
+  /// Compact curves halve the bytes of a term; twice as many terms in these bytes are more accurate.
+  void compactCurvesBuyTerms() {
+    const auto table = glossyTable();
+    PdvOptions options{.terms = 2, .joint = true};
+    const PdvFactorization full = factorizePdv(*table, options);
+    options = {.terms = 4, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes, .joint = true};
+    const PdvFactorization compact = factorizePdv(*table, options);
+    QVERIFY(materials::pdvFileBytes(compact.factors) < materials::pdvFileBytes(full.factors));
+    const auto error = [&](const PdvFactors& factors) {
+      return metrics::brdfError(metrics::BrdfMetric::logRelative, *table, *makePdvBrdf(factors));
+    };
+    QVERIFY2(error(compact.factors) < 0.8 * error(full.factors),
+             QByteArray::number(error(compact.factors) / error(full.factors)));
+  }
+
   void wrongOptionsAreErrors() {
     const auto table = glossyTable();
     QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.terms = 0}), Error);
     QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.terms = 21}), Error);
     QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.deviationNodes = {0, 1, 1}}), Error);
     QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.deviationNodes = {0.1, 1}}), Error);
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.thetaNodes = 1}), Error);
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.phiNodes = maxPdvNodes + 1}), Error);
   }
 
   void hardCase50SameBitsForAnyNumberOfThreads() {

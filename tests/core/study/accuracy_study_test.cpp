@@ -89,7 +89,7 @@ class AccuracyStudyTest : public QObject {
     fails("components", 4, "'components'");
     fails("tucker", 4,
           "factors-2d, factors-3d, code, nonparametric, factors-2d-published, factors-3d-published, code-published, "
-          "factors-2d-joint, factors-3d-joint, code-basis-pursuit, neural, kautz-mccool");
+          "factors-2d-joint, factors-3d-joint, factors-3d-compact, code-basis-pursuit, neural, kautz-mccool");
     fails("lawrence", {}, "no budget, expected a whole number from 1 to 100000000 (bytes)");
     fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
     fails("factors-2d", 2.5, "the budget 2.5");
@@ -233,7 +233,8 @@ class AccuracyStudyTest : public QObject {
       return materials::encodeCode(code, 1).size();
     };
     const std::array all{representationById("code-published", 100), representationById("code-basis-pursuit", 100),
-                         representationById("factors-3d-joint", 2), representationById("factors-3d-joint", 3)};
+                         representationById("factors-3d-joint", 2), representationById("factors-3d-joint", 3),
+                         representationById("factors-3d-compact", 2)};
     RepresentationBuilder builder({table, table}, build, all);
     QCOMPARE(builder.build(all[0]).bytes, encoded(dictionary::publishedEncodeOptions(100)));
     QCOMPARE(builder.build(all[1]).bytes,
@@ -244,6 +245,10 @@ class AccuracyStudyTest : public QObject {
       QCOMPARE(built.bytes, materials::pdvFileBytes(factors));
       QVERIFY(*factorization::pdvFactorsOf(*built.brdf) == factors);
     }
+    using namespace factorization;
+    const PdvOptions compact{
+        .terms = 2, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes, .joint = true};
+    QVERIFY(*pdvFactorsOf(*builder.build(all[4]).brdf) == factorizePdv(*table, compact).factors);
   }
 
   /// Published factors are evaluated as they are; their size is that of the 272 columns that the model uses.
