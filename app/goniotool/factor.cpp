@@ -102,11 +102,11 @@ PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Too
 }
 
 void checkOptions(const FactorArguments& options) {
-  if (options.asPublished &&
-      (options.transformGiven || options.compact || options.weights != pdvWeightNames[1] ||
-       options.deviations != nodesOfMaterial))
-    throw UsageError("factor: --as-published sets --transform, --weights and all nodes; leave out --transform, "
-                     "--weights, --deviations and --compact");
+  if (options.asPublished && (options.transformGiven || options.compact || options.weights != pdvWeightNames[1] ||
+                              options.deviations != nodesOfMaterial))
+    throw UsageError(
+        "factor: --as-published sets --transform, --weights and all nodes; leave out --transform, "
+        "--weights, --deviations and --compact");
   if (options.joint && options.swaps())
     throw UsageError(
         "factor: --joint cannot be used with --swap-f1 or --swap-f2: --joint refines all terms together, but --swap-f1 "
