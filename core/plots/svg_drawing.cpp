@@ -107,6 +107,8 @@ std::vector<glm::dvec2> markerOutline(Marker marker, double size) {
       const double x = 0.9 * size, y = 1.1 * size, waist = 0.2 * size;
       return {{-x, -y}, {x, -y}, {waist, 0}, {x, y}, {-x, y}, {-waist, 0}};
     }
+    case Marker::arrowhead:
+      return {{0, -1.3 * size}, {1.1 * size, 1.1 * size}, {0, 0.5 * size}, {-1.1 * size, 1.1 * size}};
     case Marker::circle:
       break;
   }

@@ -26,7 +26,8 @@ enum class Marker {
   triangleRight,
   threeStar,
   fourStar,
-  hourglass
+  hourglass,
+  arrowhead
 };
 
 /// The corners of a marker around the origin, y down; empty for a circle, which has the radius `size`.

@@ -224,14 +224,16 @@ SeriesStyle styleOf(const Representation& r) {
     return {shape.marker, style.colour, shape.hollow, r.label};
   }
   if (r.id == separatedComponentsId) return {Marker::threeStar, style.colour, false, r.label};
-  // Codes of the families that contain factors too have a shape of their own.
+  // Codes of the families that contain factors too have a shape of their own, and so have compact factors.
   const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
   const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative) ||
                       r.family == RepresentationFamily::patches;
   const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
                      r.family == RepresentationFamily::published || alternative;
-  return {variantCode ? Marker::triangleLeft : style.marker, style.colour, hollow,
-          named ? r.label : std::string(familyName(r.family))};
+  const Marker marker = variantCode                    ? Marker::triangleLeft
+                        : r.id == "factors-3d-compact" ? Marker::arrowhead
+                                                       : style.marker;
+  return {marker, style.colour, hollow, named ? r.label : std::string(familyName(r.family))};
 }
 
 std::vector<StudyAxes> allCostAxes() {

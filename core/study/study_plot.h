@@ -10,9 +10,9 @@
 namespace gonio::study {
 
 /// Style of the points of representations in all plots. The colour is that of the family, and so is the shape, except
-/// that each baseline, the separated components, and the codes of the families `published` and `alternatives` have
-/// shapes of their own. Hollow: the table without interpolation, PDV factors with two curves, codes by basis pursuit,
-/// patches, and some baselines.
+/// that each baseline, the separated components, compact PDV factors, and the codes of the families `published` and
+/// `alternatives` have shapes of their own. Hollow: the table without interpolation, PDV factors with two curves, codes
+/// by basis pursuit, patches, and some baselines.
 struct SeriesStyle {
   plots::Marker marker;
   std::string_view colour;

@@ -157,7 +157,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
         material: The material to represent.
         representations: Families of representations: "table", "fits", "factors", "codes", "components", "patches",
             "nonparametric" (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
-            factors and codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, with all nodes and compact; codes
+            factors and codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, over all nodes or compact; codes
             by basis pursuit), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
         baselines: Ids of the methods for "baselines" (gonio.baselines()); (): all except "nonparametric".

@@ -20,7 +20,7 @@ QString familyToolTip(study::RepresentationFamily family) {
     return StudyRun::tr("PDV factors and sparse codes as the papers describe them");
   if (family == study::RepresentationFamily::alternatives)
     return StudyRun::tr(
-        "PDV factors with jointly fitted terms, with all nodes and compact; sparse codes by basis pursuit");
+        "PDV factors with jointly fitted terms, over all nodes or compact; sparse codes by basis pursuit");
   if (family == study::RepresentationFamily::neural)
     return StudyRun::tr("Networks of 675 weights (Sztrajman et al. 2021); training takes about 12 seconds");
   return StudyRun::tr("Measures representations of this kind");
