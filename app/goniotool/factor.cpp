@@ -36,7 +36,7 @@ struct FactorArguments {
   PdvOptions pdvOptions() const {
     PdvOptions result = separateOptions();
     result.joint = joint;
-    return result;
+    return compact ? compactPdvOptions(result) : result;
   }
   /// Of terms that are found one after the other.
   PdvOptions separateOptions() const {
@@ -47,9 +47,7 @@ struct FactorArguments {
             .transform = DataTransform(std::ranges::find(dataTransformNames, transform) - dataTransformNames.begin()),
             .terms = count,
             .weights = PdvWeights(std::ranges::find(pdvWeightNames, weights) - pdvWeightNames.begin()),
-            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>(),
-            .thetaNodes = compact ? compactPdvThetaNodes : pdvThetaNodes,
-            .phiNodes = compact ? compactPdvPhiNodes : pdvPhiNodes};
+            .deviationNodes = deviations == nodesOfLibrary ? libraryDeviationNodes() : std::vector<double>()};
   }
   /// Whether options other than form, transform and terms change the factorisation.
   bool choosesNodesOrWeights() const {

@@ -111,6 +111,12 @@ PdvOptions publishedPdvOptions(PdvForm form, int terms) {
   return {.form = form, .terms = terms, .weights = PdvWeights::equal, .deviationNodes = libraryDeviationNodes()};
 }
 
+PdvOptions compactPdvOptions(PdvOptions options) {
+  options.thetaNodes = 60;
+  options.phiNodes = 30;
+  return options;
+}
+
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
   const double preparationShare = 0.2, termsEnd = options.joint ? 0.4 : 1;
   const auto start = std::chrono::steady_clock::now();

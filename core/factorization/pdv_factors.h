@@ -62,9 +62,6 @@ inline constexpr std::array<std::string_view, 2> pdvWeightNames{"equal", "projec
 
 /// Numbers of nodes of theta_R and |phi| of the published method, which are the default.
 inline constexpr int pdvThetaNodes = 90, pdvPhiNodes = 180;
-/// Numbers that halve the bytes of a term. The curves over theta_R and |phi| are smooth, so that twice as many terms in
-/// the same bytes are more accurate (docs/results/factors.md).
-inline constexpr int compactPdvThetaNodes = 60, compactPdvPhiNodes = 30;
 inline constexpr int maxPdvNodes = 4096;
 
 struct PdvOptions {
@@ -85,6 +82,10 @@ inline constexpr int maxPdvTerms = 20;
 /// The options of the published method (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, eq. 4.24 to 4.26):
 /// ln(1 + rho), equal weights of all cells, and libraryDeviationNodes() for all materials.
 PdvOptions publishedPdvOptions(PdvForm form, int terms);
+/// The same options with 60 nodes of theta_R and 30 of |phi|, which halves the bytes of a term. These curves are
+/// smooth: twice as many terms in the same bytes are more accurate (docs/results/factors.md).
+PdvOptions compactPdvOptions(PdvOptions options);
+
 struct PdvFactorization {
   PdvFactors factors;
   /// |y - y^| / |y| in the weighted norm over all channels, for 0, 1, ... terms; never increases. The first is 1, or 0

@@ -43,11 +43,9 @@ factorization::PdvOptions pdvOptionsOf(const Representation& representation, int
   using namespace factorization;
   const PdvForm form = representation.id.starts_with("factors-2d") ? PdvForm::twoFactors : PdvForm::threeFactors;
   if (representation.family == RepresentationFamily::published) return publishedPdvOptions(form, terms);
-  PdvOptions options{
+  const PdvOptions options{
       .form = form, .terms = terms, .joint = representation.family == RepresentationFamily::alternatives};
-  if (representation.id.ends_with("-compact"))
-    options.thetaNodes = compactPdvThetaNodes, options.phiNodes = compactPdvPhiNodes;
-  return options;
+  return representation.id.ends_with("-compact") ? compactPdvOptions(options) : options;
 }
 
 dictionary::EncodeOptions encodeOptionsOf(const Representation& representation) {

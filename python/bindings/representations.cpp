@@ -48,11 +48,10 @@ PyFactors factorize(const PyMaterial& material, int terms, const std::string& fo
                            .terms = terms,
                            .weights = PdvWeights(weighting - pdvWeightNames.begin()),
                            .deviationNodes = deviationNodes,
-                           .thetaNodes = compact ? compactPdvThetaNodes : pdvThetaNodes,
-                           .phiNodes = compact ? compactPdvPhiNodes : pdvPhiNodes,
                            .joint = joint};
   PdvFactorization found = resultOf(progress, [&](const TaskControl& control) {
-    return factorizePdv(*material.table(control.between(0, 0.1)), options, control.between(0.1, 1));
+    return factorizePdv(*material.table(control.between(0, 0.1)), compact ? compactPdvOptions(options) : options,
+                        control.between(0.1, 1));
   });
   return {std::make_shared<const PdvFactors>(std::move(found.factors)), found.residuals, found.seconds};
 }

@@ -118,9 +118,9 @@ std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const 
 std::vector<ComparedModel> buildJointPdv(const TabulatedBrdf& table, bool compact) {
   std::vector<ComparedModel> models;
   for (const int terms : budgetTerms) {
-    PdvOptions options{.form = PdvForm::threeFactors, .terms = compact ? 2 * terms : terms, .joint = true};
-    if (compact) options.thetaNodes = compactPdvThetaNodes, options.phiNodes = compactPdvPhiNodes;
-    const PdvFactors factors = factorizePdv(table, options).factors;
+    const PdvFactors factors = factorizePdv(table, compact ? compactPdvOptions({.terms = 2 * terms, .joint = true})
+                                                           : PdvOptions{.terms = terms, .joint = true})
+                                   .factors;
     models.push_back({makePdvBrdf(factors), materials::pdvFileBytes(factors)});
   }
   return models;

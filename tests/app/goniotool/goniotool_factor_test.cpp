@@ -118,9 +118,7 @@ class GoniotoolFactorTest : public QObject {
     const QStringList start{"factor", plastic_, "--samples", "1", "--terms", "2", "--compact"};
     const ToolResult result = runJson(start + QStringList{"--joint", "--out", out});
     VERIFY_SUCCESS(result);
-    const auto library =
-        factorizePdv(*readTable(plastic_),
-                     {.terms = 2, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes, .joint = true});
+    const auto library = factorizePdv(*readTable(plastic_), compactPdvOptions({.terms = 2, .joint = true}));
     QVERIFY(result.json["residuals"] == nlohmann::json({library.residuals[1], library.residuals[2]}));
     QVERIFY(result.json["grid"] == nlohmann::json({60, 90, 30}));
     QCOMPARE(result.json["bytes"].get<qint64>(), QFileInfo(out).size());

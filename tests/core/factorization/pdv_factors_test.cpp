@@ -162,8 +162,8 @@ class PdvFactorsTest : public QObject {
       }
     };
     const auto table = bakeTable(Separable());
-    const PdvOptions compact{.terms = 1, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes};
-    for (const PdvOptions& options : {PdvOptions{.form = PdvForm::twoFactors, .terms = 1}, {.terms = 1}, compact}) {
+    for (const PdvOptions& options :
+         {PdvOptions{.form = PdvForm::twoFactors, .terms = 1}, {.terms = 1}, compactPdvOptions({.terms = 1})}) {
       const PdvFactorization f = factorizePdv(*table, options);
       QCOMPARE(f.factors.thetaNodes.size(), std::size_t(options.thetaNodes));
       QVERIFY2(f.residuals[1] < 2e-3, QByteArray::number(f.residuals[1]));
@@ -230,10 +230,8 @@ class PdvFactorsTest : public QObject {
   /// Compact curves halve the bytes of a term; twice as many terms in these bytes are more accurate.
   void compactCurvesBuyTerms() {
     const auto table = glossyTable();
-    PdvOptions options{.terms = 2, .joint = true};
-    const PdvFactorization full = factorizePdv(*table, options);
-    options = {.terms = 4, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes, .joint = true};
-    const PdvFactorization compact = factorizePdv(*table, options);
+    const PdvFactorization full = factorizePdv(*table, {.terms = 2, .joint = true});
+    const PdvFactorization compact = factorizePdv(*table, compactPdvOptions({.terms = 4, .joint = true}));
     QVERIFY(materials::pdvFileBytes(compact.factors) < materials::pdvFileBytes(full.factors));
     const auto error = [&](const PdvFactors& factors) {
       return metrics::brdfError(metrics::BrdfMetric::logRelative, *table, *makePdvBrdf(factors));

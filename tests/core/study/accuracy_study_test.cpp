@@ -246,9 +246,8 @@ class AccuracyStudyTest : public QObject {
       QVERIFY(*factorization::pdvFactorsOf(*built.brdf) == factors);
     }
     using namespace factorization;
-    const PdvOptions compact{
-        .terms = 2, .thetaNodes = compactPdvThetaNodes, .phiNodes = compactPdvPhiNodes, .joint = true};
-    QVERIFY(*pdvFactorsOf(*builder.build(all[4]).brdf) == factorizePdv(*table, compact).factors);
+    const auto compact = factorizePdv(*table, compactPdvOptions({.terms = 2, .joint = true})).factors;
+    QVERIFY(*pdvFactorsOf(*builder.build(all[4]).brdf) == compact);
   }
 
   /// Published factors are evaluated as they are; their size is that of the 272 columns that the model uses.
