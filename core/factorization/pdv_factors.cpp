@@ -18,6 +18,7 @@ namespace {
 
 std::vector<double> evenNodes(int count, double last) {
   std::vector<double> nodes;
+  nodes.reserve(std::size_t(count));
   for (int i = 0; i < count; ++i) nodes.push_back(last * i / (count - 1));
   return nodes;
 }
