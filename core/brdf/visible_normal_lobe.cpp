@@ -70,18 +70,6 @@ double gaussianSlope(double u) {
 
 }  // namespace
 
-double ggxDensity(const Direction& half, double alphaX, double alphaY) {
-  const double product = alphaX * alphaY;
-  const double slope =
-      half.x * half.x * (alphaY / alphaX) + half.y * half.y * (alphaX / alphaY) + product * half.z * half.z;
-  return product / (pi * slope * slope);
-}
-
-double ggxCosineOverG1(const Direction& w, double alphaX, double alphaY) {
-  const double x = alphaX * w.x, y = alphaY * w.y;
-  return (w.z + std::sqrt(x * x + y * y + w.z * w.z)) / 2;
-}
-
 double beckmannDensity(const Direction& half, double alphaX, double alphaY) {
   if (!(half.z > 0)) return 0;
   const double x = half.x / (alphaX * half.z), y = half.y / (alphaY * half.z);

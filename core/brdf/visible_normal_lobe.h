@@ -38,8 +38,16 @@ double beckmannDensity(const Direction& half, double alphaX, double alphaY);
 /// "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", with anisotropic roughness). O(1).
 double beckmannCosineOverG1(const Direction& w, double alphaX, double alphaY);
 /// As beckmannDensity(), for the GGX distribution: D(h), 1/sr. O(1).
-double ggxDensity(const Direction& half, double alphaX, double alphaY);
+inline double ggxDensity(const Direction& half, double alphaX, double alphaY) {
+  const double product = alphaX * alphaY;
+  const double slope =
+      half.x * half.x * (alphaY / alphaX) + half.y * half.y * (alphaX / alphaY) + product * half.z * half.z;
+  return product / (pi * slope * slope);
+}
 /// As beckmannCosineOverG1(), for the GGX distribution. O(1).
-double ggxCosineOverG1(const Direction& w, double alphaX, double alphaY);
+inline double ggxCosineOverG1(const Direction& w, double alphaX, double alphaY) {
+  const double x = alphaX * w.x, y = alphaY * w.y;
+  return (w.z + std::sqrt(x * x + y * y + w.z * w.z)) / 2;
+}
 
 }  // namespace gonio

@@ -30,10 +30,9 @@ class FormulaBrdf final : public Brdf {
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    models::SurfaceGeometry geometry;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const DirectionPair pair = traits_.isotropic ? pairs[i] : toGrain_(pairs[i]);
-      values[i] = models::surfaceGeometry(pair, geometry) ? formula_(geometry) : Rgb(0);
+      values[i] = models::isAboveSurface(pair) ? formula_(models::surfaceGeometry(pair)) : Rgb(0);
     }
   }
   bool isIsotropic() const override { return traits_.isotropic; }

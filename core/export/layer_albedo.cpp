@@ -58,8 +58,8 @@ GgxAlbedo integrateGgx(double cosine, double alpha) {
   for (int i = 0; i < strata * strata; ++i) {
     const int row = i / strata, column = i % strata;
     const Direction wi = lobe.sample(wo, {(column + 0.5) / strata, (row + 0.5) / strata});
-    models::SurfaceGeometry g;
-    if (!models::surfaceGeometry({wi, wo}, g)) continue;
+    if (!models::isAboveSurface({wi, wo})) continue;
+    const models::SurfaceGeometry g = models::surfaceGeometry({wi, wo});
     const double weight = correlatedGgx(g, GgxAlpha(alpha)) * wi.z / lobe.density(wi, wo), s = schlickWeight(g.cosD);
     sum.normal += weight * (1 - s);
     sum.edge += weight * s;
@@ -75,8 +75,8 @@ GgxAlbedo integrateCharlie(double cosine, double alpha) {
     const int row = i / strata, column = i % strata;
     const double r2 = (column + 0.5) / strata, phi = pi * (row + 0.5) / strata, r = std::sqrt(r2);
     const Direction wi(r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - r2));
-    models::SurfaceGeometry g;
-    if (!models::surfaceGeometry({wi, wo}, g)) continue;
+    if (!models::isAboveSurface({wi, wo})) continue;
+    const models::SurfaceGeometry g = models::surfaceGeometry({wi, wo});
     sum += pi * charlieDensity(g.sin2H, alpha) / (4 * (g.cosI + g.cosO - g.cosI * g.cosO));
   }
   return {std::min(1.0, sum / (strata * strata)), 0};

@@ -71,11 +71,23 @@ class Linearisation {
 
 }  // namespace
 
-/// The model with `count` unknowns from `first` on moved by their steps: all at once in one evaluation where each has
-/// a channel of the evaluation to itself (one channel is fitted), else there is only one.
+/// How many unknowns from `first` on one evaluation can move, each in a channel of its own: with one fitted channel, as
+/// many as there are channels; with several, the values of one parameter in different channels.
+std::size_t ProjectedProblem::perturbedTogether(std::size_t first) const {
+  std::size_t count = 1;
+  while (count < 3 && first + count < unknowns_.size()) {
+    const Unknown &a = unknowns_[first], &b = unknowns_[first + count];
+    if (channels_.size() > 1 && (a.channel < 0 || b.parameter != a.parameter)) break;
+    ++count;
+  }
+  return count;
+}
+
+/// The model with `count` unknowns from `first` on moved by their steps: see perturbedTogether().
 std::vector<Rgb> ProjectedProblem::perturbedModel(std::size_t first, std::size_t count) const {
   std::vector<double> units = units_;
-  if (channels_.size() > 1) units[first] += stepFrom(units[first], unknowns_[first].scale);
+  if (channels_.size() > 1)
+    for (std::size_t k = first; k < first + count; ++k) units[k] += stepFrom(units[k], unknowns_[k].scale);
   models::ParameterValues values = valuesAt(units);
   if (channels_.size() == 1)
     for (std::size_t m = 0; m < count; ++m) {
@@ -99,7 +111,6 @@ std::vector<Rgb> ProjectedProblem::perturbedModel(std::size_t first, std::size_t
 
 void ProjectedProblem::jacobian(double* out) const {
   const std::size_t cells = target_.cells.size(), unknowns = unknowns_.size();
-  const std::size_t stride = channels_.size() == 1 ? 3 : 1;
   const double factor = preferenceFactor(units_);
   std::vector<ChannelProblem> problems;
   for (std::size_t slot = 0; slot < channels_.size(); ++slot) problems.push_back(channelProblem(slot));
@@ -108,8 +119,8 @@ void ProjectedProblem::jacobian(double* out) const {
     linearisations[slot].emplace(problems[slot], solutions_[slot]);
   });
   Eigen::VectorXd column{Eigen::Index(cells)};
-  for (std::size_t first = 0; first < unknowns; first += stride) {
-    const std::size_t count = std::min(stride, unknowns - first);
+  for (std::size_t first = 0, count = 0; first < unknowns; first += count) {
+    count = perturbedTogether(first);
     const std::vector<Rgb> perturbed = perturbedModel(first, count);
     for (std::size_t k = first; k < first + count; ++k) {
       const double step = stepFrom(units_[k], unknowns_[k].scale);
@@ -117,8 +128,14 @@ void ProjectedProblem::jacobian(double* out) const {
       for (std::size_t slot = 0; slot < channels_.size(); ++slot) {
         const int channel = channels_.size() == 1 ? int(k - first) : channels_[slot];
         const double *model = solutions_[slot].model.data(), *residuals = solutions_[slot].residuals.data();
-        for (std::size_t i = 0; i < cells; ++i) column[Eigen::Index(i)] = (perturbed[i][channel] - model[i]) / step;
-        linearisations[slot]->apply(column);
+        const bool isOfOtherChannel =
+            channels_.size() > 1 && unknowns_[k].channel >= 0 && unknowns_[k].channel != channel;
+        if (isOfOtherChannel) {
+          column.setZero();
+        } else {
+          for (std::size_t i = 0; i < cells; ++i) column[Eigen::Index(i)] = (perturbed[i][channel] - model[i]) / step;
+          linearisations[slot]->apply(column);
+        }
         double* row = out + slot * cells * unknowns + k;
         for (std::size_t i = 0; i < cells; ++i)
           row[i * unknowns] = factor * column[Eigen::Index(i)] + slope * residuals[i];

@@ -76,6 +76,7 @@ class ProjectedProblem {
   }
   ChannelProblem channelProblem(std::size_t slot) const;
   double preferenceFactor(std::span<const double> units) const;
+  std::size_t perturbedTogether(std::size_t first) const;
   std::vector<Rgb> perturbedModel(std::size_t first, std::size_t count) const;
 
   const models::Model& model_;

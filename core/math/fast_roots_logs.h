@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-/// Cube root and logarithm without branches and calls, so that loops are vectorised. Always inlined, because the
+/// Cube root and logarithms without branches and calls, so that loops are vectorised. Always inlined, because the
 /// compiler would consider them too long.
 namespace gonio {
 
@@ -32,11 +32,9 @@ namespace gonio {
   return std::copysign(size > 0 ? root : 0.0, x);
 }
 
-/// ln(1 + x) for finite x > -1: relative error below 5e-16. With 1 + x = 2^k m, m in [sqrt(1/2), sqrt(2)), it is
-/// k ln 2 + 2 artanh((m - 1) / (m + 1)), plus a term for the rounding of 1 + x.
-[[gnu::always_inline]] inline double fastLog1p(double x) {
-  const double u = 1 + x;
-  const double ofSmall = x - (u - 1), ofLarge = 1 - (u - x), rounded = x < 1 ? ofSmall : ofLarge;
+/// ln(u) + correction for finite u > 0 that is not subnormal. With u = 2^k m, m in [sqrt(1/2), sqrt(2)), it is k ln 2 +
+/// 2 artanh((m - 1) / (m + 1)).
+[[gnu::always_inline]] inline double logWithCorrection(double u, double correction) {
   // The exponent increases by one at sqrt(2).
   constexpr std::uint64_t one = 0x3ff0000000000000, rootHalf = 0x3fe6a09e667f3bcd;
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(u) + (one - rootHalf);
@@ -57,8 +55,18 @@ namespace gonio {
   series = series * z + 1.0 / 3;
   // 2 s = f - half + s half, without the rounding of s; k ln 2 in two parts, the first of them exact.
   constexpr double ln2Upper = 0x1.62e42feep-1, ln2Lower = std::numbers::ln2 - ln2Upper;
-  const double small = s * (half + 2 * z * series) + (k * ln2Lower + rounded / u);
+  const double small = s * (half + 2 * z * series) + (k * ln2Lower + correction);
   return k * ln2Upper - ((half - small) - f);
+}
+
+/// ln x for finite x > 0 that is not subnormal (from 2.3e-308 on): relative error below 5e-16.
+[[gnu::always_inline]] inline double fastLog(double x) { return logWithCorrection(x, 0); }
+
+/// ln(1 + x) for finite x > -1: relative error below 5e-16. The correction is for the rounding of 1 + x.
+[[gnu::always_inline]] inline double fastLog1p(double x) {
+  const double u = 1 + x;
+  const double ofSmall = x - (u - 1), ofLarge = 1 - (u - x), rounded = x < 1 ? ofSmall : ofLarge;
+  return logWithCorrection(u, rounded / u);
 }
 
 }  // namespace gonio

@@ -45,12 +45,13 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double b = p.values[narrowness].x, c = p.values[falloff].x;
   const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
-  const bool exact = chosen(p.values[fresnelAngle].x) == 0;
+  const double tiltShare = chosen(p.values[fresnelAngle].x) == 0 ? 0 : 0.5;
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const glm::dvec2 sum = glm::dvec2(g.wi) + glm::dvec2(g.wo);
         // 1 - |i_p - o_p|^2 / 4 is cos^2 theta_d and this; the difference would cancel toward grazing mirror pairs.
-        const double cosD = exact ? g.cosD : std::min(1.0, std::hypot(g.cosD, (g.cosI - g.cosO) / 2));
+        const double tilt = tiltShare * (g.cosI - g.cosO),
+                     cosD = std::min(1.0, std::sqrt(g.cosD * g.cosD + tilt * tilt));
         return kd + a * (abcLobe(glm::dot(sum, sum), b, c) * fresnel(cosD));
       },
       // The integral over the plane is pi times that over the squared radius.

@@ -79,14 +79,14 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0;
   const double alphaX = p.values[roughnessX].x, alphaY = p.values[roughnessY].x, angle = p.values[rotation].x;
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const bool heightCorrelated = chosen(p.values[masking].x) == 1;
+  const double heightCorrelated = chosen(p.values[masking].x);
   return makeGeometryBrdf(
       [=, toGrain = AzimuthRotation(-angle)](const SurfaceGeometry& g) {
         const double shadowedI = Facets::shadowedCosine(toGrain(g.wi), alphaX, alphaY);
         const double shadowedO = Facets::shadowedCosine(toGrain(g.wo), alphaX, alphaY);
         // cos theta_i cos theta_o / G, so that nothing is divided by a cosine.
-        const double cosines =
-            heightCorrelated ? g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO : shadowedI * shadowedO;
+        const double ofBoth = g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
+        const double cosines = heightCorrelated * ofBoth + (1 - heightCorrelated) * (shadowedI * shadowedO);
         return kd + ks * (Facets::density(toGrain(g.half), alphaX, alphaY) * fresnel(g.cosD) / cosines);
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),

@@ -57,8 +57,8 @@ double entering(double cosine) {
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
-  const bool coupled = chosen(p.values[diffuseTerm].x) == 0;
-  const Rgb kd = p.values[diffuse] / pi * (coupled ? 28.0 / 23 * (1 - f0) : 1);
+  const double coupled = chosen(p.values[diffuseTerm].x) == 0 ? 1 : 0;
+  const Rgb kd = p.values[diffuse] / pi * (coupled == 1 ? 28.0 / 23 * (1 - f0) : 1);
   const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
   const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
   return makeGeometryBrdf(
@@ -67,7 +67,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double slopes = nx * half.x * half.x + ny * half.y * half.y;
         const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
         const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
-        return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
+        return (coupled * (entering(g.cosI) * entering(g.cosO)) + (1 - coupled)) * kd + ks * lobe;
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
                      RotatedLobe(HalfVectorLobe{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),

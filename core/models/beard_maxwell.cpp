@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
+#include "core/math/fast_atan2.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -58,9 +59,9 @@ constexpr ModelSpec beardMaxwellSpec = {
 
 /// Shadowing and obscuration; at Omega = 0 its limit.
 double obscuration(const SurfaceGeometry& g, double inverseTau, double omega) {
-  const double thetaH = std::atan2(std::sqrt(g.sin2H), g.half.z);
-  const double thetaD = std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD);
-  const double shadowed = std::exp(-2 * thetaD * inverseTau), sum = omega + thetaH;
+  const double thetaH = fastAtan2(std::sqrt(g.sin2H), g.half.z);
+  const double thetaD = fastAtan2(glm::length(g.wi - g.wo) / 2, g.cosD);
+  const double shadowed = fastExp(-2 * thetaD * inverseTau), sum = omega + thetaH;
   return sum > 0 ? (omega + thetaH * shadowed) / sum : shadowed;
 }
 

@@ -86,6 +86,10 @@ struct Lobe {
   Rgb strength;
   double roughness;
   Fresnel fresnel;
+
+  Rgb operator()(const SurfaceGeometry& g) const {
+    return strength * (beckmannDistribution(g, 1 / (roughness * roughness)) * fresnel(g.cosD));
+  }
 };
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
@@ -103,13 +107,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   };
   const Rgb kd = p.values[diffuse] / pi;
   return makeGeometryBrdf(
-      [kd, all](const SurfaceGeometry& g) {
-        Rgb sum(0);
-        for (const Lobe& lobe : all)
-          sum +=
-              lobe.strength * (beckmannDistribution(g, 1 / (lobe.roughness * lobe.roughness)) * lobe.fresnel(g.cosD));
-        return kd + sum * vCavityOverCosines(g);
-      },
+      [kd, all](const SurfaceGeometry& g) { return kd + (all[0](g) + all[1](g) + all[2](g)) * vCavityOverCosines(g); },
       LobeMixture(lobeFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
                   CosineLobe{}, normals(0), normals(1), normals(2)));
 }

@@ -35,9 +35,12 @@ inline double reflectionPower(const SurfaceGeometry& g, double n) {
 }
 
 /// cos^n theta_h; also accurate for nearly horizontal half vectors. O(1).
-inline double halfVectorPower(const SurfaceGeometry& g, double n) {
-  return fastExp(n * (g.oneMinusCosH < 0.5 ? fastLog1p(-g.oneMinusCosH) : std::log(g.half.z)));
+/// ln cos theta_h: the correction is for the rounding of half.z, which matters near the normal.
+inline double logCosH(const SurfaceGeometry& g) {
+  const double correction = ((1 - g.half.z) - g.oneMinusCosH) / g.half.z;
+  return logWithCorrection(g.half.z, g.oneMinusCosH < 0.5 ? correction : 0.0);
 }
+inline double halfVectorPower(const SurfaceGeometry& g, double n) { return fastExp(n * logCosH(g)); }
 
 /// Normalisation factor of cos^n theta_h, 1/sr: its directional albedo becomes 1 at normal incidence, where it is
 /// largest.

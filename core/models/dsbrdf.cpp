@@ -99,7 +99,7 @@ class Lobe {
   }
   Rgb operator()(double logCosH, double t) const {
     const double k = std::min(highestKappa, fastExp(kappa_[0] + t * (kappa_[1] + t * kappa_[2])));
-    return strength_ * std::expm1(k * fastExp(fastExp(gamma_[0] + t * gamma_[1]) * logCosH));
+    return strength_ * fastExpm1(k * fastExp(fastExp(gamma_[0] + t * gamma_[1]) * logCosH));
   }
   void addShaderParameters(std::vector<glm::vec3>& result) const {
     result.insert(result.end(), {glm::vec3(strength_), {kappa_[0], kappa_[1], kappa_[2]}, {gamma_[0], gamma_[1], 0}});

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/fast_atan2.h"
-#include "core/math/fast_exp.h"
 #include "core/math/quadrature.h"
 
 namespace gonio::models {
@@ -63,21 +61,6 @@ const std::array<Row, rows>& maskingTable() {
   return table;
 }
 
-/// The weights of four neighbours at `part` of the way between the middle two: Catmull and Rom.
-std::array<double, 4> cubicWeights(double part) {
-  const double t = part, t2 = t * t, t3 = t2 * t;
-  return {(-t3 + 2 * t2 - t) / 2, (3 * t3 - 5 * t2 + 2) / 2, (-3 * t3 + 4 * t2 + t) / 2, (t3 - t2) / 2};
-}
-
-/// Sum over four nodes about `position`; `at` gives the value of a node, the outermost ones repeated.
-template <typename At>
-double interpolate(double position, std::size_t count, At at) {
-  const std::size_t left = std::min(std::size_t(position), count - 2);
-  const std::array<double, 4> weights = cubicWeights(position - double(left));
-  return weights[0] * at(left > 0 ? left - 1 : 0) + weights[1] * at(left) + weights[2] * at(left + 1) +
-         weights[3] * at(std::min(left + 2, count - 1));
-}
-
 }  // namespace
 
 ExponentialPowerDistribution::ExponentialPowerDistribution(double beta, double p)
@@ -89,26 +72,7 @@ ExponentialPowerDistribution::ExponentialPowerDistribution(double beta, double p
   const std::array<Row, rows>& table = maskingTable();
   const double position = std::clamp((std::log(p) - logPowerAt(0)) / (logPowerAt(1) - logPowerAt(0)), 0.0, rows - 1.0);
   for (std::size_t n = 0; n < maskingNodes; ++n)
-    masking_[n] = interpolate(position, rows, [&](std::size_t row) { return table[row][n]; });
-}
-
-double ExponentialPowerDistribution::density(double sin2H, double cosH) const {
-  const double cos2H = cosH * cosH;
-  return fastExp(logPeak_ - std::pow(sin2H / cos2H * inverseBeta2_, power_) - 2 * std::log(cos2H));
-}
-
-double ExponentialPowerDistribution::cosLambda(double cosTheta, double sinTheta) const {
-  const double slope = meanSlope_ * sinTheta, s = cosTheta / (cosTheta + maskingScale * slope);
-  return slope * interpolate(s * (maskingNodes - 1), maskingNodes, [this](std::size_t n) { return masking_[n]; });
-}
-
-double smithMaskingOverCosines(const SurfaceGeometry& g, const ExponentialPowerDistribution& facets) {
-  const double sinI = std::hypot(g.wi.x, g.wi.y), sinO = std::hypot(g.wo.x, g.wo.y);
-  const double lambdaI = facets.cosLambda(g.cosI, sinI) * g.cosO;
-  const double lambdaO = facets.cosLambda(g.cosO, sinO) * g.cosI;
-  const double phi = fastAtan2(std::abs(g.wi.x * g.wo.y - g.wi.y * g.wo.x), g.wi.x * g.wo.x + g.wi.y * g.wo.y);
-  const double correlation = 4.41 * phi / (4.41 * phi + 1);
-  return 1 / (g.cosI * g.cosO + std::max(lambdaI, lambdaO) + correlation * std::min(lambdaI, lambdaO));
+    masking_[n] = cubicInterpolation(position, rows, [&](int row) { return table[std::size_t(row)][n]; });
 }
 
 }  // namespace gonio::models

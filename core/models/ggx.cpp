@@ -43,18 +43,18 @@ constexpr ModelSpec ggxSpec = {
 // clang-format on
 
 /// G / (4 cos theta_i cos theta_o), folded so that nothing is divided by a cosine.
-double foldedMasking(const SurfaceGeometry& g, double alpha2, bool heightCorrelated) {
+double foldedMasking(const SurfaceGeometry& g, double alpha2, double correlated) {
   const double rootI = std::sqrt(alpha2 + (1 - alpha2) * g.cosI * g.cosI);
   const double rootO = std::sqrt(alpha2 + (1 - alpha2) * g.cosO * g.cosO);
-  if (heightCorrelated) return 0.5 / (g.cosO * rootI + g.cosI * rootO);
-  return 1 / ((g.cosI + rootI) * (g.cosO + rootO));
+  const double ofBoth = 2 * (g.cosO * rootI + g.cosI * rootO), separate = (g.cosI + rootI) * (g.cosO + rootO);
+  return 1 / (correlated * ofBoth + (1 - correlated) * separate);
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
   const double alpha2 = p.values[roughness].x * p.values[roughness].x;
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const bool heightCorrelated = chosen(p.values[masking].x) == 1;
+  const double heightCorrelated = chosen(p.values[masking].x);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;

@@ -14,7 +14,7 @@
 namespace gonio::models {
 
 /// The slope of the logarithm of the terms of heSeries() at the order m. From m = 2 on it decreases.
-inline double heLogSlope(double g, double a, double m) { return std::log(g / (m + 0.5)) - 1 / m + a / (m * m); }
+inline double heLogSlope(double g, double a, double m) { return fastLog(g / (m + 0.5)) - 1 / m + a / (m * m); }
 
 /// Order m >= 1 and width (standard deviation, in orders) of a Gaussian that resembles the terms of heSeries().
 struct HeTerms {
@@ -61,12 +61,12 @@ inline double heSumOfTerms(double g, double a) {
 /// heSeries() as an integral over m, where the largest term has a high order: n! by Stirling's series (error below 1e-9
 /// for n >= 10), and the trapezoidal rule, with an error that falls exponentially with smaller steps.
 inline double heIntegralOfTerms(double g, double a) {
-  constexpr int nodes = 20;
-  constexpr double step = 0.75;  // widths
+  constexpr int nodes = 16;
+  constexpr double step = 0.9;  // widths
   const HeTerms terms = heLargestTerms(g, a);
   double values[nodes];
   for (int n = 0; n < nodes; ++n) {
-    const double at = terms.order + (n - 0.5 * (nodes - 1)) * step * terms.width, m = std::max(at, 1.0);
+    const double at = terms.order + (n - 7) * step * terms.width, m = std::max(at, 1.0);
     const double u = m / g - 1, inverse = 1 / m;
     const double exponent =
         -g * ((1 + u) * fastLog1p(u) - u) - inverse * (a + 1.0 / 12 - inverse * inverse * (1.0 / 360));

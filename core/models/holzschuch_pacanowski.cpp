@@ -106,7 +106,7 @@ struct Diffraction {
     // The facet that the light meets: the surface itself where facets hardly tilt, the mirroring one where the glow is
     // narrow against them.
     const double flat = spread * v, projected = flat * cosines + (1 - flat) * cos2D * cosH * cosH;
-    const double fraction = -std::expm1(-phase * cos2D);
+    const double fraction = -fastExpm1(-std::min(phase * cos2D, 700.0));
     return fraction * strength * v * projected * fastExp(-exponent * fastLog1p(4 * v * cos2D * sin2H));
   }
 };
@@ -134,16 +134,14 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
     return (mirrored + nano[1].glow(sine * sine, cosine, typicalCosine, typicalCosine * typicalCosine)) * cosine;
   });
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double density = facets.density(g.sin2H, g.half.z);
-        const double common = fresnel(g.cosD) * smithMaskingOverCosines(g, facets);
-        Rgb lobes;
-        for (int channel = 0; channel < 3; ++channel) {
-          const Diffraction& d = nano[std::size_t(channel)];
-          lobes[channel] = d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.half.z, g.cosD, g.cosI * g.cosO);
-        }
-        return kd + ks * lobes * common;
-      },
+      TwoSteps{[=](const SurfaceGeometry& g) { return smithMaskingOverCosines(g, facets); },
+               [=](const SurfaceGeometry& g, double masking) {
+                 const double density = facets.density(g.sin2H, g.half.z), common = fresnel(g.cosD) * masking;
+                 const auto lobe = [&](const Diffraction& d) {
+                   return d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.half.z, g.cosD, g.cosI * g.cosO);
+                 };
+                 return kd + ks * Rgb(lobe(nano[0]), lobe(nano[1]), lobe(nano[2])) * common;
+               }},
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
                      HalfVectorLobe{normals}));
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/brdf/visible_normal_lobe.h"
+#include "core/math/fast_exp.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -155,8 +157,8 @@ struct SheenLobe {
 
   Rgb operator()(const SurfaceGeometry& g) const {
     // Sharp rims are large powers of a sine near 1: its logarithm from the cosine keeps the digits.
-    const double logSin2 = g.sin2H > 0.5 ? std::log1p(-g.half.z * g.half.z) : std::log(std::max(g.sin2H, 1e-30));
-    const double distribution = (2 + exponent) * std::exp(logSin2 * exponent / 2) / (2 * pi);
+    const double logSin2 = g.sin2H > 0.5 ? fastLog1p(-g.half.z * g.half.z) : fastLog(std::max(g.sin2H, 1e-30));
+    const double distribution = (2 + exponent) * fastExp(logSin2 * exponent / 2) / (2 * pi);
     return strength * (distribution / (4 * (g.cosI + g.cosO - g.cosI * g.cosO)));
   }
 };
@@ -191,19 +193,20 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   // The glow of fibres is wide: cosine-weighted directions serve it.
   const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(fibres.strength), albedoOf(lobes[base]),
                                       albedoOf(lobes[flakes]), albedoOf(lobes[coat]), albedoOf(back)};
+  const LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe, RetroLobe> sampler(
+      lobeFractions(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
+      RetroLobe{VisibleNormalLobe{alphaR}});
+  const auto highlights = [=](const SurfaceGeometry& g) {
+    return kd + lobes[base](g) + lobes[flakes](g) + lobes[coat](g);
+  };
+  if (fibres.strength == Rgb(0) && back.isBlack()) return makeGeometryBrdf(highlights, sampler);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
-        Rgb value = kd;
-        for (const MicrofacetLobe& lobe : lobes)
-          if (!lobe.isBlack()) value += lobe(g);
-        if (fibres.strength != Rgb(0)) value += fibres(g);
-        SurfaceGeometry turned;
-        if (!back.isBlack() && surfaceGeometry({g.wi, mirrored(g.wo)}, turned)) value += back(turned);
-        return value;
+        const DirectionPair turned{g.wi, mirrored(g.wo)};
+        const Rgb retroreflected = isAboveSurface(turned) ? back(surfaceGeometry(turned)) : Rgb(0);
+        return highlights(g) + fibres(g) + retroreflected;
       },
-      LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe, RetroLobe>(
-          lobeFractions(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
-          RetroLobe{VisibleNormalLobe{alphaR}}));
+      sampler);
 }
 
 /// The parts of the sum: the body, the lobes from wide to sharp, the sheen, the retroreflection.

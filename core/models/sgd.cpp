@@ -109,7 +109,7 @@ Channel makeChannel(const ParameterValues& p, int channel) {
           .theta0 = value(theta0)};
 }
 
-double masking(const Channel& c, double theta) {
+[[gnu::always_inline]] inline double masking(const Channel& c, double theta) {
   return sgdMasking(theta, c.lambda, c.logMaskingScale, c.maskingPower, c.theta0);
 }
 
@@ -117,14 +117,13 @@ struct Angles {
   double thetaI, thetaO, tan2H, log4CosH, oneMinusCosD5, inverseCosines;
 };
 
-double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles& a) {
-  if (c.specular == 0) return c.diffuse;
+[[gnu::always_inline]] inline double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles& a) {
   const double shifted = c.alpha + a.tan2H * c.inverseAlpha;
   // In log space: exp(-A) underflows where 1 / cos^4 overflows. pi is in Channel::specular.
-  const double distribution = fastExp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);
+  const double distribution = fastExp(c.logNormalisation - shifted - c.power * fastLog(shifted) - a.log4CosH);
   const double fresnel = std::max(0.0, c.f0 - c.f1 * g.cosD + (1 - c.f0) * a.oneMinusCosD5);
-  return c.diffuse +
-         c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
+  const double lobe = fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
+  return c.diffuse + (c.specular == 0 ? 0.0 : c.specular * lobe);
 }
 
 /// The distribution of all channels, each by its strength.
@@ -149,7 +148,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const Angles angles{.thetaI = theta(g.wi),
                             .thetaO = theta(g.wo),
                             .tan2H = g.sin2H / cos2H,
-                            .log4CosH = 2 * std::log(cos2H),
+                            .log4CosH = 2 * fastLog(cos2H),
                             .oneMinusCosD5 = (m * m) * (m * m) * m,
                             .inverseCosines = 1 / (g.cosI * g.cosO)};
         return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
@@ -172,17 +171,6 @@ std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
 }  // namespace
 
 double sgdLogNormalisation(double alpha, double p) { return -std::log(alpha) - logUpperIncompleteGamma(1 - p, alpha); }
-
-double sgdMasking(double theta, double lambda, double logC, double k, double theta0) {
-  constexpr double maxExponent = 700;  // exp() of it is finite
-  const double beyond = theta - theta0;
-  if (!(beyond > 0)) return 1;
-  const double exponent = logC + k * std::log(beyond);
-  if (exponent < -40 && lambda < 10) return 1;  // what is taken away is below half of the last digit
-  const double growth = fastExp(std::min(maxExponent, exponent));
-  if (lambda * growth >= 1) return 0;
-  return std::clamp(1 - lambda * std::expm1(std::min(maxExponent, growth)), 0.0, 1.0);
-}
 
 const Model& sgd() {
   static const Model model(sgdSpec, {.create = create, .shaderParameters = shaderParameters});

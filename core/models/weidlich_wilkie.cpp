@@ -5,6 +5,7 @@
 #include <glm/exponential.hpp>
 
 #include "core/brdf/half_vector_lobe.h"
+#include "core/math/fast_exp.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -96,6 +97,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0, kc = p.values[coat] / 4.0;
   const Rgb depth = p.values[absorption];
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const Fresnel coatFresnel(FresnelChoice::dielectric, normalReflectanceFromIndex(eta), 0);
   const double entering = fresnelTransmittance(typicalCosine, eta);
   const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
   return makeGeometryBrdf(
@@ -104,9 +106,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double transmitted = fresnelTransmittance(g.cosD, eta);
         const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
         const SurfaceGeometry inside = refracted(g, eta);
-        const Rgb absorbed = glm::exp(-depth * (1 / inside.cosI + 1 / inside.cosO));
+        const double length = 1 / inside.cosI + 1 / inside.cosO;
+        const Rgb absorbed(fastExp(-depth.x * length), fastExp(-depth.y * length), fastExp(-depth.z * length));
         const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * vCavityOverCosines(inside);
-        const double surface = beckmannDistribution(g, coatSharpness) * fresnelDielectric(g.cosD, eta) * folded;
+        const double surface = beckmannDistribution(g, coatSharpness) * coatFresnel(g.cosD) * folded;
         return kc * surface + (kd + ks * base) * absorbed * leaving;
       },
       LobeMixture(

@@ -47,20 +47,33 @@ inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap
   return std::make_shared<const EnvironmentMap>(std::move(rows), environment.name());
 }
 
+/// The scene of Mitsuba's pictures. @param shared folder of the development data.
+inline Scene mitsubaScene(const std::filesystem::path& shared) {
+  static const auto environment = asMitsubaReads(*openEnvironment((shared / "data/environments/studio.hdr").string()));
+  Scene scene = openScene("sphere", 1);
+  scene.environment = environment;
+  return scene;
+}
+
+/// @param seed 1 or 2.
+inline Image mitsubaPicture(const std::filesystem::path& shared, const std::string& material, int seed) {
+  return io::readImage(shared / "data/renderings" / (material + "." + std::to_string(seed) + ".exr"));
+}
+
+inline std::shared_ptr<const Brdf> mitsubaMaterial(const std::filesystem::path& shared, const std::string& material,
+                                                   IncidentDirection incident = IncidentDirection::viewer) {
+  return io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(incident);
+}
+
 /// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.
 /// @param samples a pixel of ours, 256 x 256.
 inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
                                 IncidentDirection incident = IncidentDirection::viewer) {
-  const auto brdf =
-      io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(incident);
-  Scene scene = openScene("sphere", 1);
-  static const auto environment = asMitsubaReads(*openEnvironment((shared / "data/environments/studio.hdr").string()));
-  scene.environment = environment;
+  const Scene scene = mitsubaScene(shared);
   Image theirs[2], ours[2];
-  const auto rendered = pictureMaterial(*brdf, {});
+  const auto rendered = pictureMaterial(*mitsubaMaterial(shared, material, incident), {});
   for (const int seed : {1, 2}) {
-    const std::string name = material + "." + std::to_string(seed) + ".exr";
-    theirs[seed - 1] = io::readImage(shared / "data/renderings" / name);
+    theirs[seed - 1] = mitsubaPicture(shared, material, seed);
     const Image& size = theirs[seed - 1];
     ours[seed - 1] = renderPicture(
         rendered, scene, {.width = size.width, .height = size.height, .samples = samples, .seed = std::uint64_t(seed)});

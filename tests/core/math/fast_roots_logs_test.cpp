@@ -37,6 +37,10 @@ class FastRootsLogsTest : public QObject {
     for (int n = 0; n < 300000; ++n)
       for (const double x : {std::pow(10, exponent(random)), std::pow(10, exponent(random) / 100), below(random)})
         if (x != 0) QVERIFY(relativeError(fastLog1p(x), std::log1p(static_cast<long double>(x))) < 5e-16);
+    for (int n = 0; n < 300000; ++n)
+      for (const double x : {std::pow(10, exponent(random)), 1 + below(random)})
+        if (x != 1) QVERIFY(relativeError(fastLog(x), std::log(static_cast<long double>(x))) < 5e-16);
+    QCOMPARE(fastLog(1), 0.0);
     QCOMPARE(fastLog1p(0), 0.0);
     QCOMPARE(fastLog1p(1e-300), 1e-300);
   }

@@ -102,6 +102,12 @@ class FresnelTest : public QObject {
     QCOMPARE(Fresnel(FresnelChoice::schlick, 0.04, 0)(0.5), fresnelSchlick(0.5, 0.04));
     QCOMPARE(Fresnel(FresnelChoice::conductor, 0.3, 0)(0.5), Fresnel(FresnelChoice::dielectric, 0.3, 0)(0.5));
     QCOMPARE(Fresnel(FresnelChoice::dielectric, 0.04, 1)(0.5), fresnelDielectric(0.5, 1.5));
+    // The term of a dielectric is evaluated as a conductor without absorption, which does not cancel either.
+    for (const double f0 : {0.0, 1e-12, 1e-6, 0.04, 0.5, 0.999, 1 - 1e-9})
+      for (const double c : {0.0, 1e-12, 1e-3, 0.1, 0.5, 0.999, 1.0}) {
+        const double expected = fresnelDielectric(c, indexFromNormalReflectance(f0));
+        QVERIFY(std::abs(Fresnel(FresnelChoice::dielectric, f0, 0)(c) - expected) <= 1e-11 * expected);
+      }
   }
 
   void transmittanceIsTheRest() {
