@@ -33,7 +33,8 @@ void compare(const std::filesystem::path& shared, const std::string& material) {
   const double theirs = noiseOf({test::mitsubaPicture(shared, material, 1), test::mitsubaPicture(shared, material, 2)});
   std::printf("%-22s %8.3f %%", material.c_str(), 100 * theirs);
   const Scene scene = test::mitsubaScene(shared);
-  const auto rendered = pictureMaterial(*test::mitsubaMaterial(shared, material), {});
+  const auto brdf = test::mitsubaMaterial(shared, material);
+  const auto rendered = pictureMaterial(*brdf, {});
   double previous = 0, equal = 0;
   for (int samples = 8; samples <= 256; samples *= 2) {
     Pictures ours;

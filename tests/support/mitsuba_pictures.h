@@ -71,7 +71,8 @@ inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::
                                 IncidentDirection incident = IncidentDirection::viewer) {
   const Scene scene = mitsubaScene(shared);
   Image theirs[2], ours[2];
-  const auto rendered = pictureMaterial(*mitsubaMaterial(shared, material, incident), {});
+  const auto brdf = mitsubaMaterial(shared, material, incident);
+  const auto rendered = pictureMaterial(*brdf, {});
   for (const int seed : {1, 2}) {
     theirs[seed - 1] = mitsubaPicture(shared, material, seed);
     const Image& size = theirs[seed - 1];
