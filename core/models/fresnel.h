@@ -25,7 +25,8 @@ namespace gonio::models {
   const double partial = std::min(1.0, 0.5 * ratio * ratio * (1 + polarised * polarised));
   const double below = squaredG < 0 ? 1.0 : partial, value = cosD > 0 ? below : 1.0;
   const double limit = eta == 1 ? 0.0 : 1.0;
-  return (eta == 1) | (eta == std::numeric_limits<double>::infinity()) ? limit : value;
+  const bool isLimit = (eta == 1) | (eta == std::numeric_limits<double>::infinity());
+  return isLimit ? limit : value;
 }
 
 /// f0 + (1 - f0)(1 - cosD)^5: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".

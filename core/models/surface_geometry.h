@@ -93,6 +93,8 @@ struct TwoSteps {
   Prepare prepare;
   Finish finish;
 };
+template <typename Prepare, typename Finish>
+TwoSteps(Prepare, Finish) -> TwoSteps<Prepare, Finish>;  // clang does not deduce it before version 17
 
 /// A Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`, 1/sr, without the cosine, or of TwoSteps, and a
 /// LobeMixture for importance sampling.
