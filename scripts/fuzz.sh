@@ -17,6 +17,8 @@ cmake --build build/fuzz --target fuzz_tests "${@/%/_fuzzer}" || fail "the build
 # The test writes the seeds: small valid files of every format.
 build/fuzz/tests/fuzz/fuzz_tests reader_mutation >build/fuzz/seeds.log || fail "the seeds could not be written (see build/fuzz/seeds.log)"
 mkdir -p build/fuzz/findings
+# Else undefined behaviour is only reported, and the program goes on.
+export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1:suppressions=$root/tests/sanitizers/undefined.txt"
 for reader; do
   corpus=build/fuzz/corpus/$reader
   mkdir -p "$corpus"

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/gltf_file.h"
 
+#include <cstdint>
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -24,7 +25,12 @@ constexpr std::size_t maxGltfTriangles = 100'000'000;
 constexpr double maxCount = 4294967295.0;
 constexpr int maxDepth = 256;
 
-enum ComponentType { unsignedByte = 5121, unsignedShort = 5123, unsignedInt = 5125, floatingPoint = 5126 };
+enum ComponentType : std::uint32_t {
+  unsignedByte = 5121,
+  unsignedShort = 5123,
+  unsignedInt = 5125,
+  floatingPoint = 5126
+};
 enum PrimitiveMode { triangleList = 4, triangleStrip = 5, triangleFan = 6 };
 
 std::size_t sizeOf(ComponentType type) { return type == unsignedByte ? 1 : type == unsignedShort ? 2 : 4; }
@@ -191,7 +197,7 @@ class GltfReader {
     const JsonObject accessor = item(root_, "accessors", number);
     if (accessor.text("type") != type) accessor.fail("type", type);
     if (accessor.contains("sparse")) accessor.fail("sparse", "no sparse accessor (not supported)");
-    const auto componentType = ComponentType(std::size_t(accessor.number("componentType", 0, 1e5)));
+    const auto componentType = ComponentType(std::uint32_t(accessor.number("componentType", 0, 1e5)));
     if (componentType != unsignedByte && componentType != unsignedShort && componentType != unsignedInt &&
         componentType != floatingPoint)
       accessor.fail("componentType",

@@ -148,6 +148,7 @@ class MeshFileTest : public QObject {
     QVERIFY(test::contains(refused(R"("indices":2)", R"("indices":7)"), "accessors: there is no element 7"));
     QVERIFY(
         test::contains(refused(R"("count":3,"type":"SCALAR")", R"("count":9,"type":"SCALAR")"), "accessors[2].count"));
+    QVERIFY(test::contains(refused(R"("componentType":5126)", R"("componentType":8458)"), "5126 (float)"));
     QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no element 9"));
     QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "in a cycle"));
     QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no element 6"));
