@@ -25,24 +25,39 @@ struct Range {
 };
 Range stratum(int index, int strata, int count) { return {index * count / strata, (index + 1) * count / strata}; }
 
-/// One patch of cells: picks the cell that stands for it and adds up their measure.
-struct Patch {
-  std::vector<std::size_t> cells;
-  double measure = 0;
+/// The cell that stands for a patch, and the measure of all used cells of the patch; 0 if there is none.
+struct Representative {
+  std::size_t cell;
+  double measure;
+};
 
-  void collect(const HalfDifferenceGrid& grid, const CellSelection& selection, int row, Range thetaD, Range phiD) {
-    cells.clear();
-    measure = 0;
-    for (int j = thetaD.begin; j < thetaD.end; ++j) {
-      const double cellMeasure = grid.cellMeasure(grid.index(row, j, 0));
-      for (int k = phiD.begin; k < phiD.end; ++k) {
-        const std::size_t cell = grid.index(row, j, k);
-        if (!selection.isUsed[cell]) continue;
-        cells.push_back(cell);
-        measure += cellMeasure;
-      }
-    }
+/// The patches of one theta_h row, which share their numbers.
+class RowOfPatches {
+ public:
+  RowOfPatches(const HalfDifferenceGrid& grid, const CellSelection& selection, int row)
+      : grid_(grid), selection_(selection), row_(row) {
+    for (int j = 0; j < grid.thetaDCount; ++j) measures_.push_back(grid.cellMeasure(grid.index(row, j, 0)));
   }
+
+  Representative representative(Range thetaD, Range phiD, std::uint64_t seed) {
+    cells_.clear();
+    double measure = 0;
+    for (int j = thetaD.begin; j < thetaD.end; ++j)
+      for (int k = phiD.begin; k < phiD.end; ++k) {
+        const std::size_t cell = grid_.index(row_, j, k);
+        if (!selection_.isUsed[cell]) continue;
+        cells_.push_back(cell);
+        measure += measures_[std::size_t(j)];
+      }
+    return cells_.empty() ? Representative{0, 0} : Representative{cells_[scramble(seed) % cells_.size()], measure};
+  }
+
+ private:
+  const HalfDifferenceGrid& grid_;
+  const CellSelection& selection_;
+  int row_;
+  std::vector<double> measures_;  ///< of a cell, by theta_d
+  std::vector<std::size_t> cells_;
 };
 
 }  // namespace
@@ -62,29 +77,33 @@ void FitCells::normaliseWeights() {
 }
 
 CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
-  constexpr std::size_t block = 4096;
-  const std::size_t size = table.grid().size();
-  CellSelection selection;
-  selection.isUsed.assign(size, 0);
-  std::vector<std::size_t> used((size + block - 1) / block, 0);
+  const HalfDifferenceGrid& grid = table.grid();
   // Angles cost more than cosines: they decide only what rounding could turn.
   constexpr double rounding = 1e-9;
   const double minCosine = std::cos(maxPolarAngle);
-  const GridDirections directions(table.grid());
-  const auto isWithin = [&](std::size_t cell) {
-    const DirectionPair pair = directions.at(cell).pair;
-    const double excess = std::min(pair.wi.z, pair.wo.z) - minCosine;
-    return std::abs(excess) > rounding ? excess > 0 : table.grid().nodeWithin(cell, maxPolarAngle);
-  };
-  parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell) {
-      if (!table.valid()[cell] || !isWithin(cell)) continue;
-      selection.isUsed[cell] = 1;
-      ++used[begin / block];
+  std::vector<double> cosPhiD;
+  for (int k = 0; k < grid.phiDCount; ++k) cosPhiD.push_back(std::abs(std::cos(grid.node(grid.index(0, 0, k)).phiD)));
+  CellSelection selection;
+  selection.isUsed.assign(grid.size(), 0);
+  std::vector<std::size_t> used(std::size_t(grid.thetaHCount), 0);
+  parallelForBlocks(used.size(), 1, [&](std::size_t i, std::size_t) {
+    for (int j = 0; j < grid.thetaDCount; ++j) {
+      std::size_t cell = grid.index(int(i), j, 0);
+      const HalfDifference node = grid.node(cell);
+      // The smaller cosine of the two polar angles is both - apart |cos phi_d|.
+      const double both = std::cos(node.thetaH) * std::cos(node.thetaD),
+                   apart = std::sin(node.thetaH) * std::sin(node.thetaD);
+      for (int k = 0; k < grid.phiDCount; ++k, ++cell) {
+        if (!table.valid()[cell]) continue;
+        const double excess = both - apart * cosPhiD[std::size_t(k)] - minCosine;
+        const bool isWithin = std::abs(excess) > rounding ? excess > 0 : grid.nodeWithin(cell, maxPolarAngle);
+        selection.isUsed[cell] = isWithin ? 1 : 0;
+        used[i] += selection.isUsed[cell];
+      }
     }
   });
   for (const std::size_t count : used) selection.used += count;
-  selection.invalid = size - table.validCount();
+  selection.invalid = grid.size() - table.validCount();
   selection.grazing = table.validCount() - selection.used;
   return selection;
 }
@@ -92,17 +111,20 @@ CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
 FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& selection, int thetaDStrata, int phiDStrata) {
   const HalfDifferenceGrid& grid = table.grid();
   const int strataD = std::min(thetaDStrata, grid.thetaDCount), strataF = std::min(phiDStrata, grid.phiDCount);
-  FitCells result;
-  Patch patch;
-  for (int i = 0; i < grid.thetaHCount; ++i)
+  std::vector<std::vector<Representative>> rows(std::size_t(grid.thetaHCount));
+  parallelForBlocks(rows.size(), 1, [&](std::size_t i, std::size_t) {
+    RowOfPatches row(grid, selection, int(i));
     for (int d = 0; d < strataD; ++d)
       for (int f = 0; f < strataF; ++f) {
-        patch.collect(grid, selection, i, stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount));
-        if (!(patch.measure > 0)) continue;
         const std::uint64_t seed = (std::uint64_t(i) * std::uint64_t(strataD) + std::uint64_t(d)) * strataF + f;
-        const std::size_t cell = patch.cells[scramble(seed) % patch.cells.size()];
-        result.append(grid.directions(cell), Rgb(table.values()[cell]), patch.measure);
+        const Representative found =
+            row.representative(stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount), seed);
+        if (found.measure > 0) rows[i].push_back(found);
       }
+  });
+  FitCells result;
+  for (const std::vector<Representative>& row : rows)
+    for (const Representative& r : row) result.append(grid.directions(r.cell), Rgb(table.values()[r.cell]), r.measure);
   result.normaliseWeights();
   return result;
 }

@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "core/math/parallel.h"
 
 namespace gonio::fitting {
 
@@ -26,19 +29,32 @@ struct ChannelCensus {
     total += value * measure;
     heaviest = std::max(heaviest, value * measure);
   }
+  void add(const ChannelCensus& other) {
+    smallest = std::min(smallest, other.smallest);
+    largest = std::max(largest, other.largest);
+    total += other.total;
+    heaviest = std::max(heaviest, other.heaviest);
+  }
 };
 
 using Channels = std::array<ChannelCensus, 3>;
 
 Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& selection) {
   const HalfDifferenceGrid& grid = table.grid();
+  const auto rowLength = std::size_t(grid.phiDCount);  // of cells with one measure
+  std::vector<Channels> slabs(std::size_t(grid.thetaHCount));
+  const std::size_t slabLength = selection.isUsed.size() / slabs.size();
+  parallelForBlocks(slabs.size(), 1, [&](std::size_t slab, std::size_t) {
+    double measure = 0;
+    for (std::size_t cell = slab * slabLength; cell < (slab + 1) * slabLength; ++cell) {
+      if (cell % rowLength == 0) measure = grid.cellMeasure(cell);
+      if (!selection.isUsed[cell]) continue;
+      for (int c = 0; c < 3; ++c) slabs[slab][std::size_t(c)].add(table.values()[cell][c], measure);
+    }
+  });
   Channels channels;
-  double measure = 0;
-  for (std::size_t cell = 0; cell < selection.isUsed.size(); ++cell) {
-    if (cell % std::size_t(grid.phiDCount) == 0) measure = grid.cellMeasure(cell);  // the same for all phi_d
-    if (!selection.isUsed[cell]) continue;
-    for (int c = 0; c < 3; ++c) channels[std::size_t(c)].add(table.values()[cell][c], measure);
-  }
+  for (const Channels& slab : slabs)
+    for (std::size_t c = 0; c < channels.size(); ++c) channels[c].add(slab[c]);
   return channels;
 }
 
