@@ -82,6 +82,7 @@ CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle) {
   constexpr double rounding = 1e-9;
   const double minCosine = std::cos(maxPolarAngle);
   std::vector<double> cosPhiD;
+  cosPhiD.reserve(std::size_t(grid.phiDCount));
   for (int k = 0; k < grid.phiDCount; ++k) cosPhiD.push_back(std::abs(std::cos(grid.node(grid.index(0, 0, k)).phiD)));
   CellSelection selection;
   selection.isUsed.assign(grid.size(), 0);

@@ -80,6 +80,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
   const double width = beckmannSlope(sigma, tau);
+  const Rgb lengths(wavelengths[0], wavelengths[1], wavelengths[2]), waves = 1.0 / (lengths * lengths);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const Shadowing i = shadowingOf(g.wi, slope), o = shadowingOf(g.wo, slope);
@@ -87,11 +88,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double phase = height * height * heVisibleRoughness((i.openings + o.openings) / std::sqrt(8 * pi));
         const double tilt = length * length * g.sin2H, ratio = g.cosD / g.half.z;
         const double common = pi * tau * tau * fresnel(g.cosD) * ratio * ratio * i.folded * o.folded;
-        Rgb lobe;
-        for (int channel = 0; channel < 3; ++channel) {
-          const double wave = 1 / (wavelengths[channel] * wavelengths[channel]);
-          lobe[channel] = wave * heSeries(phase * wave, tilt * wave);
-        }
+        const Rgb lobe = waves * heSeries(phase * waves, tilt * waves);
         return kd + ks * lobe * common;
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
