@@ -123,9 +123,11 @@ FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& select
         if (found.measure > 0) rows[i].push_back(found);
       }
   });
+  const GridDirections directions(grid);
   FitCells result;
   for (const std::vector<Representative>& row : rows)
-    for (const Representative& r : row) result.append(grid.directions(r.cell), Rgb(table.values()[r.cell]), r.measure);
+    for (const Representative& r : row)
+      result.append(directions.at(r.cell).pair, Rgb(table.values()[r.cell]), r.measure);
   result.normaliseWeights();
   return result;
 }

@@ -16,7 +16,7 @@ struct CellSelection {
   std::vector<std::uint8_t> isUsed;  ///< one flag per cell: 1 if used
   std::size_t used = 0, invalid = 0, grazing = 0;
 };
-/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. Parallel, about 20 ms.
+/// @param maxPolarAngle rad; cells with a direction beyond it are grazing. Parallel, O(cells).
 CellSelection selectCells(const TabulatedBrdf& table, double maxPolarAngle);
 
 /// The cells of a fit as arrays.
