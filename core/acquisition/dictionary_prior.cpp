@@ -58,8 +58,9 @@ ProjectedSignals projected(const TrainingMaterials& materials, DataTransform tra
                         Eigen::Index(materials.names.size() * options.signalsPerMaterial()));
   forEachProjection(
       result.subspace, materials, options,
-      [&](std::size_t signal, std::span<const float> block) {
-        std::copy(block.begin(), block.end(), result.signals.col(Eigen::Index(signal)).begin());
+      [&](std::size_t signal, std::span<const double> block) {
+        result.signals.col(Eigen::Index(signal)) =
+            Eigen::Map<const Eigen::VectorXd>(block.data(), Eigen::Index(block.size())).cast<float>();
       },
       control.between(0.4, 0.8));
   result.highest = *std::max_element(highest.begin(), highest.end());

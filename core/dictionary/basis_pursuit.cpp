@@ -10,46 +10,62 @@ namespace gonio::dictionary {
 namespace {
 
 /// Of step 0, 1, ...
-float momentum(int step) { return float(step) / float(step + 3); }
+template <typename Scalar>
+Scalar momentum(int step) {
+  return Scalar(step) / Scalar(step + 3);
+}
 
-float keepSoft(const InvalidCellRefinement& cells, std::size_t count, std::vector<Coefficient<float>>& code) {
+template <typename Scalar>
+Scalar keepSoft(const InvalidCellRefinement<Scalar>& cells, std::size_t count, std::vector<Coefficient<Scalar>>& code) {
   cells.selectLargest(count + 1, code);
   return softThreshold(code, count);
 }
 
 }  // namespace
 
-float softThreshold(std::vector<Coefficient<float>>& largest, std::size_t count) {
-  std::sort(largest.begin(), largest.end(), isLarger<float>);
+template <typename Scalar>
+Scalar softThreshold(std::vector<Coefficient<Scalar>>& largest, std::size_t count) {
+  std::sort(largest.begin(), largest.end(), isLarger<Scalar>);
   if (largest.size() <= count) return 0;
-  const float threshold = std::abs(largest[count].value);
+  const Scalar threshold = std::abs(largest[count].value);
   largest.resize(count);
-  for (Coefficient<float>& c : largest) c.value = std::copysign(std::abs(c.value) - threshold, c.value);
-  std::erase_if(largest, [](const Coefficient<float>& c) { return c.value == 0; });
+  for (Coefficient<Scalar>& c : largest) c.value = std::copysign(std::abs(c.value) - threshold, c.value);
+  std::erase_if(largest, [](const Coefficient<Scalar>& c) { return c.value == 0; });
   return threshold;
 }
 
-float pursueBasis(InvalidCellRefinement& cells, std::size_t count, int steps, std::vector<Coefficient<float>>& code,
-                  const TaskControl& control) {
+template <typename Scalar>
+Scalar pursueBasis(InvalidCellRefinement<Scalar>& cells, std::size_t count, int steps,
+                   std::vector<Coefficient<Scalar>>& code, const TaskControl& control) {
   cells.restart();
-  float threshold = keepSoft(cells, count, code);
+  Scalar threshold = keepSoft(cells, count, code);
   for (int step = 0; step < steps; ++step) {
     control.throwIfStopped();
-    cells.update(code, momentum(step));
+    cells.update(code, momentum<Scalar>(step));
     threshold = keepSoft(cells, count, code);
   }
   return threshold;
 }
 
-void refitValues(InvalidCellRefinement& cells, int steps, std::vector<Coefficient<float>>& code,
+template <typename Scalar>
+void refitValues(InvalidCellRefinement<Scalar>& cells, int steps, std::vector<Coefficient<Scalar>>& code,
                  const TaskControl& control) {
   cells.restart();
   cells.project(code);
   for (int step = 0; step < steps; ++step) {
     control.throwIfStopped();
-    cells.update(code, momentum(step));
+    cells.update(code, momentum<Scalar>(step));
     cells.project(code);
   }
 }
+
+template float softThreshold(std::vector<Coefficient<float>>&, std::size_t);
+template float pursueBasis(InvalidCellRefinement<float>&, std::size_t, int, std::vector<Coefficient<float>>&,
+                           const TaskControl&);
+template void refitValues(InvalidCellRefinement<float>&, int, std::vector<Coefficient<float>>&, const TaskControl&);
+template double softThreshold(std::vector<Coefficient<double>>&, std::size_t);
+template double pursueBasis(InvalidCellRefinement<double>&, std::size_t, int, std::vector<Coefficient<double>>&,
+                            const TaskControl&);
+template void refitValues(InvalidCellRefinement<double>&, int, std::vector<Coefficient<double>>&, const TaskControl&);
 
 }  // namespace gonio::dictionary

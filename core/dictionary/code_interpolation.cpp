@@ -48,21 +48,20 @@ std::vector<Coefficient<float>> sumOverOneDictionary(std::span<const SparseCode>
 }
 
 /// The dense sum over the first code's dictionary.
-Eigen::ArrayXf sumOverFirst(const Ensemble& ensemble, std::span<const SparseCode> codes,
+Eigen::ArrayXd sumOverFirst(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t channel) {
   const Dictionary& first = ensemble.dictionaries[std::size_t(codes.front().channels[channel].dictionary)];
-  Eigen::ArrayXf sum = Eigen::ArrayXf::Zero(Eigen::Index(ensemble.grid.size())), carried(sum.size());
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(Eigen::Index(ensemble.grid.size())), carried(sum.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const ChannelCode& code = codes[i].channels[channel];
     if (weights[i] == 0) continue;
     if (code.dictionary == codes.front().channels[channel].dictionary) {
-      for (const Coefficient<float>& c : code.coefficients) sum[c.index] += float(weights[i]) * c.value;
+      for (const Coefficient<float>& c : code.coefficients) sum[c.index] += weights[i] * double(c.value);
       continue;
     }
     const auto rotations = rotationsBetween(first, ensemble.dictionaries[std::size_t(code.dictionary)]);
-    compose<float>({rotations[0].cast<float>(), rotations[1].cast<float>(), rotations[2].cast<float>()},
-                   code.coefficients, carried.data());
-    sum += float(weights[i]) * carried;
+    compose<double>(rotations, coefficientsIn<double>(code.coefficients), carried.data());
+    sum += weights[i] * carried;
   }
   return sum;
 }
@@ -81,8 +80,10 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
   if (fraction) {
     result.coefficients = sumOverOneDictionary(codes, weights, channel);
   } else {
-    const Eigen::ArrayXf sum = sumOverFirst(ensemble, codes, weights, channel);
-    selectLargest(std::span(sum.data(), std::size_t(sum.size())), coefficients, result.coefficients);
+    const Eigen::ArrayXd sum = sumOverFirst(ensemble, codes, weights, channel);
+    std::vector<Coefficient<double>> largest;
+    selectLargest(std::span(sum.data(), std::size_t(sum.size())), coefficients, largest);
+    result.coefficients = coefficientsIn<float>(largest);
   }
   std::sort(result.coefficients.begin(), result.coefficients.end(), isLarger<float>);
   result.coefficients.resize(std::min(result.coefficients.size(), coefficients));

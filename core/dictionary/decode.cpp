@@ -61,6 +61,7 @@ void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scala
 }
 
 template ComposedSlabs<float> composeSlabs<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>);
+template ComposedSlabs<double> composeSlabs<double>(const ModeMatrices<double>&, std::vector<Coefficient<double>>);
 template void compose<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>, float*);
 template void compose<double>(const ModeMatrices<double>&, std::vector<Coefficient<double>>, double*);
 
@@ -86,23 +87,22 @@ void checkCode(const Ensemble& ensemble, const SparseCode& code) {
   }
 }
 
-std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code) {
+std::array<Eigen::ArrayXd, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code) {
   checkCode(ensemble, code);
   const auto geometry = GridGeometry::of(code.grid);
-  std::array<Eigen::ArrayXf, 3> signals;
+  std::array<Eigen::ArrayXd, 3> signals;
   parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) {
     const ChannelCode& channel = code.channels[c];
     const auto atoms = unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry, code.scaled);
     signals[c].resize(Eigen::Index(code.grid.size()));
-    compose<float>({atoms[0].cast<float>(), atoms[1].cast<float>(), atoms[2].cast<float>()}, channel.coefficients,
-                   signals[c].data());
-    signals[c] = signals[c].min(channel.highest);
+    compose<double>(atoms, coefficientsIn<double>(channel.coefficients), signals[c].data());
+    signals[c] = signals[c].min(double(channel.highest));
   });
   return signals;
 }
 
 std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const SparseCode& code) {
-  std::array<Eigen::ArrayXf, 3> signals = decodeSignals(ensemble, code);
+  std::array<Eigen::ArrayXd, 3> signals = decodeSignals(ensemble, code);
   const auto geometry = GridGeometry::of(code.grid);
   std::vector<TabulatedBrdf::Value> values(code.grid.size());
   constexpr std::size_t block = 1 << 13;
@@ -111,7 +111,7 @@ std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const Spar
     for (int c = 0; c < 3; ++c) {
       auto part = signals[std::size_t(c)].segment(first, length);
       invertTransform(part, code.transform, geometry->weights.segment(first, length));
-      for (Eigen::Index i = 0; i < length; ++i) values[begin + std::size_t(i)][c] = part[i];
+      for (Eigen::Index i = 0; i < length; ++i) values[begin + std::size_t(i)][c] = float(part[i]);
     }
   });
   return std::make_shared<const TabulatedBrdf>(code.grid, std::move(values), geometry->aboveHorizon);

@@ -30,8 +30,8 @@ void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scala
 std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry,
                                              bool scaled = true);
 
-/// The transformed values of a code in every cell, one array per channel, in single precision. @throws as checkCode().
-std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
+/// The transformed values of a code in every cell, one array per channel. @throws as checkCode().
+std::array<Eigen::ArrayXd, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
 
 /// The table of a code; cells below the horizon are invalid, negative values become 0. Under 50 ms on two cores for a
 /// MERL grid. @throws as checkCode().

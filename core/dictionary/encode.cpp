@@ -6,13 +6,10 @@
 #include <cmath>
 
 #include "core/coordinates/grid_directions.h"
-#include "core/dictionary/basis_pursuit.h"
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/compact_signal.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/invalid_cells.h"
-#include "core/dictionary/largest_projections.h"
-#include "core/dictionary/mode_products.h"
+#include "core/dictionary/encode_attempt.h"
 #include "core/dictionary/quantised_code.h"
 #include "core/math/parallel.h"
 
@@ -29,14 +26,6 @@ double choiceLoss(std::size_t coefficients) {
 /// are about a fourth smaller, and as many more coefficients lower the error by such a factor.
 constexpr double acceptedLoss = 1.35;
 constexpr double grazing = radians(85);
-
-/// The least count of coefficients (larger in size first) that leaves at most `mostLeft` of the energy.
-std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, double energy, double mostLeft) {
-  std::size_t n = 0;
-  for (double left = energy; n < coefficients.size() && left > mostLeft * energy; ++n)
-    left -= double(coefficients[n].value) * double(coefficients[n].value);
-  return n;
-}
 
 void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded,
              const EncodeOptions& options) {
@@ -101,7 +90,7 @@ std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std:
   return errors;
 }
 
-std::array<int, 3> Encoder::chooseDictionaries(const std::array<Eigen::ArrayXf, 3>& signals, std::size_t coefficients,
+std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signals& signals, std::size_t coefficients,
                                                const TaskControl& control) const {
   std::array<std::vector<double>, 3> errors;
   parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) { errors[c] = dictionaryErrors(signals[c], coefficients); },
@@ -121,76 +110,65 @@ std::array<int, 3> Encoder::chooseDictionaries(const std::array<Eigen::ArrayXf, 
   return common[std::size_t(shared)] <= acceptedLoss * separateError ? std::array{shared, shared, shared} : separate;
 }
 
-/// One transform of a material while it is encoded.
-struct Encoder::Attempt {
-  const TabulatedBrdf& table;
-  const EncodeOptions& options;
+/// A transform, its signals, and what its trial chose.
+struct Encoder::Trial {
   DataTransform transform = DataTransform::logPlus;
-  std::array<Eigen::ArrayXf, 3> signals = {};  ///< in the invalid cells what the rounds put there
-  std::array<ChannelCode, 3> channels = {};    ///< as they were found, in no order
-  std::array<std::optional<InvalidCellRefinement>, 3> channelRounds = {};  ///< from the choice of the dictionaries on
-  int rounds = 0;
+  EncodeAttempt<double>::Signals signals = {};
+  std::array<ChannelCode, 3> channels = {};  ///< without coefficients
+  EncodedCandidate candidate = {};
 };
 
-void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl& control) const {
+/// In single precision: faster, and precise enough for choices whose errors differ by more than rounding.
+Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
+                              const TaskControl& control) const {
   const auto geometry = GridGeometry::of(ensemble_.grid);
-  attempt.transform = transform;
-  const bool scaled = isScaled(attempt.options);
-  attempt.signals = signalsOf(attempt.table, transform, *geometry, scaled);
+  Trial trial{.transform = transform, .signals = signalsOf(table, transform, *geometry, isScaled(options))};
+  EncodeAttempt<float>::Signals signals;
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
-                      attempt.channels[c].highest = highestOf(attempt.signals[c], attempt.table, *geometry, scaled);
+                      signals[c] = trial.signals[c].cast<float>();
+                      trial.channels[c].highest = highestOf(trial.signals[c], table, *geometry, isScaled(options));
                     },
                     {.stop = control.stop, .progress = {}});
-  const std::array<int, 3> chosen = chooseDictionaries(attempt.signals, attempt.options.coefficients, control);
-  for (std::size_t c = 0; c < 3; ++c) attempt.channels[c].dictionary = chosen[c];
-  refine(attempt, 0, control);
-}
-
-/// Each channel's coefficients, after so many more rounds.
-void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) const {
-  const Sizes sizes = modeSizes(ensemble_.grid);
-  const TaskControl silent{.stop = control.stop, .progress = {}};
-  parallelForBlocks(3, 1,
-                    [&](std::size_t c, std::size_t) {
-                      ChannelCode& code = attempt.channels[c];
-                      std::optional<InvalidCellRefinement>& channel = attempt.channelRounds[c];
-                      if (!channel) {
-                        channel.emplace(attempt.signals[c], attempt.table.valid(), sizes,
-                                        matrices_[std::size_t(code.dictionary)]);
-                        channel->selectLargest(attempt.options.coefficients, code.coefficients);
-                      }
-                      if (attempt.options.method == CodingMethod::basisPursuit && rounds > 0) {
-                        pursueBasis(*channel, attempt.options.coefficients, rounds, code.coefficients, silent);
-                        refitValues(*channel, rounds, code.coefficients, silent);
-                        return;
-                      }
-                      for (int round = attempt.rounds; round < attempt.rounds + rounds; ++round) {
-                        control.throwIfStopped();
-                        channel->update(code.coefficients, float(round) / float(round + 3));
-                        channel->selectLargest(attempt.options.coefficients, code.coefficients);
-                      }
-                    },
-                    {.stop = control.stop, .progress = {}});
-  attempt.rounds += rounds;
-}
-
-EncodedCandidate Encoder::finished(const Attempt& attempt) const {
-  const EncodeOptions& options = attempt.options;
-  EncodedCandidate candidate;
-  candidate.code = {.grid = ensemble_.grid,
-                    .transform = attempt.transform,
-                    .scaled = isScaled(options),
-                    .channels = attempt.channels};
+  const std::array<int, 3> chosen = chooseDictionaries(signals, options.coefficients, control);
+  EncodeAttempt<float>::Dictionaries dictionaries;
   for (std::size_t c = 0; c < 3; ++c) {
-    auto& coefficients = candidate.code.channels[c].coefficients;
-    std::sort(coefficients.begin(), coefficients.end(), isLarger<float>);
-    const double energy = attempt.signals[c].cast<double>().square().sum();
-    if (options.relativeError) coefficients.resize(countForError(coefficients, energy, *options.relativeError));
+    trial.channels[c].dictionary = chosen[c];
+    dictionaries[c] = &matrices_[std::size_t(chosen[c])];
   }
+  EncodeAttempt<float> attempt(std::move(signals), table, options, dictionaries, control);
+  attempt.refine(std::min(options.trialRefinements, options.refinements), control);
+  trial.candidate = candidate(trial, attempt.coefficients(), table, options);
+  return trial;
+}
+
+/// All rounds in double precision, so that rounding does not decide between coefficients of nearly equal size. If the
+/// trial's few rounds have less error, only these.
+EncodedCandidate Encoder::refined(const Trial& trial, const TabulatedBrdf& table, const EncodeOptions& options,
+                                  const TaskControl& control) const {
+  EncodeAttempt<double>::Dictionaries dictionaries;
+  for (std::size_t c = 0; c < 3; ++c)
+    dictionaries[c] = &ensemble_.dictionaries[std::size_t(trial.channels[c].dictionary)].modes;
+  EncodeAttempt<double> attempt(trial.signals, table, options, dictionaries, control);
+  const int few = std::min(options.trialRefinements, options.refinements);
+  attempt.refine(few, control);
+  const ChannelCoefficients early = attempt.coefficients();
+  attempt.refine(options.refinements - few, control);
+  EncodedCandidate all = candidate(trial, attempt.coefficients(), table, options);
+  if (few == options.refinements || all.gammaError <= trial.candidate.gammaError) return all;
+  EncodedCandidate less = candidate(trial, early, table, options);
+  return less.gammaError < all.gammaError ? less : all;
+}
+
+EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficients& coefficients,
+                                    const TabulatedBrdf& table, const EncodeOptions& options) const {
+  EncodedCandidate candidate;
+  candidate.code = {
+      .grid = ensemble_.grid, .transform = trial.transform, .scaled = isScaled(options), .channels = trial.channels};
+  for (std::size_t c = 0; c < 3; ++c) candidate.code.channels[c].coefficients = coefficients[c];
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
   if (options.quantised) candidate.code = quantised(std::move(candidate.code));
-  measure(candidate, attempt.table, *decode(ensemble_, candidate.code), options);
+  measure(candidate, table, *decode(ensemble_, candidate.code), options);
   return candidate;
 }
 
@@ -198,29 +176,21 @@ EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& op
                              const TaskControl& control) const {
   const auto start = std::chrono::steady_clock::now();
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
-  EncodeResult result;
-  std::vector<Attempt> attempts;
-  const int trialRounds = std::min(options.trialRefinements, options.refinements);
-  for (std::size_t t = 0; t < options.transforms.size(); ++t) attempts.push_back({.table = table, .options = options});
-  result.candidates.resize(attempts.size());
-  const double trialShare = double(attempts.size()) / double(attempts.size() + 1);
+  std::vector<Trial> trials(options.transforms.size());
+  const double trialShare = double(trials.size()) / double(trials.size() + 1);
+  const TaskControl silent{.stop = control.stop, .progress = {}};
   parallelForBlocks(
-      attempts.size(), 1,
-      [&](std::size_t t, std::size_t) {
-        const TaskControl silent{.stop = control.stop, .progress = {}};
-        this->start(attempts[t], options.transforms[t], silent);
-        refine(attempts[t], trialRounds, silent);
-        result.candidates[t] = finished(attempts[t]);
-      },
+      trials.size(), 1,
+      [&](std::size_t t, std::size_t) { trials[t] = tried(options.transforms[t], table, options, silent); },
       control.between(0, trialShare));
-  const auto best = std::min_element(result.candidates.begin(), result.candidates.end(),
-                                     [](const auto& a, const auto& b) { return a.gammaError < b.gammaError; });
-  if (options.refinements > trialRounds) {
-    Attempt& chosen = attempts[std::size_t(best - result.candidates.begin())];
-    refine(chosen, options.refinements - trialRounds, control);
-    if (EncodedCandidate refined = finished(chosen); refined.gammaError < best->gammaError) *best = std::move(refined);
-  }
-  result.code = best->code;
+  Trial& best = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
+    return a.candidate.gammaError < b.candidate.gammaError;
+  });
+  best.candidate = refined(best, table, options, silent);
+
+  EncodeResult result;
+  result.code = best.candidate.code;
+  for (Trial& trial : trials) result.candidates.push_back(std::move(trial.candidate));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   control.report(1);
   return result;

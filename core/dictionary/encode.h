@@ -83,17 +83,24 @@ class Encoder {
   /// coefficients represent the valid cells. This is iterative hard thresholding on the valid cells, with the momentum
   /// of Beck and Teboulle 2009, "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems". With
   /// CodingMethod::basisPursuit the rounds apply soft thresholding, and as many rounds of least squares follow. The
-  /// transform with the smallest gamma error is selected and refined further; if that does not lower its error, the
-  /// code before it is returned. @throws Error if the table has another grid; Cancelled.
+  /// transform with the smallest gamma error after a few rounds is selected, and its rounds are repeated in double
+  /// precision, so that codes do not depend on the instruction set; if all rounds have a larger error than the few,
+  /// the few are used. @throws Error if the table has another grid; Cancelled.
   EncodeResult encode(const TabulatedBrdf& table, const EncodeOptions& options = {},
                       const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
 
  private:
-  struct Attempt;
-  void start(Attempt& attempt, DataTransform transform, const TaskControl& control) const;
-  void refine(Attempt& attempt, int rounds, const TaskControl& control) const;
-  EncodedCandidate finished(const Attempt& attempt) const;
+  /// Of each channel, as in ChannelCode.
+  using ChannelCoefficients = std::array<std::vector<Coefficient<float>>, 3>;
+  struct Trial;
+  /// The first rounds of a transform.
+  Trial tried(DataTransform transform, const TabulatedBrdf& table, const EncodeOptions& options,
+              const TaskControl& control) const;
+  EncodedCandidate refined(const Trial& trial, const TabulatedBrdf& table, const EncodeOptions& options,
+                           const TaskControl& control) const;
+  EncodedCandidate candidate(const Trial& trial, const ChannelCoefficients& coefficients, const TabulatedBrdf& table,
+                             const EncodeOptions& options) const;
   bool isScaled(const EncodeOptions& options) const { return options.scaled && ensemble_.scaled; }
   /// The squared error of a signal over each dictionary.
   std::vector<double> dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
@@ -102,7 +109,7 @@ class Encoder {
                                         const TaskControl& control) const;
 
   const Ensemble& ensemble_;
-  std::vector<std::array<Eigen::MatrixXf, 3>> matrices_;
+  std::vector<std::array<Eigen::MatrixXf, 3>> matrices_;  ///< of the dictionaries
 };
 
 }  // namespace gonio::dictionary

@@ -12,10 +12,9 @@ namespace gonio::dictionary {
 
 namespace {
 
-using Coefficients = std::vector<Coefficient<float>>;
-using Matrices = std::vector<ModeMatrices<float>>;
+using Coefficients = std::vector<Coefficient<double>>;
 
-/// A pass over the signals with the ensembles' matrices at hand in single precision.
+/// A pass over the signals.
 class Pass {
  public:
   Pass(const std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials, const SignalOptions& options,
@@ -24,13 +23,7 @@ class Pass {
         materials_(materials),
         options_(options),
         control_(control),
-        sizes_(modeSizes(materials.grid)) {
-    for (const AssignedEnsemble& ensemble : ensembles) {
-      Matrices& matrices = matrices_.emplace_back();
-      for (const auto& d : ensemble.dictionaries)
-        matrices.push_back({d[0].cast<float>(), d[1].cast<float>(), d[2].cast<float>()});
-    }
-  }
+        sizes_(modeSizes(materials.grid)) {}
 
   /// Coefficients of every signal in each ensemble, and the errors.
   std::vector<double> threshold(std::vector<std::vector<Coefficients>>& coefficients) const {
@@ -39,9 +32,9 @@ class Pass {
     std::vector<double> energies(signals);
     forEachSignal(
         materials_, options_,
-        [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
-          thread_local Workspace<float> workspace;
-          energies[signal] = values.cast<double>().square().sum();
+        [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
+          thread_local Workspace<double> workspace;
+          energies[signal] = values.square().sum();
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             selectLargestProjections(values.data(), sizes_, matrices(e, signal), std::size_t(ensembles_[e].sparsity),
                                      workspace, coefficients[e][signal]);
@@ -62,12 +55,12 @@ class Pass {
       sums[e].assign(ensembles_[e].dictionaries.size(), Eigen::MatrixXd::Zero(size, size));
     forEachSignal(
         materials_, options_,
-        [&](std::size_t material, std::size_t signal, const Eigen::ArrayXf& values) {
-          thread_local Workspace<float> workspace;
+        [&](std::size_t material, std::size_t signal, const Eigen::ArrayXd& values) {
+          thread_local Workspace<double> workspace;
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             Eigen::MatrixXd& z = parts[material].emplace_back(Eigen::MatrixXd::Zero(size, size));
-            addCorrelation<float>(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace,
-                                  z);
+            addCorrelation<double>(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace,
+                                   z);
           }
         },
         [&](std::size_t material) {
@@ -82,8 +75,9 @@ class Pass {
   }
 
  private:
-  const ModeMatrices<float>& matrices(std::size_t ensemble, std::size_t signal) const {
-    return matrices_[ensemble][std::size_t(ensembles_[ensemble].memberships[signal])];
+  const ModeMatrices<double>& matrices(std::size_t ensemble, std::size_t signal) const {
+    const AssignedEnsemble& one = ensembles_[ensemble];
+    return one.dictionaries[std::size_t(one.memberships[signal])];
   }
 
   static std::vector<double> errors(const std::vector<double>& energies,
@@ -93,7 +87,7 @@ class Pass {
       double total = 0, left = 0;
       for (std::size_t s = 0; s < energies.size(); ++s) {
         total += energies[s];
-        left += std::max(0.0, energies[s] - energy<float>(ensemble[s]));
+        left += std::max(0.0, energies[s] - energy<double>(ensemble[s]));
       }
       result.push_back(total > 0 ? left / total : 0);
     }
@@ -105,7 +99,6 @@ class Pass {
   const SignalOptions& options_;
   const TaskControl& control_;
   Sizes sizes_;
-  std::vector<Matrices> matrices_;
 };
 
 /// The share [begin, end] of a control's progress.

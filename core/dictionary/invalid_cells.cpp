@@ -6,6 +6,7 @@
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/largest_projections.h"
+#include "core/math/parallel.h"
 
 namespace gonio::dictionary {
 
@@ -32,8 +33,10 @@ std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const
   return bands;
 }
 
-InvalidCellRefinement::InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,
-                                             const Sizes& sizes, const ModeMatrices<float>& matrices)
+template <typename Scalar>
+InvalidCellRefinement<Scalar>::InvalidCellRefinement(Eigen::Array<Scalar, Eigen::Dynamic, 1>& signal,
+                                                     std::span<const std::uint8_t> valid, const Sizes& sizes,
+                                                     const ModeMatrices<Scalar>& matrices)
     : signal_(signal.data()),
       valid_(valid),
       sizes_(sizes),
@@ -43,19 +46,21 @@ InvalidCellRefinement::InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<c
   transposedModeProduct(signal_, sizes, 2, matrices[2], slices_.data());
 }
 
-void InvalidCellRefinement::selectLargest(std::size_t count, std::vector<Coefficient<float>>& selected) const {
+template <typename Scalar>
+void InvalidCellRefinement<Scalar>::selectLargest(std::size_t count, std::vector<Coefficient<Scalar>>& selected) const {
   selectLargestOfSlices(slices_.data(), sizes_, matrices_, count, selected);
 }
 
-void InvalidCellRefinement::project(std::vector<Coefficient<float>>& code) const {
+template <typename Scalar>
+void InvalidCellRefinement<Scalar>::project(std::vector<Coefficient<Scalar>>& code) const {
   const Eigen::Index n0 = sizes_[0], n1 = sizes_[1], fibres = matrices_[1].cols(), atoms0 = matrices_[0].cols();
   std::sort(code.begin(), code.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
-  Eigen::VectorXf fibre(n0);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 1> fibre(n0);
   Eigen::Index known = -1;
-  for (Coefficient<float>& c : code) {
+  for (Coefficient<Scalar>& c : code) {
     const Eigen::Index pair = Eigen::Index(c.index) / atoms0;
     if (pair != known) {
-      const Eigen::Map<const Eigen::MatrixXf> slice(slices_.data() + n0 * n1 * (pair / fibres), n0, n1);
+      const Eigen::Map<const Matrix<Scalar>> slice(slices_.data() + n0 * n1 * (pair / fibres), n0, n1);
       fibre.noalias() = slice * matrices_[1].col(pair % fibres);
       known = pair;
     }
@@ -63,23 +68,24 @@ void InvalidCellRefinement::project(std::vector<Coefficient<float>>& code) const
   }
 }
 
-void InvalidCellRefinement::update(const std::vector<Coefficient<float>>& code, float momentum) {
+template <typename Scalar>
+void InvalidCellRefinement<Scalar>::update(const std::vector<Coefficient<Scalar>>& code, Scalar momentum) {
   const Eigen::Index rowsOfSlice = Eigen::Index(sizes_[0]) * sizes_[1];
-  const ComposedSlabs<float> composed = composeSlabs(matrices_, code);
-  Eigen::Map<Eigen::MatrixXf> projected(slices_.data(), rowsOfSlice, matrices_[2].cols());
+  const ComposedSlabs<Scalar> composed = composeSlabs(matrices_, code);
+  Eigen::Map<Matrix<Scalar>> projected(slices_.data(), rowsOfSlice, matrices_[2].cols());
   const bool isFirst = decoded_.empty();
   decoded_.resize(bands_.size());
-  Eigen::MatrixXf now, change;
-  for (std::size_t b = 0; b < bands_.size(); ++b) {
+  // Each band has rows of its own.
+  parallelForBlocks(bands_.size(), 1, [&](std::size_t b, std::size_t) {
     const InvalidBand& band = bands_[b];
-    now.noalias() = composed.slabs.middleRows(band.firstRow, band.rows) * composed.atoms.rightCols(band.slices);
+    Matrix<Scalar> now = composed.slabs.middleRows(band.firstRow, band.rows) * composed.atoms.rightCols(band.slices);
     if (isFirst) decoded_[b] = now;
-    change.resize(band.rows, band.slices);
+    Matrix<Scalar> change(band.rows, band.slices);
     for (Eigen::Index s = 0; s < band.slices; ++s) {
       const Eigen::Index begin = band.firstRow + rowsOfSlice * (band.firstSlice + s);
       for (Eigen::Index row = 0; row < band.rows; ++row) {
-        float& value = signal_[begin + row];
-        const float next = now(row, s) + momentum * (now(row, s) - decoded_[b](row, s));
+        Scalar& value = signal_[begin + row];
+        const Scalar next = now(row, s) + momentum * (now(row, s) - decoded_[b](row, s));
         const bool isValid = valid_[std::size_t(begin + row)] != 0;
         change(row, s) = isValid ? 0 : next - value;
         value = isValid ? value : next;
@@ -87,7 +93,10 @@ void InvalidCellRefinement::update(const std::vector<Coefficient<float>>& code, 
     }
     decoded_[b].swap(now);
     projected.middleRows(band.firstRow, band.rows).noalias() += change * matrices_[2].bottomRows(band.slices);
-  }
+  });
 }
+
+template class InvalidCellRefinement<float>;
+template class InvalidCellRefinement<double>;
 
 }  // namespace gonio::dictionary

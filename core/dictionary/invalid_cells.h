@@ -22,30 +22,34 @@ std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const
 
 /// Refinement rounds of Encoder::encode() for one signal and one dictionary: the invalid cells of the signal take the
 /// values of its code. Incremental: each round projects only the change of the bands onto the atoms of mode 2.
+template <typename Scalar>
 class InvalidCellRefinement {
  public:
   /// @param signal of `sizes`; update() changes its invalid cells. Signal, flags and matrices must outlive this object.
-  InvalidCellRefinement(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
-                        const ModeMatrices<float>& matrices);
+  InvalidCellRefinement(Eigen::Array<Scalar, Eigen::Dynamic, 1>& signal, std::span<const std::uint8_t> valid,
+                        const Sizes& sizes, const ModeMatrices<Scalar>& matrices);
 
   /// The `count` largest coefficients of the signal, in no particular order.
-  void selectLargest(std::size_t count, std::vector<Coefficient<float>>& selected) const;
+  void selectLargest(std::size_t count, std::vector<Coefficient<Scalar>>& selected) const;
   /// Sets the values of a code to the projections of the signal on its atoms. For a MERL table, 16,200
   /// multiplications per distinct pair of atoms of modes 1 and 2.
-  void project(std::vector<Coefficient<float>>& code) const;
+  void project(std::vector<Coefficient<Scalar>>& code) const;
   /// Resets the momentum: the next round starts without it.
   void restart() { decoded_.clear(); }
   /// Sets the invalid cells to the values of `code`, plus `momentum` times their change since the last round.
-  void update(const std::vector<Coefficient<float>>& code, float momentum);
+  void update(const std::vector<Coefficient<Scalar>>& code, Scalar momentum);
 
  private:
-  float* signal_;
+  Scalar* signal_;
   std::span<const std::uint8_t> valid_;
   Sizes sizes_;
-  const ModeMatrices<float>& matrices_;
+  const ModeMatrices<Scalar>& matrices_;
   std::vector<InvalidBand> bands_;
-  std::vector<Eigen::MatrixXf> decoded_;  ///< values of the last round, one matrix per band; empty before the first
-  std::vector<float> slices_;             ///< the signal projected onto the atoms of mode 2
+  std::vector<Matrix<Scalar>> decoded_;  ///< values of the last round, one matrix per band; empty before the first
+  std::vector<Scalar> slices_;           ///< the signal projected onto the atoms of mode 2
 };
+
+extern template class InvalidCellRefinement<float>;
+extern template class InvalidCellRefinement<double>;
 
 }  // namespace gonio::dictionary

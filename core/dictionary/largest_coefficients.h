@@ -17,6 +17,15 @@ struct Coefficient {
   Scalar value = 0;
 };
 
+/// The coefficients with values rounded to the precision of Scalar.
+template <typename Scalar, typename From>
+std::vector<Coefficient<Scalar>> coefficientsIn(const std::vector<Coefficient<From>>& coefficients) {
+  std::vector<Coefficient<Scalar>> result;
+  result.reserve(coefficients.size());
+  for (const Coefficient<From>& c : coefficients) result.push_back({c.index, Scalar(c.value)});
+  return result;
+}
+
 /// Orders by decreasing absolute value, then by index, so that a selection does not depend on the order of computation.
 template <typename Scalar>
 bool isLarger(const Coefficient<Scalar>& a, const Coefficient<Scalar>& b) {

@@ -66,17 +66,17 @@ std::size_t coefficientsFor(double error, const PatchCode& longest) {
 
 }  // namespace
 
-Eigen::MatrixXd patchesOf(const Eigen::ArrayXf& signal, const Sizes& sizes, const Sizes& patch) {
+Eigen::MatrixXd patchesOf(const Eigen::ArrayXd& signal, const Sizes& sizes, const Sizes& patch) {
   checkSizes(sizes, patch);
   Eigen::MatrixXd patches(Index(count(patch)), Index(count(sizes) / count(patch)));
-  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { patches(row, column) = double(signal[cell]); });
+  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { patches(row, column) = signal[cell]; });
   return patches;
 }
 
-Eigen::ArrayXf signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, const Sizes& patch) {
+Eigen::ArrayXd signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, const Sizes& patch) {
   checkSizes(sizes, patch);
-  Eigen::ArrayXf signal(Index(count(sizes)));
-  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { signal[cell] = float(patches(row, column)); });
+  Eigen::ArrayXd signal(Index(count(sizes)));
+  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { signal[cell] = patches(row, column); });
   return signal;
 }
 

@@ -12,9 +12,9 @@ namespace gonio::dictionary {
 
 /// Patches of a signal of `sizes` (phi_d, theta_d, theta_h), one per column; phi_d is fastest within a patch and among
 /// patches. @throws Error if the sizes are not multiples of the patch's.
-Eigen::MatrixXd patchesOf(const Eigen::ArrayXf& signal, const Sizes& sizes, const Sizes& patch);
+Eigen::MatrixXd patchesOf(const Eigen::ArrayXd& signal, const Sizes& sizes, const Sizes& patch);
 /// Inverse of patchesOf().
-Eigen::ArrayXf signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, const Sizes& patch);
+Eigen::ArrayXd signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, const Sizes& patch);
 
 /// The code of each patch of a signal.
 struct PatchCode {

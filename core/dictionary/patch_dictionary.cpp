@@ -51,7 +51,7 @@ PatchDictionary learnPatchDictionary(const TrainingMaterials& materials, const P
   const std::size_t signals = materials.names.size() * signalOptions.signalsPerMaterial();
   const std::size_t each = std::max<std::size_t>(1, options.samples / std::max<std::size_t>(1, signals));
   std::vector<Eigen::MatrixXd> drawn(signals);
-  const auto draw = [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
+  const auto draw = [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
     const Eigen::MatrixXd patches = patchesOf(values, sizes, options.patch);
     std::mt19937_64 random(options.kSvd.seed + signal);
     drawn[signal].resize(patches.rows(), Index(each));
@@ -95,10 +95,10 @@ std::shared_ptr<const TabulatedBrdf> decode(const PatchDictionary& dictionary, c
   std::vector<TabulatedBrdf::Value> values(code.grid.size());
   for (int c = 0; c < 3; ++c) {
     const ChannelCode& channel = code.channels[std::size_t(c)];
-    Eigen::ArrayXf signal = signalOf(decodedPatches(dictionary, channel), modeSizes(code.grid), dictionary.patch);
-    signal = (signal / scales).min(channel.highest);
+    Eigen::ArrayXd signal = signalOf(decodedPatches(dictionary, channel), modeSizes(code.grid), dictionary.patch);
+    signal = (signal / scales.cast<double>()).min(double(channel.highest));
     invertTransform(signal, code.transform, geometry->weights);
-    for (std::size_t cell = 0; cell < values.size(); ++cell) values[cell][c] = signal[Index(cell)];
+    for (std::size_t cell = 0; cell < values.size(); ++cell) values[cell][c] = float(signal[Index(cell)]);
   }
   return std::make_shared<const TabulatedBrdf>(code.grid, std::move(values), geometry->aboveHorizon);
 }

@@ -13,11 +13,10 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// The bases' leading columns in single precision.
-ModeMatrices<float> leadingColumns(const SharedSubspace& subspace) {
-  ModeMatrices<float> leading;
-  for (std::size_t mode = 0; mode < 3; ++mode)
-    leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]).cast<float>();
+/// The bases' leading columns.
+ModeMatrices<double> leadingColumns(const SharedSubspace& subspace) {
+  ModeMatrices<double> leading;
+  for (std::size_t mode = 0; mode < 3; ++mode) leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]);
   return leading;
 }
 
@@ -42,7 +41,7 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
   std::vector<ModeMatrices<double>> grams(materials.names.size());
   forEachSignal(
       materials, options,
-      [&](std::size_t material, std::size_t, const Eigen::ArrayXf& values) {
+      [&](std::size_t material, std::size_t, const Eigen::ArrayXd& values) {
         if (grams[material][0].size() == 0) grams[material] = zeros();
         for (int mode = 0; mode < 3; ++mode) addGram(values.data(), sizes, mode, grams[material][std::size_t(mode)]);
       },
@@ -61,10 +60,10 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
 }
 
 void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
-                       const std::function<void(std::size_t signal, std::span<const float> block)>& work,
+                       const std::function<void(std::size_t signal, std::span<const double> block)>& work,
                        const TaskControl& control) {
   const Sizes sizes = modeSizes(materials.grid);
-  const ModeMatrices<float> bases = leadingColumns(subspace);
+  const ModeMatrices<double> bases = leadingColumns(subspace);
   // The mode that shrinks most goes first.
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -75,12 +74,12 @@ void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materi
   std::vector<double> energies(signals), projected(signals);
   forEachSignal(
       materials, options,
-      [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
-        thread_local Workspace<float> workspace;
-        energies[signal] = values.cast<double>().square().sum();
-        const float* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
+      [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
+        thread_local Workspace<double> workspace;
+        energies[signal] = values.square().sum();
+        const double* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
         const auto size = Eigen::Index(count(subspace.ranks));
-        projected[signal] = Eigen::Map<const Eigen::VectorXf>(block, size).cast<double>().squaredNorm();
+        projected[signal] = Eigen::Map<const Eigen::VectorXd>(block, size).squaredNorm();
         work(signal, {block, std::size_t(size)});
       },
       [](std::size_t) {}, control);

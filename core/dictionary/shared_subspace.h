@@ -29,7 +29,7 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
 /// Calls `work(signal, block)` with the projection of each signal onto the subspace, of `ranks`, in the order and on
 /// the threads of forEachSignal(); sets the subspace's `loss`. One pass over the materials.
 void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
-                       const std::function<void(std::size_t signal, std::span<const float> block)>& work,
+                       const std::function<void(std::size_t signal, std::span<const double> block)>& work,
                        const TaskControl& control = {});
 
 }  // namespace gonio::dictionary

@@ -17,7 +17,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-void hold(Eigen::ArrayXf& values, const TabulatedBrdf& table) {
+void hold(Eigen::ArrayXd& values, const TabulatedBrdf& table) {
   const HalfDifferenceGrid& grid = table.grid();
   const std::size_t slab = std::size_t(grid.thetaDCount) * std::size_t(grid.phiDCount);
   for (std::size_t cell = slab; cell < grid.size(); ++cell)
@@ -63,6 +63,20 @@ std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
   return geometry;
 }
 
+template <typename Scalar>
+void invert(Eigen::Ref<Eigen::Array<Scalar, Eigen::Dynamic, 1>> values, DataTransform transform,
+            const Eigen::Ref<const Eigen::ArrayXf>& weights) {
+  assert(values.size() == weights.size());
+  values = values.max(Scalar(0));
+  if (transform == DataTransform::root) values = values.square();
+  if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) {
+    constexpr Scalar mostLog = 88;  // e^88 is the last round exponent in the range of float
+    values = values.min(mostLog).expm1();
+    if (transform == DataTransform::cosineLog) values /= weights.cast<Scalar>();
+  }
+  values = values.min(Scalar(std::numeric_limits<float>::max()));
+}
+
 }  // namespace
 
 Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry) {
@@ -74,17 +88,17 @@ Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& ge
   return scales;
 }
 
-float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
+float highestOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
   const HalfDifferenceGrid& grid = table.grid();
   double highest = 0;
   Eigen::Index cell = 0;
   for (int h = 0; h < grid.thetaHCount; ++h)
     for (int d = 0; d < grid.thetaDCount; ++d) {
-      float most = 0;
+      double most = 0;
       for (int phi = 0; phi < grid.phiDCount; ++phi, ++cell)
         if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
       const double scale = scaled ? geometry.cellScaling[1][d] * geometry.cellScaling[2][h] : 1;
-      highest = std::max(highest, double(most) / scale);
+      highest = std::max(highest, most / scale);
     }
   return float(highest);
 }
@@ -104,40 +118,36 @@ std::shared_ptr<const GridGeometry> GridGeometry::of(const HalfDifferenceGrid& g
   return geometry;
 }
 
-void transform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+void transform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
                const Eigen::Ref<const Eigen::ArrayXf>& weights) {
   assert(values.size() == weights.size());
-  if (transform == DataTransform::cosineLog) values *= weights;
+  if (transform == DataTransform::cosineLog) values *= weights.cast<double>();
   if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) values = values.log1p();
   if (transform == DataTransform::root) values = values.sqrt();
 }
 
 void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
                      const Eigen::Ref<const Eigen::ArrayXf>& weights) {
-  assert(values.size() == weights.size());
-  values = values.max(0.0f);
-  if (transform == DataTransform::root) values = values.square();
-  if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) {
-    constexpr float mostLog = 88;  // e^88 is the last round exponent in the range of float
-    values = values.min(mostLog).expm1();
-    if (transform == DataTransform::cosineLog) values /= weights;
-  }
-  values = values.min(std::numeric_limits<float>::max());
+  invert<float>(values, transform, weights);
+}
+void invertTransform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights) {
+  invert<double>(values, transform, weights);
 }
 
-std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
+std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
                                         const GridGeometry& geometry, bool scaled) {
   const Eigen::Index cells = Eigen::Index(table.grid().size());
   const auto interleaved =
       Eigen::Map<const Eigen::Array<float, 3, Eigen::Dynamic>>(&table.values().data()->x, 3, cells);
   const Eigen::ArrayXf scales = scaled ? cellScales(table.grid(), geometry) : Eigen::ArrayXf();
-  std::array<Eigen::ArrayXf, 3> signals;
+  std::array<Eigen::ArrayXd, 3> signals;
   for (int c = 0; c < 3; ++c) {
-    Eigen::ArrayXf& values = signals[std::size_t(c)];
-    values = interleaved.row(c);
+    Eigen::ArrayXd& values = signals[std::size_t(c)];
+    values = interleaved.row(c).cast<double>();
     dictionary::transform(values, transform, geometry.weights);
     hold(values, table);
-    if (scaled) values *= scales;
+    if (scaled) values *= scales.cast<double>();
   }
   return signals;
 }

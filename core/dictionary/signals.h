@@ -28,21 +28,24 @@ struct GridGeometry {
 /// The signals that training and encoding use: the three channels of a table, transformed, with invalid cells filled,
 /// with cell scaling (GridGeometry::cellScaling) unless `scaled` is false. Along theta_h (toward the horizon) invalid
 /// cells repeat the transformed value of the last valid one, so that no coefficients are spent on an artificial step at
-/// the horizon. Single precision, without cancellation for small values. About 20 ms for a MERL table.
-std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
+/// the horizon. In double precision, so that rounding does not decide which coefficients are the largest; without
+/// cancellation for small values. About 40 ms for a MERL table.
+std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
                                         const GridGeometry& geometry, bool scaled = true);
 
 /// The factor of each cell by cell scaling.
 Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry);
 /// Largest transformed value of the valid cells of a signal (without cell scaling): ChannelCode::highest.
-float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled);
+float highestOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled);
 
-/// transformed() and inverseTransformed() of arrays, in place and in single precision. BRDF values are in 1/sr, >= 0.
+/// transformed() and inverseTransformed() of arrays, in place. BRDF values are in 1/sr, >= 0.
 /// The inverse maps negative y to 0 and limits y of the logarithms to 88, so that results stay in the range of float (a
 /// code of few coefficients may overshoot).
-void transform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+void transform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
                const Eigen::Ref<const Eigen::ArrayXf>& weights);
 void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights);
+void invertTransform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
                      const Eigen::Ref<const Eigen::ArrayXf>& weights);
 
 }  // namespace gonio::dictionary

@@ -59,7 +59,7 @@ class Training {
     signals_.resize(materials_.names.size() * options_.signals.signalsPerMaterial());
     forEachProjection(
         state.subspace, materials_, options_.signals,
-        [&](std::size_t signal, std::span<const float> block) {
+        [&](std::size_t signal, std::span<const double> block) {
           signals_[signal] = compactSignal(block.data(), state.subspace.ranks, signalLoss);
         },
         part(subspaceShare / 2, subspaceShare));
@@ -74,8 +74,8 @@ class Training {
 
   void learn(std::size_t e) {
     TrainingState& state = result_.state;
-    EnsembleLearner<float> learner(std::span<const CompactSignal<float>>(signals_), state.subspace.ranks,
-                                   options_.dictionaries, options_.sparsities[e]);
+    EnsembleLearner<double> learner(std::span<const CompactSignal<double>>(signals_), state.subspace.ranks,
+                                    options_.dictionaries, options_.sparsities[e]);
     const double each = roundsShare / double(options_.sparsities.size());
     if (e < state.ensembles.size()) {
       learner.start(state.ensembles[e]);
@@ -119,7 +119,7 @@ class Training {
   const TaskControl& control_;
   const std::function<void(const TrainingState&)>& checkpoint_;
   TrainingResult result_;
-  std::vector<CompactSignal<float>> signals_;
+  std::vector<CompactSignal<double>> signals_;
   std::vector<std::vector<int>> memberships_;
   std::vector<AssignedEnsemble> assigned_;
 };

@@ -8,7 +8,7 @@ namespace gonio::dictionary {
 
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,
-    const std::function<void(std::size_t material, std::size_t signal, const Eigen::ArrayXf& values)>& work,
+    const std::function<void(std::size_t material, std::size_t signal, const Eigen::ArrayXd& values)>& work,
     const std::function<void(std::size_t material)>& finished, const TaskControl& control) {
   constexpr std::size_t atATime = 8;  // bounds what waits for finished()
   const auto geometry = GridGeometry::of(materials.grid);

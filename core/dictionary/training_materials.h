@@ -34,7 +34,7 @@ struct SignalOptions {
 /// @throws Cancelled; whatever `load` throws.
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,
-    const std::function<void(std::size_t material, std::size_t signal, const Eigen::ArrayXf& values)>& work,
+    const std::function<void(std::size_t material, std::size_t signal, const Eigen::ArrayXd& values)>& work,
     const std::function<void(std::size_t material)>& finished, const TaskControl& control = {});
 
 }  // namespace gonio::dictionary

@@ -21,7 +21,7 @@ TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code
   TransformedTable table{code.grid, {}, dictionary::GridGeometry::of(code.grid)->aboveHorizon};
   table.values.resize(code.grid.size());
   for (std::size_t cell = 0; cell < table.values.size(); ++cell)
-    for (std::size_t c = 0; c < 3; ++c) table.values[cell][int(c)] = signals[c][Eigen::Index(cell)];
+    for (std::size_t c = 0; c < 3; ++c) table.values[cell][int(c)] = float(signals[c][Eigen::Index(cell)]);
   return table;
 }
 

@@ -33,7 +33,7 @@ struct Problem {
     signal = Eigen::ArrayXf::Random(cells);
   }
 
-  InvalidCellRefinement rounds() { return {signal, valid, sizes, matrices}; }
+  InvalidCellRefinement<float> rounds() { return {signal, valid, sizes, matrices}; }
   /// atoms^T M (signal - atoms code), M 0 in invalid cells.
   Eigen::VectorXd correlations(const std::vector<Coefficient<float>>& code) const {
     Eigen::VectorXd left = signal.matrix().cast<double>();
@@ -56,7 +56,7 @@ class BasisPursuitTest : public QObject {
   /// of its coefficient, and no other atom has a larger one.
   void optimalityConditionsHold() {
     Problem problem;
-    InvalidCellRefinement rounds = problem.rounds();
+    InvalidCellRefinement<float> rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     const double lambda = double(pursueBasis(rounds, 20, 3000, code));
     QCOMPARE(code.size(), std::size_t(20));
@@ -72,7 +72,7 @@ class BasisPursuitTest : public QObject {
   /// The refitted values are the least-squares solution over the valid cells, by a dense decomposition.
   void refitIsLeastSquares() {
     Problem problem;
-    InvalidCellRefinement rounds = problem.rounds();
+    InvalidCellRefinement<float> rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     pursueBasis(rounds, 20, 30, code);
     refitValues(rounds, 400, code);
@@ -89,7 +89,7 @@ class BasisPursuitTest : public QObject {
   /// Without invalid cells both methods select the same atoms, and the refit gives back their projections.
   void completeSignalsGiveTheLargestProjections() {
     Problem problem(true);
-    InvalidCellRefinement rounds = problem.rounds();
+    InvalidCellRefinement<float> rounds = problem.rounds();
     std::vector<Coefficient<float>> code, largest;
     pursueBasis(rounds, 15, 5, code);
     refitValues(rounds, 5, code);
@@ -144,7 +144,7 @@ class BasisPursuitTest : public QObject {
 
   void canBeCancelled() {
     Problem problem;
-    InvalidCellRefinement rounds = problem.rounds();
+    InvalidCellRefinement<float> rounds = problem.rounds();
     std::vector<Coefficient<float>> code;
     std::stop_source source;
     source.request_stop();

@@ -64,8 +64,8 @@ class CodeInterpolationTest : public QObject {
       const SparseCode between = interpolateCodes(ensemble, codes, weights, smallGrid.size());
       const auto result = decodeSignals(ensemble, between);
       for (std::size_t c = 0; c < 3; ++c) {
-        Eigen::ArrayXf expected = Eigen::ArrayXf::Zero(Eigen::Index(smallGrid.size()));
-        for (std::size_t m = 0; m < 3; ++m) expected += float(weights[m]) * decodeSignals(ensemble, codes[m])[c];
+        Eigen::ArrayXd expected = Eigen::ArrayXd::Zero(Eigen::Index(smallGrid.size()));
+        for (std::size_t m = 0; m < 3; ++m) expected += weights[m] * decodeSignals(ensemble, codes[m])[c];
         QVERIFY((result[c] - expected).abs().maxCoeff() < 1e-4f);
       }
     }

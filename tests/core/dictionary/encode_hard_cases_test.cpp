@@ -41,12 +41,12 @@ class EncodeHardCasesTest : public QObject {
     QVERIFY(last < 1e-10);
     // Atoms along the signal itself: of a constant it is a product, however its cells are scaled.
     Ensemble constant = ensemble;
-    const Eigen::ArrayXf signal = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid))[0];
+    const Eigen::ArrayXd signal = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid))[0];
     const auto sizes = modeSizes(smallGrid);
     const std::array<Eigen::Index, 3> strides{1, sizes[0], Eigen::Index(sizes[0]) * sizes[1]};
     for (std::size_t mode = 0; mode < 3; ++mode) {
       Eigen::MatrixXd m = ensemble.dictionaries[0].modes[mode];
-      for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = double(signal[i * strides[mode]]);
+      for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = signal[i * strides[mode]];
       constant.dictionaries[1].modes[mode] = test::orthonormalised(m);
     }
     const EncodeResult encoded =

@@ -37,7 +37,7 @@ class PatchCodeTest : public QObject {
   /// Every cell is in exactly one patch.
   void patchesTileASignal() {
     const Sizes sizes{8, 6, 9};
-    const Eigen::ArrayXf signal = Eigen::ArrayXf::LinSpaced(Eigen::Index(count(sizes)), 0, float(count(sizes) - 1));
+    const Eigen::ArrayXd signal = Eigen::ArrayXd::LinSpaced(Eigen::Index(count(sizes)), 0, double(count(sizes) - 1));
     const Eigen::MatrixXd patches = patchesOf(signal, sizes, patch);
     QCOMPARE(patches.rows(), Eigen::Index(36));
     QCOMPARE(patches.cols(), Eigen::Index(12));

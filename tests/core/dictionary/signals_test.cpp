@@ -17,6 +17,7 @@ using namespace gonio::dictionary::test_support;
 constexpr DataTransform transforms[] = {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root,
                                         DataTransform::none};
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
+constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 
 /// A table with data in some of its cells.
 TabulatedBrdf tableOf(const std::function<float(std::size_t cell)>& value,
@@ -30,14 +31,14 @@ TabulatedBrdf tableOf(const std::function<float(std::size_t cell)>& value,
   return {smallGrid, std::move(values), std::move(flags)};
 }
 
-Eigen::ArrayXf signalOf(const TabulatedBrdf& table, DataTransform transform) {
+Eigen::ArrayXd signalOf(const TabulatedBrdf& table, DataTransform transform) {
   return signalsOf(table, transform, *GridGeometry::of(smallGrid))[1];
 }
 
 class SignalsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// In single precision as in double: small values do not cancel, large ones do not overflow.
+  /// Small values do not cancel, large ones do not overflow; back in double and in single precision.
   void hardCase16DynamicRange() {
     const int count = 151;
     Eigen::ArrayXf values(count), weights(count);
@@ -46,15 +47,18 @@ class SignalsTest : public QObject {
       weights[i] = float(cosineWeight(double(i) / count, 0.9));
     }
     for (const DataTransform transform : transforms) {
-      Eigen::ArrayXf forth = values;
+      Eigen::ArrayXd forth = values.cast<double>();
       dictionary::transform(forth, transform, weights);
-      Eigen::ArrayXf back = forth;
+      Eigen::ArrayXd back = forth;
       invertTransform(back, transform, weights);
+      Eigen::ArrayXf single = forth.cast<float>();
+      invertTransform(single, transform, weights);
       for (int i = 0; i < count; ++i) {
         const double expected = transformed(transform, double(values[i]), double(weights[i]));
-        QVERIFY(std::abs(double(forth[i]) / expected - 1) < 4 * epsilon);
+        QVERIFY(std::abs(forth[i] / expected - 1) < 4 * doubleEpsilon);
         // An error of y is one of exp(y).
-        QVERIFY(std::abs(double(back[i]) / double(values[i]) - 1) < 8 * epsilon * (1 + expected));
+        QVERIFY(std::abs(back[i] / double(values[i]) - 1) < 8 * doubleEpsilon * (1 + expected));
+        QVERIFY(std::abs(double(single[i]) / double(values[i]) - 1) < 8 * epsilon * (1 + expected));
       }
     }
   }
@@ -63,10 +67,11 @@ class SignalsTest : public QObject {
   void hardCase45FloorOfTheWeight() {
     const float floor = float(cosineWeight(0, 0));
     for (float rho = 1e-6f; rho < 1e6f; rho *= 3) {
-      Eigen::ArrayXf value = Eigen::ArrayXf::Constant(1, rho);
+      Eigen::ArrayXd transformed = Eigen::ArrayXd::Constant(1, double(rho));
       const Eigen::ArrayXf weight = Eigen::ArrayXf::Constant(1, floor);
-      dictionary::transform(value, DataTransform::cosineLog, weight);
-      const double y = value[0];
+      dictionary::transform(transformed, DataTransform::cosineLog, weight);
+      const double y = transformed[0];
+      Eigen::ArrayXf value = transformed.cast<float>();
       invertTransform(value, DataTransform::cosineLog, weight);
       const double bound = (1 + double(rho) * double(floor)) / double(floor) * 4 * epsilon * std::max(y, 1e-3);
       QVERIFY(std::abs(double(value[0]) - double(rho)) <= std::max(bound, 4.0 * epsilon * double(rho)));
@@ -90,7 +95,7 @@ class SignalsTest : public QObject {
     const auto constant = [](std::size_t) { return 2.5f; };
     const std::size_t slab = std::size_t(smallGrid.thetaDCount) * std::size_t(smallGrid.phiDCount);
     const auto firstSlabToo = [&](std::size_t cell) { return cell < slab || inside(cell); };
-    const Eigen::ArrayXf whole = signalOf(tableOf(constant, everywhere), DataTransform::logPlus);
+    const Eigen::ArrayXd whole = signalOf(tableOf(constant, everywhere), DataTransform::logPlus);
     const TabulatedBrdf holed = tableOf(constant, firstSlabToo);
     QVERIFY((signalOf(holed, DataTransform::logPlus) == whole).all());
   }
@@ -102,11 +107,11 @@ class SignalsTest : public QObject {
     const std::size_t slab = std::size_t(smallGrid.thetaDCount) * std::size_t(smallGrid.phiDCount);
     const auto twoSlabs = [&](std::size_t cell) { return cell < 2 * slab; };
     // Scales of the cells, whatever they are.
-    const Eigen::ArrayXf scales = signalOf(tableOf([](std::size_t) { return 1.f; }, everywhere), DataTransform::none);
+    const Eigen::ArrayXd scales = signalOf(tableOf([](std::size_t) { return 1.f; }, everywhere), DataTransform::none);
     for (const DataTransform transform : transforms) {
-      const Eigen::ArrayXf held = signalOf(tableOf(value, twoSlabs), transform) / scales;
+      const Eigen::ArrayXd held = signalOf(tableOf(value, twoSlabs), transform) / scales;
       for (std::size_t cell = 2 * slab; cell < smallGrid.size(); ++cell) {
-        const float expected = held[Eigen::Index(slab + cell % slab)];
+        const double expected = held[Eigen::Index(slab + cell % slab)];
         QVERIFY(std::abs(held[Eigen::Index(cell)] - expected) <= 4 * epsilon * expected);
       }
     }

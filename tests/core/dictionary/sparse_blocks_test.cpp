@@ -145,7 +145,7 @@ class SparseBlocksTest : public QObject {
       }
       Eigen::ArrayXf signal = Eigen::ArrayXf::Random(Eigen::Index(valid.size())), expected = signal;
       Eigen::ArrayXf before, now(expected.size());
-      InvalidCellRefinement rounds(signal, valid, sizes, matrices);
+      InvalidCellRefinement<float> rounds(signal, valid, sizes, matrices);
       std::vector<Coefficient<float>> found, kept;
       Workspace<float> workspace;
       for (int round = 0; round < 4; ++round) {
