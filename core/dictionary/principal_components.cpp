@@ -111,15 +111,18 @@ std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, cons
                 std::to_string(pca.count()) + ", the number of principal components");
   const MappedCells& m = pca.mapping;
   const auto u = pca.svd.u.view().leftCols(code.components());
-  Eigen::MatrixX3f coefficients(code.components(), 3);
-  for (int channel = 0; channel < 3; ++channel) coefficients.col(channel) = code.channels[std::size_t(channel)];
+  Eigen::MatrixX3d coefficients(code.components(), 3);
+  for (int channel = 0; channel < 3; ++channel)
+    coefficients.col(channel) = code.channels[std::size_t(channel)].cast<double>();
   std::vector<TabulatedBrdf::Value> values(m.grid.size(), TabulatedBrdf::Value(0));
   std::vector<std::uint8_t> valid(m.grid.size(), 0);
   std::atomic<std::size_t> capped = 0;
   parallelForBlocks(
       m.cells.size(), evaluatedCells,
       [&](std::size_t begin, std::size_t end) {
-        const Eigen::MatrixX3f block = u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * coefficients;
+        // In double: of a small value, the inverse mapping amplifies the rounding error of y.
+        const Eigen::MatrixX3d block =
+            u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)).cast<double>() * coefficients;
         std::size_t cappedHere = 0;
         for (std::size_t i = begin; i < end; ++i) {
           valid[m.cells[i]] = 1;

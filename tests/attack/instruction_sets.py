@@ -3,6 +3,7 @@
 """The same values from goniotool built for any x86-64 processor as from the one with AVX2 and FMA."""
 
 import os
+import pathlib
 import re
 import shutil
 
@@ -71,7 +72,7 @@ def instruction_sets(attack, _):
         raise SystemExit("instructions: GONIOTOOL_ANY_PROCESSOR names a goniotool built with GONIO_MODERN_PROCESSOR=OFF")
     for name in TRAIN:
         attack.run(["convert", f"library:merl-copy/{name}", f"{name}.binary"])
-    tools = (attack.tool, other)
+    tools = (attack.tool, str(pathlib.Path(other).resolve()))
     for arguments, out in SAME_VALUES:
         files = []
         for number, attack.tool in enumerate(tools):
