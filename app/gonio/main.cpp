@@ -24,6 +24,7 @@
 #include "app/gonio/window/event_times.h"
 #include "app/gonio/window/figure_screenshot.h"
 #include "app/gonio/window/main_window.h"
+#include "app/gonio/window/memory_arenas.h"
 #include "app/gonio/window/opening_times.h"
 #include "app/gonio/window/screenshot.h"
 #include "app/gonio/window/theme.h"
@@ -276,6 +277,7 @@ void openFiles(MainWindow& first, const QStringList& files, const QList<Recovera
 }  // namespace
 
 int main(int argc, char** argv) {
+  limitMemoryArenas();
   printWithoutDisplay(argc, argv);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));

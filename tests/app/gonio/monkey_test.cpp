@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/gonio/window/memory_arenas.h"
 #include "tests/support/resident_memory.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
@@ -60,6 +61,7 @@ class MonkeyTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
+    limitMemoryArenas();
     const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
     // What it writes goes nowhere else, and no browser opens.
