@@ -306,7 +306,8 @@ class DocumentControllerTest : public QObject {
     editor.controller.open(material);
     QTRY_VERIFY_WITH_TIMEOUT(editor.controller.isFitting(), patienceMilliseconds);
     QCOMPARE(editor.document.name(), QStringLiteral("green-plastic"));
-    QTest::qWait(50);
+    // Before the first progress there is nothing to offer.
+    QVERIFY(QTest::qWaitFor([&] { return editor.tasks.topmost() && editor.tasks.topmost()->fraction > 0; }));
     editor.tasks.cancelTopmost();
     QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
     QCOMPARE(offered.count(), 1);
