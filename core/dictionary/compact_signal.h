@@ -13,8 +13,8 @@ template <typename Scalar>
 struct CompactSignal {
   ModeMatrices<Scalar> bases;  ///< one per mode: size of the mode x rank, columns orthonormal
   Sizes ranks{};
-  std::vector<Scalar> block;  ///< of `ranks`, the first index fastest
-  double energy = 0;          ///< sum of squares of the whole signal
+  BlockStorage<Scalar> block;  ///< of `ranks`, the first index fastest
+  double energy = 0;           ///< sum of squares of the whole signal
 
   /// The dictionary in the coordinates of the bases: bases^T `dictionary` in each mode. Projecting the block onto it
   /// gives the projection of the signal onto `dictionary`. @param dictionary one matrix per mode, size of the mode x

@@ -15,14 +15,8 @@ namespace gonio::dictionary {
 /// @param block X of `sizes`, the first index fastest. @param matrices U, one per mode, sizes[mode] rows.
 /// @param coefficients their indices are those of a block with as many entries in each mode as the matrix of that mode
 /// has columns. @param z sizes[mode] x columns.
-template <typename Scalar>
-void addCorrelation(const Scalar* block, const Sizes& sizes, const ModeMatrices<Scalar>& matrices, int mode,
-                    std::span<const Coefficient<Scalar>> coefficients, Workspace<Scalar>& workspace,
+void addCorrelation(const double* block, const Sizes& sizes, const ModeMatrices<double>& matrices, int mode,
+                    std::span<const Coefficient<double>> coefficients, Workspace<double>& workspace,
                     Eigen::MatrixXd& z);
-
-extern template void addCorrelation(const float*, const Sizes&, const ModeMatrices<float>&, int,
-                                    std::span<const Coefficient<float>>, Workspace<float>&, Eigen::MatrixXd&);
-extern template void addCorrelation(const double*, const Sizes&, const ModeMatrices<double>&, int,
-                                    std::span<const Coefficient<double>>, Workspace<double>&, Eigen::MatrixXd&);
 
 }  // namespace gonio::dictionary

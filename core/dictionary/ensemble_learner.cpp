@@ -20,18 +20,6 @@ namespace {
 /// Signals of one sum that a thread adds up alone; the sums of such parts are added in order.
 constexpr std::size_t partSize = 8;
 
-template <typename Scalar>
-ModeMatrices<Scalar> inPrecision(const ModeMatrices<double>& matrices) {
-  return {matrices[0].cast<Scalar>(), matrices[1].cast<Scalar>(), matrices[2].cast<Scalar>()};
-}
-
-template <typename Scalar>
-std::vector<ModeMatrices<Scalar>> inPrecision(const std::vector<ModeMatrices<double>>& dictionaries) {
-  std::vector<ModeMatrices<Scalar>> matrices;
-  for (const ModeMatrices<double>& dictionary : dictionaries) matrices.push_back(inPrecision<Scalar>(dictionary));
-  return matrices;
-}
-
 /// Sum over members of `add(member, sum)`, in parts of fixed size: the same bits for any number of threads.
 template <typename Add>
 Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, const TaskControl& control) {
@@ -49,9 +37,8 @@ Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, 
 
 }  // namespace
 
-template <typename Scalar>
-EnsembleLearner<Scalar>::EnsembleLearner(std::span<const CompactSignal<Scalar>> signals, const Sizes& sizes,
-                                         int dictionaries, int sparsity)
+EnsembleLearner::EnsembleLearner(std::span<const CompactSignal<double>> signals, const Sizes& sizes, int dictionaries,
+                                 int sparsity)
     : signals_(signals),
       sizes_(sizes),
       sparsity_(sparsity),
@@ -60,17 +47,15 @@ EnsembleLearner<Scalar>::EnsembleLearner(std::span<const CompactSignal<Scalar>> 
       errors_(signals.size()),
       coefficients_(signals.size()) {
   assert(dictionaries >= 1 && sparsity >= 0);
-  for (const CompactSignal<Scalar>& signal : signals) totalEnergy_ += signal.energy;
+  for (const CompactSignal<double>& signal : signals) totalEnergy_ += signal.energy;
 }
 
-template <typename Scalar>
-void EnsembleLearner<Scalar>::start(std::vector<ModeMatrices<double>> dictionaries) {
+void EnsembleLearner::start(std::vector<ModeMatrices<double>> dictionaries) {
   assert(dictionaries.size() == dictionaries_.size());
   dictionaries_ = std::move(dictionaries);
 }
 
-template <typename Scalar>
-void EnsembleLearner<Scalar>::start(std::uint64_t seed, const TaskControl& control) {
+void EnsembleLearner::start(std::uint64_t seed, const TaskControl& control) {
   std::vector<int> order(signals_.size());
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 random(seed);
@@ -82,19 +67,17 @@ void EnsembleLearner<Scalar>::start(std::uint64_t seed, const TaskControl& contr
   }
 }
 
-template <typename Scalar>
-ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int> members,
-                                                             const TaskControl& control) const {
+ModeMatrices<double> EnsembleLearner::leadingVectors(std::span<const int> members, const TaskControl& control) const {
   ModeMatrices<double> result;
   for (int mode = 0; mode < 3; ++mode) {
     const Eigen::MatrixXd gram = sumOver(
         members, sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) {
-          const CompactSignal<Scalar>& signal = signals_[std::size_t(i)];
+          const CompactSignal<double>& signal = signals_[std::size_t(i)];
           const int rank = signal.ranks[std::size_t(mode)];
           Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, rank);
           addGram(signal.block.data(), signal.ranks, mode, inner);
-          const Eigen::MatrixXd basis = signal.bases[std::size_t(mode)].template cast<double>();
+          const Eigen::MatrixXd basis = signal.bases[std::size_t(mode)];
           sum += basis * inner * basis.transpose();
         },
         control);
@@ -103,22 +86,20 @@ ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int
   return result;
 }
 
-template <typename Scalar>
-double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
-  const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries_);
+double EnsembleLearner::assign(const TaskControl& control) {
   std::vector<Coefficients> coefficients(signals_.size());
   std::vector<int> memberships(signals_.size());
   std::vector<double> errors(signals_.size());
   parallelForBlocks(
       signals_.size(), 4,
       [&](std::size_t begin, std::size_t end) {
-        Workspace<Scalar> workspace;
+        Workspace<double> workspace;
         Coefficients kept;
         for (std::size_t i = begin; i < end; ++i) {
           double most = -1;
-          for (std::size_t d = 0; d < matrices.size(); ++d) {
-            signals_[i].selectLargest(matrices[d], std::size_t(sparsity_), workspace, kept);
-            const double captured = energy<Scalar>(kept);
+          for (std::size_t d = 0; d < dictionaries_.size(); ++d) {
+            signals_[i].selectLargest(dictionaries_[d], std::size_t(sparsity_), workspace, kept);
+            const double captured = energy<double>(kept);
             if (!(captured > most)) continue;
             most = captured;
             memberships[i] = int(d);
@@ -135,23 +116,20 @@ double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
 }
 
 /// Each signal's largest coefficients over its own dictionary.
-template <typename Scalar>
-void EnsembleLearner<Scalar>::selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
-                                                 const TaskControl& control) {
-  const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries);
+void EnsembleLearner::selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
+                                         const TaskControl& control) {
   parallelForBlocks(
       signals_.size(), 4,
       [&](std::size_t begin, std::size_t end) {
-        Workspace<Scalar> workspace;
+        Workspace<double> workspace;
         for (std::size_t i = begin; i < end; ++i)
-          signals_[i].selectLargest(matrices[std::size_t(memberships_[i])], std::size_t(sparsity_), workspace,
+          signals_[i].selectLargest(dictionaries[std::size_t(memberships_[i])], std::size_t(sparsity_), workspace,
                                     coefficients_[i]);
       },
       control);
 }
 
-template <typename Scalar>
-double EnsembleLearner<Scalar>::iterate(const TaskControl& control, int passes) {
+double EnsembleLearner::iterate(const TaskControl& control, int passes) {
   const double error = assign(control);
   const TaskControl stop{.stop = control.stop};
   std::vector<ModeMatrices<double>> renewed = dictionaries_;
@@ -165,29 +143,26 @@ double EnsembleLearner<Scalar>::iterate(const TaskControl& control, int passes) 
   return error;
 }
 
-template <typename Scalar>
-std::vector<std::vector<int>> EnsembleLearner<Scalar>::members() const {
+std::vector<std::vector<int>> EnsembleLearner::members() const {
   std::vector<std::vector<int>> groups(dictionaries_.size());
   for (std::size_t i = 0; i < memberships_.size(); ++i) groups[std::size_t(memberships_[i])].push_back(int(i));
   return groups;
 }
 
-template <typename Scalar>
-void EnsembleLearner<Scalar>::renew(int mode, const std::vector<std::vector<int>>& members,
-                                    std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
+void EnsembleLearner::renew(int mode, const std::vector<std::vector<int>>& members,
+                            std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
   std::vector<Eigen::MatrixXd> correlations(dictionaries.size());
   for (std::size_t d = 0; d < dictionaries.size(); ++d) {
-    const ModeMatrices<Scalar> matrices = inPrecision<Scalar>(dictionaries[d]);
     correlations[d] = sumOver(
         members[d], sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) {
-          thread_local Workspace<Scalar> workspace;
-          const CompactSignal<Scalar>& signal = signals_[std::size_t(i)];
+          thread_local Workspace<double> workspace;
+          const CompactSignal<double>& signal = signals_[std::size_t(i)];
           const int rank = signal.ranks[std::size_t(mode)];
           Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, sizes_[std::size_t(mode)]);
-          addCorrelation<Scalar>(signal.block.data(), signal.ranks, signal.inBases(matrices), mode,
-                                 coefficients_[std::size_t(i)], workspace, inner);
-          sum.noalias() += signal.bases[std::size_t(mode)].template cast<double>() * inner;
+          addCorrelation(signal.block.data(), signal.ranks, signal.inBases(dictionaries[d]), mode,
+                         coefficients_[std::size_t(i)], workspace, inner);
+          sum.noalias() += signal.bases[std::size_t(mode)] * inner;
         },
         control);
   }
@@ -197,10 +172,8 @@ void EnsembleLearner<Scalar>::renew(int mode, const std::vector<std::vector<int>
 }
 
 /// A dictionary without a member starts again from the signal that the others serve worst.
-template <typename Scalar>
-void EnsembleLearner<Scalar>::reseedEmpty(const std::vector<std::vector<int>>& members,
-                                          std::vector<ModeMatrices<double>>& dictionaries,
-                                          const TaskControl& control) const {
+void EnsembleLearner::reseedEmpty(const std::vector<std::vector<int>>& members,
+                                  std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
   std::vector<int> order(errors_.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -209,8 +182,5 @@ void EnsembleLearner<Scalar>::reseedEmpty(const std::vector<std::vector<int>>& m
   for (std::size_t d = 0; d < dictionaries.size() && next < order.size(); ++d)
     if (members[d].empty()) dictionaries[d] = leadingVectors(std::span(order).subspan(next++, 1), control);
 }
-
-template class EnsembleLearner<float>;
-template class EnsembleLearner<double>;
 
 }  // namespace gonio::dictionary

@@ -22,11 +22,10 @@ namespace gonio::dictionary {
 /// project each signal onto one dictionary instead of K.
 ///
 /// Results are bitwise equal for any number of threads.
-template <typename Scalar>
 class EnsembleLearner {
  public:
   /// @param signals of `sizes`; signals that are 0 are allowed; must outlive this object.
-  EnsembleLearner(std::span<const CompactSignal<Scalar>> signals, const Sizes& sizes, int dictionaries, int sparsity);
+  EnsembleLearner(std::span<const CompactSignal<double>> signals, const Sizes& sizes, int dictionaries, int sparsity);
 
   /// Divides the signals at random into as many parts of equal size as there are dictionaries, and initialises each
   /// dictionary with the higher-order SVD of one part.
@@ -48,7 +47,7 @@ class EnsembleLearner {
   int sparsity() const { return sparsity_; }
 
  private:
-  using Coefficients = std::vector<Coefficient<Scalar>>;
+  using Coefficients = std::vector<Coefficient<double>>;
   std::vector<std::vector<int>> members() const;
   ModeMatrices<double> leadingVectors(std::span<const int> members, const TaskControl& control) const;
   void selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control);
@@ -57,7 +56,7 @@ class EnsembleLearner {
   void reseedEmpty(const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,
                    const TaskControl& control) const;
 
-  std::span<const CompactSignal<Scalar>> signals_;
+  std::span<const CompactSignal<double>> signals_;
   Sizes sizes_;
   int sparsity_;
   double totalEnergy_ = 0;
@@ -66,8 +65,5 @@ class EnsembleLearner {
   std::vector<double> errors_;
   std::vector<Coefficients> coefficients_;
 };
-
-extern template class EnsembleLearner<float>;
-extern template class EnsembleLearner<double>;
 
 }  // namespace gonio::dictionary

@@ -59,8 +59,7 @@ class Pass {
           thread_local Workspace<double> workspace;
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             Eigen::MatrixXd& z = parts[material].emplace_back(Eigen::MatrixXd::Zero(size, size));
-            addCorrelation<double>(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace,
-                                   z);
+            addCorrelation(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace, z);
           }
         },
         [&](std::size_t material) {

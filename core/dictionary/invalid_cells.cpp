@@ -6,7 +6,6 @@
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/largest_projections.h"
-#include "core/math/parallel.h"
 
 namespace gonio::dictionary {
 
@@ -75,12 +74,12 @@ void InvalidCellRefinement<Scalar>::update(const std::vector<Coefficient<Scalar>
   Eigen::Map<Matrix<Scalar>> projected(slices_.data(), rowsOfSlice, matrices_[2].cols());
   const bool isFirst = decoded_.empty();
   decoded_.resize(bands_.size());
-  // Each band has rows of its own.
-  parallelForBlocks(bands_.size(), 1, [&](std::size_t b, std::size_t) {
+  Matrix<Scalar> now, change;
+  for (std::size_t b = 0; b < bands_.size(); ++b) {
     const InvalidBand& band = bands_[b];
-    Matrix<Scalar> now = composed.slabs.middleRows(band.firstRow, band.rows) * composed.atoms.rightCols(band.slices);
+    now.noalias() = composed.slabs.middleRows(band.firstRow, band.rows) * composed.atoms.rightCols(band.slices);
     if (isFirst) decoded_[b] = now;
-    Matrix<Scalar> change(band.rows, band.slices);
+    change.resize(band.rows, band.slices);
     for (Eigen::Index s = 0; s < band.slices; ++s) {
       const Eigen::Index begin = band.firstRow + rowsOfSlice * (band.firstSlice + s);
       for (Eigen::Index row = 0; row < band.rows; ++row) {
@@ -93,7 +92,7 @@ void InvalidCellRefinement<Scalar>::update(const std::vector<Coefficient<Scalar>
     }
     decoded_[b].swap(now);
     projected.middleRows(band.firstRow, band.rows).noalias() += change * matrices_[2].bottomRows(band.slices);
-  });
+  }
 }
 
 template class InvalidCellRefinement<float>;

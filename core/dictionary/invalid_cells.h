@@ -46,7 +46,7 @@ class InvalidCellRefinement {
   const ModeMatrices<Scalar>& matrices_;
   std::vector<InvalidBand> bands_;
   std::vector<Matrix<Scalar>> decoded_;  ///< values of the last round, one matrix per band; empty before the first
-  std::vector<Scalar> slices_;           ///< the signal projected onto the atoms of mode 2
+  BlockStorage<Scalar> slices_;          ///< the signal projected onto the atoms of mode 2
 };
 
 extern template class InvalidCellRefinement<float>;

@@ -39,10 +39,15 @@ void transposedModeProduct(const Scalar* block, const Sizes& sizes, int mode, co
   }
 }
 
+/// Storage of a block. Eigen's sums begin at the first address that fits a vector register, so that their rounding
+/// depends on the alignment, which would differ from thread to thread.
+template <typename Scalar>
+using BlockStorage = std::vector<Scalar, Eigen::aligned_allocator<Scalar>>;
+
 /// Two scratch blocks, reused between calls.
 template <typename Scalar>
 struct Workspace {
-  std::vector<Scalar> first, second;
+  BlockStorage<Scalar> first, second;
 };
 
 /// block x_0 M_0^T x_1 M_1^T x_2 M_2^T without the mode `skipped` (-1: none). The result points into the workspace.
@@ -55,7 +60,7 @@ const Scalar* transposedModeProducts(const Scalar* block, Sizes sizes, const Mod
     if (mode == skipped) continue;
     Sizes next = sizes;
     next[std::size_t(mode)] = int(matrices[std::size_t(mode)].cols());
-    std::vector<Scalar>& target = block == workspace.first.data() ? workspace.second : workspace.first;
+    BlockStorage<Scalar>& target = block == workspace.first.data() ? workspace.second : workspace.first;
     target.resize(count(next));
     transposedModeProduct(block, sizes, mode, matrices[std::size_t(mode)], target.data());
     block = target.data();

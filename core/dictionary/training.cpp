@@ -74,8 +74,8 @@ class Training {
 
   void learn(std::size_t e) {
     TrainingState& state = result_.state;
-    EnsembleLearner<double> learner(std::span<const CompactSignal<double>>(signals_), state.subspace.ranks,
-                                    options_.dictionaries, options_.sparsities[e]);
+    EnsembleLearner learner(std::span<const CompactSignal<double>>(signals_), state.subspace.ranks,
+                            options_.dictionaries, options_.sparsities[e]);
     const double each = roundsShare / double(options_.sparsities.size());
     if (e < state.ensembles.size()) {
       learner.start(state.ensembles[e]);

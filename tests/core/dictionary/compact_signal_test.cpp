@@ -73,7 +73,7 @@ class CompactSignalTest : public QObject {
   void signalOfZeros() {
     const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(Eigen::Index(count(sizes)));
     const auto compact = compactSignal<double>(zeros.data(), sizes, 1e-5);
-    QCOMPARE(compact.block, std::vector<double>{0});
+    QCOMPARE(compact.block, BlockStorage<double>{0});
     QCOMPARE(compact.energy, 0.0);
   }
 
@@ -102,7 +102,7 @@ class CompactSignalTest : public QObject {
         }
         Eigen::MatrixXd z = Eigen::MatrixXd::Ones(sizes[m], u[m].cols());
         Workspace<double> workspace;
-        addCorrelation<double>(signal.data(), sizes, u, int(m), sparse, workspace, z);
+        addCorrelation(signal.data(), sizes, u, int(m), sparse, workspace, z);
         QVERIFY2((z - expected).norm() <= 1e-12 * expected.norm(), qPrintable(QString::number(coefficients)));
       }
   }

@@ -23,11 +23,10 @@ void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
 }
 
 /// Without loss.
-template <typename Scalar>
-std::vector<CompactSignal<Scalar>> compactSignals(const Matrix<Scalar>& signals) {
-  std::vector<CompactSignal<Scalar>> compact;
+std::vector<CompactSignal<double>> compactSignals(const Eigen::MatrixXd& signals) {
+  std::vector<CompactSignal<double>> compact;
   for (Eigen::Index s = 0; s < signals.cols(); ++s)
-    compact.push_back(compactSignal<Scalar>(signals.col(s).data(), sizes, 0));
+    compact.push_back(compactSignal<double>(signals.col(s).data(), sizes, 0));
   return compact;
 }
 
@@ -39,7 +38,7 @@ class EnsembleLearnerTest : public QObject {
     std::mt19937_64 random(1);
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 30);
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> learner(compact, sizes, 3, 20);
+    EnsembleLearner learner(compact, sizes, 3, 20);
     learner.start(7);
     double before = 1;
     for (int round = 0; round < 12; ++round) {
@@ -71,7 +70,7 @@ class EnsembleLearnerTest : public QObject {
   void passesAreRoundsOfTheirOwn() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 12);
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> rounds(compact, sizes, 1, 20), passes(compact, sizes, 1, 20);
+    EnsembleLearner rounds(compact, sizes, 1, 20), passes(compact, sizes, 1, 20);
     rounds.start(7);
     passes.start(7);
     for (int round = 0; round < 3; ++round) rounds.iterate();
@@ -86,7 +85,7 @@ class EnsembleLearnerTest : public QObject {
     std::vector<ModeMatrices<double>> planted{randomDictionary(sizes, random), randomDictionary(sizes, random)};
     const Matrix<double> signals = plantedSignals(sizes, planted, 3, 120, random);
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> learner(compact, sizes, 2, 3);
+    EnsembleLearner learner(compact, sizes, 2, 3);
     std::vector<ModeMatrices<double>> near = planted;
     for (auto& dictionary : near)
       for (Eigen::MatrixXd& mode : dictionary)
@@ -103,7 +102,7 @@ class EnsembleLearnerTest : public QObject {
   void hardCase26ExactWithAllCoefficients() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 5);
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> learner(compact, sizes, 2, int(count(sizes)));
+    EnsembleLearner learner(compact, sizes, 2, int(count(sizes)));
     learner.start(1);
     QVERIFY(learner.assign() < 1e-12);
   }
@@ -112,7 +111,7 @@ class EnsembleLearnerTest : public QObject {
   void hardCase28EmptyDictionaries() {
     const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 3);
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> learner(compact, sizes, 8, 10);
+    EnsembleLearner learner(compact, sizes, 8, 10);
     learner.start(1);
     double before = 1;
     for (int round = 0; round < 8; ++round) {
@@ -128,13 +127,13 @@ class EnsembleLearnerTest : public QObject {
     Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 6);
     signals.col(2).setZero();
     const auto compact = compactSignals(signals);
-    EnsembleLearner<double> learner(compact, sizes, 2, 10);
+    EnsembleLearner learner(compact, sizes, 2, 10);
     learner.start(1);
     for (int round = 0; round < 4; ++round) QVERIFY(std::isfinite(learner.iterate()));
     QCOMPARE(learner.errors()[2], 0.0);
     const Matrix<double> zeros = Matrix<double>::Zero(Eigen::Index(count(sizes)), 3);
     const auto compactZeros = compactSignals(zeros);
-    EnsembleLearner<double> none(compactZeros, sizes, 2, 10);
+    EnsembleLearner none(compactZeros, sizes, 2, 10);
     none.start(1);
     for (int round = 0; round < 3; ++round) QCOMPARE(none.iterate(), 0.0);
     verifyOrthonormal(none.dictionaries());
@@ -142,13 +141,13 @@ class EnsembleLearnerTest : public QObject {
 
   /// The same bits with one thread and with all.
   void hardCase50SameBitsForAnyThreads() {
-    const Matrix<float> signals = Matrix<float>::Random(Eigen::Index(count(sizes)), 40);
+    const Eigen::MatrixXd signals = Eigen::MatrixXd::Random(Eigen::Index(count(sizes)), 40);
     std::vector<std::vector<ModeMatrices<double>>> results;
     std::vector<std::vector<int>> memberships;
     for (const int threads : {1, 16}) {
       const ThreadLimit limit(threads);
       const auto compact = compactSignals(signals);
-      EnsembleLearner<float> learner(compact, sizes, 3, 12);
+      EnsembleLearner learner(compact, sizes, 3, 12);
       learner.start(5);
       for (int round = 0; round < 6; ++round) learner.iterate({}, 2);
       results.push_back(learner.dictionaries());
