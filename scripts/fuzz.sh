@@ -19,10 +19,13 @@ build/fuzz/tests/fuzz/fuzz_tests reader_mutation >build/fuzz/seeds.log || fail "
 mkdir -p build/fuzz/findings
 # Else undefined behaviour is only reported, and the program goes on.
 export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1:suppressions=$root/tests/sanitizers/undefined.txt"
+# Short stacks of allocations and a small quarantine of freed memory: faster.
+export ASAN_OPTIONS="malloc_context_size=2:quarantine_size_mb=16"
 for reader; do
   corpus=build/fuzz/corpus/$reader
   mkdir -p "$corpus"
-  "build/fuzz/tests/fuzz/${reader}_fuzzer" -runs="$runs" -max_len=4096 -rss_limit_mb=4096 -timeout=20 -print_final_stats=1 -verbosity=0 \
+  # The entropic schedule counts the features of all inputs, a third of the time for readers as fast as these.
+  "build/fuzz/tests/fuzz/${reader}_fuzzer" -runs="$runs" -entropic=0 -max_len=4096 -rss_limit_mb=4096 -timeout=20 -print_final_stats=1 -verbosity=0 \
     -artifact_prefix="build/fuzz/findings/$reader-" "$corpus" build/fuzz/test-output/fuzz/seeds >"build/fuzz/$reader.log" 2>&1 ||
     fail "a finding in the reader $reader: see build/fuzz/$reader.log and build/fuzz/findings"
   printf '%s: %s without a finding\n' "$reader" "$(sed -n 's/.*number_of_executed_units: *//p' "build/fuzz/$reader.log") files"

@@ -11,6 +11,8 @@ attack.py GONIOTOOL SEEDS [ATTACK ...]   without ATTACK: all; SEEDS: small valid
   outputs       outputs onto inputs, into missing folders and onto a full disk (needs root, for a small file system)
   signals       SIGINT and SIGKILL at random times: no output, or a complete one
   threads       the same bytes with 1, 2, 3, 7 and 64 threads
+  addresses     the same bytes wherever the allocator that GONIO_SHIFTED_ALLOCATOR names puts the data: its addresses are
+                multiples of 16 bytes, but of 32 only by chance
   instructions  the same values as the goniotool that GONIOTOOL_ANY_PROCESSOR names, which was built with
                 GONIO_MODERN_PROCESSOR=OFF: without AVX2 and FMA
 
@@ -26,7 +28,7 @@ from extreme import extreme
 from interrupted import signals
 from outputs import outputs
 from runner import Attack
-from thread_counts import threads
+from same_bytes import addresses, threads
 
 
 def instructions(attack, seeds):
@@ -39,7 +41,7 @@ def main():
         sys.exit(__doc__)
     tool, seeds = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
     attacks = {"damaged": damaged, "extreme": extreme, "outputs": outputs, "signals": signals, "threads": threads,
-               "instructions": instructions}
+               "addresses": addresses, "instructions": instructions}
     failed = False
     print(f"{'attack':<14}{'runs':>6}{'findings':>10}{'seconds':>9}")
     for name in sys.argv[3:] or attacks:

@@ -31,11 +31,11 @@ class Attack:
         return subprocess.Popen([self.tool, *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True, errors="replace", **options)
 
-    def run(self, arguments, limit_memory=False):
+    def run(self, arguments, limit_memory=False, environment=None):
         self.runs += 1
         limit_memory = limit_memory and not SANITIZED
         limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))) if limit_memory else None
-        process = self.start(arguments, preexec_fn=limit)
+        process = self.start(arguments, preexec_fn=limit, env={**os.environ, **(environment or {})})
         try:
             output, error = process.communicate(timeout=TIMEOUT)
         except subprocess.TimeoutExpired:
