@@ -10,6 +10,15 @@
 
 namespace gonio {
 
+double logGamma(double x) {
+#if defined(__GLIBC__) || defined(__APPLE__)
+  int sign;
+  return ::lgamma_r(x, &sign);
+#else
+  return std::lgamma(x);
+#endif
+}
+
 double logUpperIncompleteGamma(double s, double x) {
   assert(x > 0 && std::isfinite(s) && std::isfinite(x));
   static const QuadratureRule rule = gaussLegendre(16, 0, 1);

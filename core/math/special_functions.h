@@ -11,4 +11,8 @@ namespace gonio {
 /// nothing.
 double logUpperIncompleteGamma(double s, double x);
 
+/// ln |Gamma(x)|, as std::lgamma, which also writes the sign of Gamma(x) to a variable of the whole program: two
+/// threads must not call it at the same time.
+double logGamma(double x);
+
 }  // namespace gonio

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/quadrature.h"
+#include "core/math/special_functions.h"
 
 namespace gonio::models {
 
@@ -22,7 +23,7 @@ double logPowerAt(std::size_t row) {
 }
 
 /// E[max(0, x)] for beta = 1: a 1/pi of the mean slope E[r] = Gamma(3 / (2p)) / Gamma(1 / p).
-double unitMeanSlope(double p) { return std::exp(std::lgamma(1.5 / p) - std::lgamma(1 / p)) / pi; }
+double unitMeanSlope(double p) { return std::exp(logGamma(1.5 / p) - logGamma(1 / p)) / pi; }
 
 /// E[max(0, x - mu)] for beta = 1: the mean over the azimuth is (sqrt(r^2 - mu^2) - mu acos(mu / r)) / pi for r > mu.
 /// The integral over r runs over y = r^k, which spreads the decades that small p span, and z^2 = y - mu^k, in which the
@@ -32,7 +33,7 @@ double excessSlope(double mu, double p) {
   const double k = std::min(1.0, 2 * p), a = 1 / p;
   const double start = std::pow(mu, k), end = std::pow(45 + a + 10 * std::sqrt(a), k / (2 * p));
   if (!(start < end)) return 0;
-  const double logNorm = std::log(2 * p / k) - std::lgamma(a), last = std::sqrt(end - start);
+  const double logNorm = std::log(2 * p / k) - logGamma(a), last = std::sqrt(end - start);
   return last * unit.integrate([&](double part) {
     const double z = last * part, y = start + z * z, r = std::pow(y, 1 / k), ratio = std::min(1.0, mu / r);
     const double across = r * (std::sqrt((1 - ratio) * (1 + ratio)) - ratio * std::acos(ratio)) / pi;
@@ -66,9 +67,9 @@ const std::array<Row, rows>& maskingTable() {
 ExponentialPowerDistribution::ExponentialPowerDistribution(double beta, double p)
     : inverseBeta2_(1 / (beta * beta)),
       power_(p),
-      logPeak_(std::log(p * inverseBeta2_ / pi) - std::lgamma(1 / p)),
+      logPeak_(std::log(p * inverseBeta2_ / pi) - logGamma(1 / p)),
       meanSlope_(beta * unitMeanSlope(p)),
-      meanSquareSlope_(beta * beta * std::exp(std::lgamma(2 / p) - std::lgamma(1 / p))) {
+      meanSquareSlope_(beta * beta * std::exp(logGamma(2 / p) - logGamma(1 / p))) {
   const std::array<Row, rows>& table = maskingTable();
   const double position = std::clamp((std::log(p) - logPowerAt(0)) / (logPowerAt(1) - logPowerAt(0)), 0.0, rows - 1.0);
   for (std::size_t n = 0; n < maskingNodes; ++n)

@@ -4,7 +4,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QProcess>
 #include <QStringList>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "core/materials/material.h"
 #include "core/models/model.h"
+#include "tests/support/child_process.h"
 #include "tests/support/leading_parameters.h"
 
 /// What the tests of goniotool share: running it and reading its results.
@@ -57,7 +57,7 @@ inline QString undocumentedKeys() {
 
 /// Runs goniotool to its end.
 inline ToolResult runTool(const QStringList& arguments) {
-  QProcess process;
+  ChildProcess process;
   process.start(GONIO_TOOL, arguments);
   process.closeWriteChannel();
   ToolResult result;

@@ -3,12 +3,12 @@
 #include "tests/support/published_fits.h"
 
 #include <QFileInfo>
-#include <QProcess>
 #include <QTest>
 #include <map>
 
 #include "core/fitting/fit_data.h"
 #include "core/materials/material.h"
+#include "tests/support/child_process.h"
 #include "tests/support/test_program.h"
 
 namespace published_fits_test {
@@ -29,7 +29,8 @@ class PublishedFitsTest : public QObject {
     if (!QFileInfo::exists(shared + "/tools/make-merl")) QSKIP("the shared data are not there");
     bool isMade = true;
     for (const QString& name : names) isMade = isMade && QFileInfo::exists(folder + "/" + name + ".binary");
-    if (!isMade) QCOMPARE(QProcess::execute(shared + "/tools/make-merl", QStringList{folder, "merl"} + names), 0);
+    if (!isMade)
+      QCOMPARE(test::ChildProcess::execute(shared + "/tools/make-merl", QStringList{folder, "merl"} + names), 0);
   }
 
   /// Figures of the tables, and what each author's conventions make of them.

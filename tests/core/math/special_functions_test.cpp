@@ -50,6 +50,15 @@ class SpecialFunctionsTest : public QObject {
         for (const double s : {pole - 1e-9, pole + 1e-9}) QVERIFY(std::abs(logUpperIncompleteGamma(s, x) - at) < 1e-7);
       }
   }
+
+  /// Gamma(5) = 24, Gamma(1/2) = sqrt(pi), Gamma(-1/2) = -2 sqrt(pi); std::lgamma would set signgam to -1 for the last.
+  void logGammaWritesToNoVariableOfTheProgram() {
+    signgam = 7;
+    QVERIFY(std::abs(logGamma(5) - std::log(24)) < 1e-14);
+    QVERIFY(std::abs(logGamma(0.5) - std::log(pi) / 2) < 1e-15);
+    QVERIFY(std::abs(logGamma(-0.5) - std::log(4 * pi) / 2) < 1e-15);
+    QCOMPARE(signgam, 7);
+  }
 };
 
 GONIO_TEST(SpecialFunctionsTest)
