@@ -12,7 +12,7 @@ import tempfile
 
 MEMORY = 8 << 30
 SANITIZED = bool({"ASAN_OPTIONS", "TSAN_OPTIONS"} & os.environ.keys())  # sanitizers reserve terabytes of addresses
-TIMEOUT = 300
+TIMEOUT = 3000 if SANITIZED else 300  # s
 
 
 def digest(path):

@@ -180,7 +180,7 @@ class GoniotoolDictionaryTest : public QObject {
   /// With --only-complete.
   void anInterruptedTrainingWritesNothing() {
     const QString out = folder_.path("never.dictionary");
-    ChildProcess process;
+    QProcess process;
     process.start(GONIO_TOOL, {"dictionary", "train", merl_, "--subspace-loss", "1e-9", "--tolerance", "0",
                                "--iterations", "10000", "--only-complete", "--progress", "--out", out});
     QVERIFY(process.waitForStarted());

@@ -107,7 +107,7 @@ class GoniotoolFigureTest : public QObject {
 
   void anInterruptLeavesNoFile() {
     const QString out = folder_.path("interrupted.pdf"), saved = folder_.path("interrupted.json");
-    ChildProcess process;
+    QProcess process;
     process.start(GONIO_TOOL, QStringList{"figure", "--materials", plastic_, "--representations", "ggx", "sgd",
                                           "--samples", "100000", "--out", out, "--save", saved, "--progress"});
     QVERIFY(process.waitForStarted());

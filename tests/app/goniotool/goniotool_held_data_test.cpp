@@ -21,7 +21,7 @@ QString folder() { return QString(GONIO_TEST_OUTPUT_DIR) + "/goniotool-held/"; }
 
 /// Near-measured copies as MERL files, written into the test's folder.
 bool makeMerl(const QString& database, const QStringList& materials) {
-  return test::ChildProcess::execute(shared + "/tools/make-merl", QStringList{folder(), database} + materials) == 0;
+  return QProcess::execute(shared + "/tools/make-merl", QStringList{folder(), database} + materials) == 0;
 }
 
 /// The command line on real measurements (RGL) and on near-measured copies of MERL materials.

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QStringList>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,7 +12,6 @@
 
 #include "core/materials/material.h"
 #include "core/models/model.h"
-#include "tests/support/child_process.h"
 #include "tests/support/leading_parameters.h"
 
 /// What the tests of goniotool share: running it and reading its results.
@@ -57,7 +57,7 @@ inline QString undocumentedKeys() {
 
 /// Runs goniotool to its end.
 inline ToolResult runTool(const QStringList& arguments) {
-  ChildProcess process;
+  QProcess process;
   process.start(GONIO_TOOL, arguments);
   process.closeWriteChannel();
   ToolResult result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QFile>
+#include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,7 +18,6 @@
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/render_picture.h"
 #include "tests/core/export/sun_picture.h"
-#include "tests/support/child_process.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -27,7 +27,7 @@ using namespace gonio;
 constexpr int sunSamples = 64;
 
 bool runBlender(const QStringList& arguments) {
-  test::ChildProcess blender;
+  QProcess blender;
   blender.start("blender", QStringList{"--background", "--python-exit-code", "1", "--python"} + arguments);
   const bool done = blender.waitForFinished(240000) && blender.exitCode() == 0;
   if (!done) qWarning() << blender.readAll() << blender.readAllStandardError();

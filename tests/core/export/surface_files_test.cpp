@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -19,7 +20,6 @@
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
 #include "core/materials/material_file.h"
-#include "tests/support/child_process.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -269,7 +269,7 @@ class SurfaceFilesTest : public QObject {
     std::string brokenJson = gltfDocument(everything(), "a", "");
     write("broken.gltf", brokenJson.replace(brokenJson.find("VEC3"), 4, "VEC9"));
     for (const QString& name : QDir(folder.path()).entryList(QDir::Files)) {
-      test::ChildProcess node;
+      QProcess node;
       node.start("node", {READ_EXPORTS_SCRIPT, modules, folder.filePath(name)});
       QVERIFY(node.waitForFinished(120000));
       const QByteArray output = node.readAllStandardOutput() + node.readAllStandardError();

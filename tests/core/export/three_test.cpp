@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QFile>
+#include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -8,7 +9,6 @@
 #include "core/export/gltf_model.h"
 #include "core/export/gltf_target.h"
 #include "tests/core/export/sun_picture.h"
-#include "tests/support/child_process.h"
 #include "tests/support/test_program.h"
 
 namespace three_test {
@@ -61,7 +61,7 @@ class ThreeTest : public QObject {
     QFile model(folder.filePath("model.gltf"));
     QVERIFY(model.open(QIODevice::WriteOnly) && model.write(text.data(), qint64(text.size())) > 0);
     model.close();
-    test::ChildProcess node;
+    QProcess node;
     node.start("node", {RENDER_IN_THREE_SCRIPT, m_modules, m_chromium, model.fileName(), folder.filePath("out.raw"),
                         QString::number(test::sunPictureSide), QString::number(test::sunAngle)});
     QVERIFY(node.waitForFinished(120000));
