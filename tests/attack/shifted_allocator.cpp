@@ -4,6 +4,7 @@
 // An allocator that is loaded before a program (LD_PRELOAD), whose addresses are multiples of 16 bytes, but of 32 and
 // 64 bytes only by chance: sums that depend on the alignment of their data then differ between seeds
 // (GONIO_SHIFT_SEED). Only what asks for a larger alignment gets it.
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -25,13 +26,13 @@ static_assert(sizeof(Header) == 16);
 
 Header& headerOf(void* address) { return static_cast<Header*>(address)[-1]; }
 
-/// Xorshift (Marsaglia 2003), one per thread.
+/// Xorshift (Marsaglia 2003), one per thread; not by an address, which would differ from run to run.
 std::uint64_t nextRandom() {
+  static std::atomic<std::uint64_t> threads = 0;
   thread_local std::uint64_t state = 0;
   if (state == 0) {
     const char* seed = std::getenv("GONIO_SHIFT_SEED");
-    state =
-        (seed ? std::strtoull(seed, nullptr, 10) : 0) * 0x9E3779B97F4A7C15u ^ reinterpret_cast<std::uintptr_t>(&state);
+    state = 0x9E3779B97F4A7C15u * (1 + (seed ? std::strtoull(seed, nullptr, 10) : 0)) + ++threads;
   }
   state ^= state << 13;
   state ^= state >> 7;
