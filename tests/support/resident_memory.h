@@ -17,4 +17,10 @@ inline std::size_t residentMegabytes() {
   return resident * std::size_t(sysconf(_SC_PAGESIZE)) / 1'000'000;
 }
 
+/// The memory in use according to glibc's allocator.
+inline std::size_t allocatedMegabytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return (info.uordblks + info.hblkhd) / 1'000'000;
+}
+
 }  // namespace gonio::test

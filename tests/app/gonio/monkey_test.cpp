@@ -122,7 +122,8 @@ class MonkeyTest : public QObject {
       }
       last = test::residentMegabytes();
       if (isMark) marked = last;
-      std::printf("%lld s, %d acts: %zu MB resident\n", passed, count + monkey->count(), last);
+      std::printf("%lld s, %d acts: %zu MB resident, %zu MB in use\n", passed, count + monkey->count(), last,
+                  test::allocatedMegabytes());
       std::fflush(stdout);
     }
     const bool alive = window;
