@@ -10,4 +10,5 @@ install_packages
 cd "$root"
 configure release
 cmake --build build/release || fail "the build failed (see above)"
+export QTEST_FUNCTION_TIMEOUT=3000000  # ms; five minutes without
 GONIO_LONG_TESTS=1 ctest --preset release -L '^(core|fuzz)' || fail "tests failed (see above)"
