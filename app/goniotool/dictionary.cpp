@@ -63,9 +63,15 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 int train(const DictionaryArguments& options, const Tool& tool) {
   const std::vector<std::string> files = editing::trainingFiles(options.sources, options.excluded);
   const TrainingMaterials materials = editing::trainingMaterials(files, editing::trainingGrid(files));
-  const TrainingResult result = trainWithCheckpoints(options, materials, tool);
-  if (options.onlyComplete && !result.complete)
-    throw Error(options.out + ": not written, the training was interrupted");
+  const Error interrupted(options.out + ": not written, the training was interrupted");
+  const TrainingResult result = [&] {
+    try {
+      return trainWithCheckpoints(options, materials, tool);
+    } catch (const Cancelled&) {  // before there were any dictionaries
+      throw interrupted;
+    }
+  }();
+  if (options.onlyComplete && !result.complete) throw interrupted;
   materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();
   std::string text;
