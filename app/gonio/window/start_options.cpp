@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <utility>
 
 #include "app/gonio/document/material_files.h"
 

@@ -177,13 +177,13 @@ class GoniotoolDictionaryTest : public QObject {
              qPrintable(target.out));
   }
 
-  /// With --only-complete.
   void anInterruptedTrainingWritesNothing_data() {
     QTest::addColumn<QString>("progress");
     QTest::newRow("before there are dictionaries") << "learning from";
     // The first dictionaries are learned, for minutes.
     QTest::newRow("while dictionaries are learned") << " 15 %";
   }
+  /// With --only-complete.
   void anInterruptedTrainingWritesNothing() {
     QFETCH(QString, progress);
     const QString out = folder_.path("never.dictionary");
