@@ -73,12 +73,11 @@ bool isFarAbove(const Rgb& z, const Rgb& limit) {
   return false;
 }
 
-/// The fractions, over directions every 5 degrees.
-void addFractions(const FactorMeasurement& m, FactorSupport& support) {
+void addFractions(const FactorMeasurement& m, int stepDegrees, FactorSupport& support) {
   const PredictedBrdf predicted(m, FactorBound::none);
   double total = 0;
-  constexpr int thetas = 18, phis = 36;
-  const auto angle = [](int step) { return radians(5 * step + 2.5); };
+  const int thetas = 90 / stepDegrees, phis = 180 / stepDegrees;
+  const auto angle = [&](int step) { return radians(stepDegrees * (step + 0.5)); };
   for (int thetaI = 0; thetaI < thetas; ++thetaI)
     for (int thetaO = 0; thetaO < thetas; ++thetaO)
       for (int phi = 0; phi < phis; ++phi) {
@@ -154,9 +153,9 @@ std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurem
   return std::make_shared<const PredictedBrdf>(measurement, bound);
 }
 
-FactorSupport supportOf(const FactorMeasurement& measurement) {
+FactorSupport supportOf(const FactorMeasurement& measurement, int stepDegrees) {
   FactorSupport support;
-  addFractions(measurement, support);
+  addFractions(measurement, stepDegrees, support);
   addWarnings(measurement, support);
   return support;
 }

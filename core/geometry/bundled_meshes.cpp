@@ -260,15 +260,23 @@ TriangleMesh clothMesh() {
   return TriangleMesh(std::move(arrays));
 }
 
+namespace {
+using Make = TriangleMesh (*)();
+constexpr std::array<std::pair<const char*, Make>, 5> meshes{{{"shader-ball", shaderBallMesh},
+                                                              {"torus", torusMesh},
+                                                              {"bowl", bowlMesh},
+                                                              {"cylinder", cylinderMesh},
+                                                              {"cloth", clothMesh}}};
+}  // namespace
+
+std::vector<std::string> bundledMeshNames() {
+  std::vector<std::string> names(meshes.size());
+  std::ranges::transform(meshes, names.begin(), [](const auto& mesh) { return mesh.first; });
+  return names;
+}
+
 std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
-  using Make = TriangleMesh (*)();
-  using Mesh = std::shared_ptr<const TriangleMesh>;
-  static constexpr std::array<std::pair<const char*, Make>, 5> meshes{{{"shader-ball", shaderBallMesh},
-                                                                       {"torus", torusMesh},
-                                                                       {"bowl", bowlMesh},
-                                                                       {"cylinder", cylinderMesh},
-                                                                       {"cloth", clothMesh}}};
-  static std::array<Mesh, meshes.size()> made;
+  static std::array<std::shared_ptr<const TriangleMesh>, meshes.size()> made;
   static std::array<std::once_flag, meshes.size()> flags;
   std::string names;
   for (std::size_t i = 0; i < meshes.size(); ++i) {

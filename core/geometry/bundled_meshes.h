@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/geometry/triangle_mesh.h"
 
@@ -30,6 +31,9 @@ TriangleMesh shaderBallMesh();
 TriangleMesh cylinderMesh();
 /// A thin cloth that hangs in folds over a ball, for sheen, silhouettes and soft creases.
 TriangleMesh clothMesh();
+
+/// The names of bundledMesh().
+std::vector<std::string> bundledMeshNames();
 
 /// The mesh of a name: "shader-ball", "torus", "bowl", "cylinder" or "cloth". Generated at the first call, then shared.
 /// @throws Error that lists the names.

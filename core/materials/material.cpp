@@ -38,7 +38,9 @@ std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& cont
 }
 
 Material readMaterial(const io::ByteSource& source, const TaskControl& control) {
-  auto hash = std::async(std::launch::async, [&source] { return io::sha256Hex(source); });
+  // Beside the reading of a large file, after that of a small one, for which a thread takes longer than the hash.
+  const auto launch = source.size() > (std::size_t(1) << 18) ? std::launch::async : std::launch::deferred;
+  auto hash = std::async(launch, [&source] { return io::sha256Hex(source); });
   Material material = readFormat(source, control);
   material.source.sha256 = hash.get();
   return material;

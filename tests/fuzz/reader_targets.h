@@ -99,7 +99,7 @@ inline void readFactorReadingsBytes(std::span<const std::byte> bytes) {
     const acquisition::FactorMeasurement curves = acquisition::factorMeasurement(readings.plan, readings.values);
     for (const acquisition::FactorBound bound : {acquisition::FactorBound::readings, acquisition::FactorBound::none})
       checkValues(*acquisition::predictFromFactors(curves, bound));
-    acquisition::supportOf(curves);
+    acquisition::supportOf(curves, 30);
   }
 }
 

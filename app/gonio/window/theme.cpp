@@ -4,7 +4,9 @@
 
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QVariant>
+
+#include "app/gonio/window/shared_palette_style.h"
 
 namespace gonio::app {
 
@@ -81,7 +83,11 @@ Theme themeByName(const QString& name) {
 void applyTheme(QApplication& application, Theme theme) {
   const bool systemDark = systemIsDark();  // before the palette is replaced
   const bool dark = theme == Theme::dark || (theme == Theme::system && systemDark);
-  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  const char* const shownKey = "isThemeDark";
+  const QVariant shown = application.property(shownKey);
+  if (shown == QVariant(dark)) return;
+  application.setProperty(shownKey, dark);
+  if (!shown.isValid()) application.setStyle(new SharedPaletteStyle);
   application.setPalette(paletteOf(dark ? darkTones : lightTones));
   // Fusion outlines boxes and radio buttons, and fills them when they are chosen, in tones that a dark window swallows.
   QPalette indicators = application.palette();

@@ -16,7 +16,7 @@ class BundledMeshesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void meshesKeepTheirPromises() {
-    for (const char* name : {"shader-ball", "torus", "bowl", "cylinder", "cloth"}) {
+    for (const std::string& name : bundledMeshNames()) {
       const auto mesh = bundledMesh(name);
       QVERIFY(mesh == bundledMesh(name));
       QCOMPARE(mesh->droppedTriangles(), std::size_t(0));
@@ -32,7 +32,7 @@ class BundledMeshesTest : public QObject {
   /// Each of their parts, too, is wound outward: what is seen from outside is an outside.
   void whatIsSeenIsOutside() {
     std::mt19937_64 random(1);
-    for (const char* name : {"shader-ball", "torus", "bowl", "cylinder", "cloth"}) {
+    for (const std::string& name : bundledMeshNames()) {
       const MeshIntersector intersector(bundledMesh(name));
       for (int n = 0; n < 20000; ++n) {
         const glm::dvec3 origin = 3.0 * test::randomDirection(random);
