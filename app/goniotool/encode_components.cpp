@@ -27,13 +27,15 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
       dictionary::encode(basis, *table, options.components, tool.control("encoding"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto decoded = dictionary::decode(basis, code.inHalfPrecision(), tool.control("decoding"));
-  if (!options.out.empty()) materials::writeMaterial(*decoded, options.out);
   const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
   const std::size_t bytes = dictionary::ComponentCode::halfBytes(code.components());
   Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
             {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
-  if (!options.out.empty()) json["out"] = options.out;
+  if (!options.out.empty()) {
+    materials::writeMaterial(*decoded, options.out);
+    json["out"] = options.out;
+  }
   print(tool, json,
         std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
             number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors));

@@ -36,7 +36,6 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
       dictionary::encode(patches, *table, options.coefficients, tool.control("encoding"));
   const double seconds = secondsSince(start);
   const auto decoded = dictionary::decode(patches, code);
-  if (!options.out.empty()) materials::writeMaterial(*decoded, options.out);
   const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
   const std::size_t bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size();
@@ -49,7 +48,10 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
             {"errors", errorsJson(errors)},
             {"brdfSnr", decibelsJson(snr)},
             {"seconds", seconds}};
-  if (!options.out.empty()) json["out"] = options.out;
+  if (!options.out.empty()) {
+    materials::writeMaterial(*decoded, options.out);
+    json["out"] = options.out;
+  }
   print(tool, json,
         std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
             " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +

@@ -122,9 +122,13 @@ int factor(const FactorArguments& options, const Tool& tool) {
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
   const FactorQuality quality = factorQuality(material, *table, *brdf, options.samples, tool);
+  std::vector<std::string> tables;
+  for (const std::string& path : {options.out, options.decode})
+    if (!path.empty() && !isFactorsFile(path)) tables.push_back(path);
+  // Before the first file: an interrupted command leaves none.
+  const auto decoded = tables.empty() ? nullptr : bakeTable(*brdf, table->grid(), tool.control("decoding"));
   if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
-  for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
-    if (!path.empty()) materials::writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
+  for (const std::string& path : tables) materials::writeMaterial(*decoded, path);
 
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());

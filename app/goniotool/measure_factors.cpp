@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/measure_factors.h"
 
+#include <functional>
 #include <optional>
 
 #include "app/goniotool/factor_quality.h"
@@ -47,10 +48,11 @@ int writeDirections(const MeasureFactorsArguments& options, const Tool& tool) {
   return 0;
 }
 
-/// Writes the prediction. Factors are the two curves themselves if the prediction is their product over theta_R and
-/// |Dp|; otherwise they approximate it.
-void writePrediction(const MeasureFactorsArguments& options, const FactorMeasurement& curves, const Brdf& predicted,
-                     const Tool& tool, Json& json, std::string& text) {
+/// Computes the prediction and returns what writes it. Factors are the two curves themselves if the prediction is their
+/// product over theta_R and |Dp|; otherwise they approximate it.
+std::function<void()> preparePrediction(const MeasureFactorsArguments& options, const FactorMeasurement& curves,
+                                        const Brdf& predicted, const Tool& tool, Json& json, std::string& text) {
+  json["predicted"] = options.predict;
   const auto table = bakeTable(predicted, HalfDifferenceGrid(), tool.control("predicting"));
   if (materials::hasSuffixOf(materials::FormatId::pdv, options.predict)) {
     const bool isProduct =
@@ -58,7 +60,6 @@ void writePrediction(const MeasureFactorsArguments& options, const FactorMeasure
     const factorization::PdvFactors factors =
         isProduct ? pdvFactorsOfCurves(curves)
                   : factorization::factorizePdv(*table, {}, tool.control("factorising the prediction")).factors;
-    materials::writePdv(factors, options.predict);
     json["terms"] = factors.terms();
     text += options.predict +
             (isProduct ? ": the two curves as one term\n" : ": " + std::to_string(factors.terms()) + " terms, ");
@@ -67,11 +68,10 @@ void writePrediction(const MeasureFactorsArguments& options, const FactorMeasure
       json["factorsSnr"] = decibelsJson(snr);
       text += "BRDF SNR " + number(snr) + " dB against the prediction\n";
     }
-  } else {
-    materials::writeMaterial(*table, options.predict);
-    text += options.predict + ": the predicted material\n";
+    return [factors, path = options.predict] { materials::writePdv(factors, path); };
   }
-  json["predicted"] = options.predict;
+  text += options.predict + ": the predicted material\n";
+  return [table, path = options.predict] { materials::writeMaterial(*table, path); };
 }
 
 Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) {
@@ -100,7 +100,6 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   const FactorMeasurement curves = factorMeasurement(readings.plan, readings.values);
   const FactorSupport support = supportOf(curves);
   const auto predicted = predictFromFactors(curves, factorBoundNamed(options.bound));
-  if (!options.out.empty()) materials::writeFactorReadings(readings.plan, readings.values, options.out);
 
   Json json{{"axes", options.axes},
             {"fixedAngle", degrees(curves.fixedAngle)},
@@ -116,7 +115,8 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   text += readings.plan.blocked > 0
               ? ", " + std::to_string(readings.plan.blocked) + " left out (unreachable by the rig)\n"
               : "\n";
-  if (!options.predict.empty()) writePrediction(options, curves, *predicted, tool, json, text);
+  std::function<void()> writePrediction;
+  if (!options.predict.empty()) writePrediction = preparePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
     const auto table = material->tabulated(tool.control("tabulating"));
     const FactorQuality quality = factorQuality(*material, *table, *predicted, smallComparisonPicture().samples, tool);
@@ -125,7 +125,12 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
             " dB\n" + errorsText(quality.errors);
   }
   for (const std::string& warning : support.warnings) text += "warning: " + warning + "\n";
-  if (!options.out.empty()) json["out"] = options.out;
+  // Files last: an interrupted command leaves none.
+  if (!options.out.empty()) {
+    materials::writeFactorReadings(readings.plan, readings.values, options.out);
+    json["out"] = options.out;
+  }
+  if (writePrediction) writePrediction();
   print(tool, json, text);
   return 0;
 }

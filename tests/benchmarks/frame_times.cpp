@@ -112,7 +112,7 @@ class Session {
       measure(name, [&, mode = mode](int) { preview_.content().setComparison({.mode = mode}); });
     measure(
         "resize", [&](int) { preview_.resize(preview_.size() + QSize(4, 2)); }, 20);
-    measure("a mesh (traced on the CPU)", [&](int) { preview_.content().showScene(bowl); });
+    measure("a mesh (new shader)", [&](int) { preview_.content().showScene(bowl); });
   }
 
  private:
