@@ -72,7 +72,6 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     }
   }();
   if (options.onlyComplete && !result.complete) throw interrupted;
-  materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();
   std::string text;
   for (std::size_t e = 0; e < result.state.errors.size(); ++e) {
@@ -93,6 +92,7 @@ int train(const DictionaryArguments& options, const Tool& tool) {
   }
   const Sizes& ranks = result.state.subspace.ranks;
   const double orthonormality = orthonormalityError(result.ensemble);
+  materials::writeDictionary(result.ensemble, options.out);
   print(tool,
         {{"complete", result.complete},
          {"materials", materials.names.size()},
