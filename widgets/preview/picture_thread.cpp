@@ -5,6 +5,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QTimer>
+#include <limits>
 #include <mutex>
 
 #include "widgets/preview/gl/code_decoder.h"
@@ -45,7 +46,7 @@ class PictureThread::Worker : public QObject {
   void release() {
     m_timer.stop();
     if (!m_works) return;
-    guarded([this] {
+    guarded(latest, [this] {
       makeCurrent();
       m_drawer.release();
       m_readback.release(m_gl);
@@ -64,10 +65,12 @@ class PictureThread::Worker : public QObject {
   std::optional<PictureState> draw() {
     const std::shared_ptr<const PictureRequest> request = newest();
     if (!request) return std::nullopt;
-    if (!m_works) postToOwner([broken = m_broken](PictureThread& owner) { Q_EMIT owner.failed(broken); });
-    if (!m_works) return std::nullopt;
+    if (!m_works) {
+      report(m_broken, request->number);
+      return std::nullopt;
+    }
     std::optional<PictureState> state;
-    guarded([&] {
+    guarded(request->number, [&] {
       makeCurrent();
       PictureState reached = m_drawer.addFrame(*request);
       m_readback.begin(m_gl, request->viewport);
@@ -82,7 +85,7 @@ class PictureThread::Worker : public QObject {
   Image readFirst() {
     Image picture(1, 1);
     if (m_works)
-      guarded([&] {
+      guarded(latest, [&] {
         makeCurrent();
         picture = m_drawer.readFirst();
       });
@@ -90,6 +93,8 @@ class PictureThread::Worker : public QObject {
   }
 
  private:
+  static constexpr int latest = std::numeric_limits<int>::max();  ///< of work that belongs to no request
+
   std::shared_ptr<const PictureRequest> newest() {
     const std::lock_guard lock(m_mutex);
     return m_request;
@@ -106,9 +111,12 @@ class PictureThread::Worker : public QObject {
   }
   /// A failure is reported; the next request gets its chance.
   template <typename Work>
-  void guarded(const Work& work) {
+  void guarded(int number, const Work& work) {
     const QString failure = TaskFailure::of(work);
-    if (!failure.isEmpty()) postToOwner([failure](PictureThread& owner) { Q_EMIT owner.failed(failure); });
+    if (!failure.isEmpty()) report(failure, number);
+  }
+  void report(const QString& failure, int number) {
+    postToOwner([failure, number](PictureThread& owner) { Q_EMIT owner.failed(failure, number); });
   }
   template <typename Say>
   void postToOwner(const Say& say) {

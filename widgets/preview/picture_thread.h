@@ -41,7 +41,8 @@ class PictureThread : public QObject {
   void drawn(const gonio::widgets::PictureState& state);
   /// The requested picture is delayed because a shader is being compiled.
   void compiling();
-  void failed(const QString& message);
+  /// @param number of the request that failed.
+  void failed(const QString& message, int number);
 
  private:
   class Worker;

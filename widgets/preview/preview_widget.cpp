@@ -48,6 +48,7 @@ void PreviewWidget::connectContent() {
   const auto changed = [this] {
     m_changed = std::chrono::steady_clock::now();
     m_failure.clear();
+    m_firstCurrent = m_number + 1;
     showOverlay();
     requestPicture();
   };
@@ -70,7 +71,9 @@ void PreviewWidget::connectThread() {
     m_content.setSoftware(software);
   });
   connect(&m_thread, &PictureThread::drawn, this, &PreviewWidget::adopt);
-  connect(&m_thread, &PictureThread::failed, this, &PreviewWidget::showFailure);
+  connect(&m_thread, &PictureThread::failed, this, [this](const QString& message, int number) {
+    if (number >= m_firstCurrent) showFailure(message);
+  });
   connect(&m_thread, &PictureThread::compiling, this, [this] {
     if (m_content.hasMaterial()) m_overlay->setStatus(tr("Compiling shaders..."));
   });

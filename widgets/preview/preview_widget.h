@@ -87,9 +87,10 @@ class PreviewWidget : public QWidget {
 
   PreviewContent m_content;
   PictureThread m_thread;
-  PictureState m_state;  ///< of the displayed picture
-  int m_number = 0;      ///< of the newest request
-  int m_fresh = 0;       ///< first request with the current content
+  PictureState m_state;    ///< of the displayed picture
+  int m_number = 0;        ///< of the newest request
+  int m_fresh = 0;         ///< first request with the current content
+  int m_firstCurrent = 0;  ///< first request since the content or comparison changed; earlier failures are ignored
   std::chrono::steady_clock::time_point m_changed;
   DisplaySettings m_settings;
   bool m_flickering = false, m_filtersNoise = true;
