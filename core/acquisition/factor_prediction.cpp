@@ -154,6 +154,8 @@ std::shared_ptr<const Brdf> predictFromFactors(const FactorMeasurement& measurem
 }
 
 FactorSupport supportOf(const FactorMeasurement& measurement, int stepDegrees) {
+  if (stepDegrees < 1 || 90 % stepDegrees != 0)
+    throw Error("found a step of " + std::to_string(stepDegrees) + " degrees, expected a divisor of 90");
   FactorSupport support;
   addFractions(measurement, stepDegrees, support);
   addWarnings(measurement, support);

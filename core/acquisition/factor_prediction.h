@@ -44,8 +44,8 @@ struct FactorSupport {
   /// list does not prove that the material is a product of two curves.
   std::vector<std::string> warnings;
 };
-/// The fractions are those of directions every `stepDegrees` in theta_i, theta_o and phi, a divisor of 90. About 1 ms
-/// at 5 degrees.
+/// The fractions are those of directions every `stepDegrees` in theta_i, theta_o and phi. About 1 ms at 5 degrees.
+/// @throws Error unless the step is a divisor of 90.
 FactorSupport supportOf(const FactorMeasurement& measurement, int stepDegrees = 5);
 
 /// The unbounded prediction over theta_R and |Dp| as PDV factors with one term; their upper bound (PdvFactors::highest)

@@ -278,13 +278,13 @@ std::vector<std::string> bundledMeshNames() {
 std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
   static std::array<std::shared_ptr<const TriangleMesh>, meshes.size()> made;
   static std::array<std::once_flag, meshes.size()> flags;
-  std::string names;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    names += (names.empty() ? "" : ", ") + std::string(meshes[i].first);
     if (name != meshes[i].first) continue;
     std::call_once(flags[i], [i] { made[i] = std::make_shared<const TriangleMesh>(meshes[i].second()); });
     return made[i];
   }
+  std::string names;
+  for (const std::string& known : bundledMeshNames()) names += (names.empty() ? "" : ", ") + known;
   throw Error("found the mesh '" + name + "', expected one of " + names);
 }
 

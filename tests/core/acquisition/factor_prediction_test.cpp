@@ -109,6 +109,7 @@ class FactorPredictionTest : public QObject {
     QVERIFY(predictFromFactors(m, FactorBound::none)->evaluate(light, viewer).x > 5 * truth);
     QVERIFY(predictFromFactors(m)->evaluate(light, viewer).x < 1.5 * truth);
     const FactorSupport support = supportOf(m);
+    for (const int step : {0, -5, 7, 180}) QVERIFY_EXCEPTION_THROWN(supportOf(m, step), Error);
     QVERIFY(support.contradicted > 0.1);
     QVERIFY(!support.warnings.empty() && test::contains(support.warnings[0], "exchanging light and viewer"));
     QCOMPARE(supportOf(measureFactors(material, {.axes = FactorAxes::halfDifference})).contradicted, 0.0);
