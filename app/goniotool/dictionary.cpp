@@ -4,7 +4,6 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -48,9 +47,7 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
   if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
     resumed = materials::readCheckpoint(training, options.checkpoint);
   auto written = std::chrono::steady_clock::now();
-  const StopOnInterrupt interrupt;
-  TaskControl control = tool.control("learning from " + std::to_string(materials.names.size()) + " materials");
-  control.stop = interrupt.token();
+  const TaskControl control = tool.control("learning from " + std::to_string(materials.names.size()) + " materials");
   return train(materials, options.training, control, resumed ? &*resumed : nullptr, [&](const TrainingState& state) {
     if (options.checkpoint.empty()) return;
     const auto now = std::chrono::steady_clock::now();

@@ -201,6 +201,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto base = fitting::fitBase(material.brdf, material.tabulated(tool.control("tabulating")));
   const fitting::FitResult fitted = fitting::fit(*base, model, {}, tool.control("fitting"));
+  tool.throwIfStopped();
   editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
   auto clamped = models::clampToHardRange(model.spec(), change.edited);

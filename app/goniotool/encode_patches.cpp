@@ -29,6 +29,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
   const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
   const auto patches = dictionary::learnPatchDictionary(
       training, {}, tool.control("learning from " + std::to_string(training.names.size()) + " materials"));
+  tool.throwIfStopped();
   const double trainingSeconds = secondsSince(start);
   const auto table = onGrid(material.tabulated(tool.control("tabulating")), patches.grid, tool.control("sampling"));
   start = Clock::now();

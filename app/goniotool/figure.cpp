@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 
-#include "app/goniotool/interrupt.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -172,9 +171,7 @@ std::string recordsText(const FigureDescription& figure, const FigureMeasurement
 std::optional<FigureMeasurement> makeFigure(const FigureArguments& options, const FigureDescription& figure,
                                             FigureFiles& files, const Tool& tool) {
   if (options.out.empty() && options.csv.empty() && options.latex.empty()) return std::nullopt;
-  const StopOnInterrupt interrupt;
-  TaskControl control = tool.control("measuring the cells of the figure");
-  control.stop = interrupt.token();
+  const TaskControl control = tool.control("measuring the cells of the figure");
   FigureMeasurement measurement = measureFigure(figure, control);
   for (const std::string& name : options.out)
     files.add(name, figureFile(figure, measurement, figureFormatOf(name), options.dotsPerInch));

@@ -53,6 +53,7 @@ fitting::FitResult fitModel(const FitArguments& options, const materials::Materi
                          {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
   for (const study::GammaTrial& trial : tried)
     trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
+  tool.throwIfStopped();  // there may be no trial
   return tried.front().fit;
 }
 
@@ -62,6 +63,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   Json trials = Json::array();
   const fitting::FitResult result =
       fitModel(options, material, *fitting::fitBase(material.brdf, table), model, tool, trials);
+  tool.throwIfStopped();
   const auto fitted = model.instantiate(result.parameters);
   if (!options.out.empty())
     materials::writeMaterial(*bakeTable(*fitted, table->grid(), tool.control("baking"), editing::bakedAzimuths),
@@ -105,6 +107,7 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
   rankingOptions.picture.samples = options.samples;
   std::vector<study::RankedFit> ranking =
       study::rankFits({table, material.brdf}, rankingOptions, tool.control("fitting all models"));
+  tool.throwIfStopped();
   const bool isBySnr = options.sort == bySnr;
   const metrics::BrdfMetric sortMetric = options.sort.empty() || isBySnr ? metric : metrics::metricByName(options.sort);
   sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));

@@ -7,6 +7,7 @@
 #include "app/goniotool/help_formatter.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/stop_on_signal.h"
 #include "app/goniotool/tool.h"
 #include "core/math/parallel.h"
 
@@ -29,6 +30,8 @@ int work(const tool::Tool& tool, const CLI::App& command) {
     return tool.run();
   } catch (const tool::UsageError& error) {
     return printError(error.what(), wrongUsage);
+  } catch (const Cancelled&) {
+    return printError("interrupted", failed);
   } catch (const std::exception& error) {
     return printError(error.what(), failed);
   }
@@ -40,7 +43,9 @@ int parseAndWork(int argc, char** argv) {
       "and\n"
       "blends them, plans measurements, exports, renders, compares, and makes studies and figures.",
       "goniotool");
+  const tool::StopOnSignal stopOnSignal;
   tool::Tool tool;
+  tool.stop = stopOnSignal.token();
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
   app.require_subcommand(1);
   app.fallthrough();
@@ -69,7 +74,9 @@ int parseAndWork(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return parseAndWork(argc, argv);
+    const int code = parseAndWork(argc, argv);
+    if (code != 0) tool::endByReceivedSignal();
+    return code;
   } catch (const std::exception& error) {
     return printError(error.what(), failed);
   }

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "app/goniotool/bases.h"
-#include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/study_output.h"
 #include "app/goniotool/study_shards.h"
@@ -102,7 +101,7 @@ class MaterialStudy {
   const StudyFacts& facts() const { return facts_; }
 
   /// Measured now, or read where --resume finds it done. Its files are written.
-  StudiedMaterial result(const std::string& path, const std::stop_token& stop) {
+  StudiedMaterial result(const std::string& path) {
     const materials::Material material = openMaterial(path, tool_.control("reading " + path));
     const std::string stem = stemOf(path), source = material.source.sha256;
     const std::vector<Representation> representations = representationsFor(stem);
@@ -111,10 +110,9 @@ class MaterialStudy {
         return *std::move(done);
     study_.build.dictionary = dictionaryFor(stem);
     const auto table = material.tabulated(tool_.control("tabulating"));
-    TaskControl control = tool_.control("studying " + material.name);
-    control.stop = stop;
-    StudiedMaterial studied{stem, material.name, source,
-                            runStudy({table, material.brdf}, representations, study_, control)};
+    StudiedMaterial studied{
+        stem, material.name, source,
+        runStudy({table, material.brdf}, representations, study_, tool_.control("studying " + material.name))};
     if (options_.withoutTimes) eraseTimes(studied.records);
     writeMaterialStudy(options_.out, studied, facts_);
     return studied;
@@ -209,10 +207,12 @@ int study(const StudyArguments& options, const Tool& tool) {
   const auto start = Clock::now();
   MaterialStudy studying(options, materials, tool);
   StudyOutput output(options.out, studying.facts(), options.budget);
-  const StopOnInterrupt interrupt;
-  const auto stopped = [&] { return interrupt.token().stop_requested(); };
-  for (std::size_t i = 0; i < materials.size() && !stopped(); ++i)
-    if (shard.contains(i)) output.add(studying.result(materials[i], interrupt.token()));
+  const auto stopped = [&] { return tool.stop.stop_requested(); };
+  try {
+    for (std::size_t i = 0; i < materials.size() && !stopped(); ++i)
+      if (shard.contains(i)) output.add(studying.result(materials[i]));
+  } catch (const Cancelled&) {  // before the material had any records
+  }
   const bool complete = !stopped();
   Json further = Json::object();
   if (options.shard.empty()) {

@@ -11,9 +11,9 @@ namespace gonio::tool {
 
 TaskControl Tool::control(const std::string& what) const {
   const bool isTerminal = isatty(STDERR_FILENO) != 0;
-  if (!showProgress && !isTerminal) return {};
+  if (!showProgress && !isTerminal) return {stop, {}};
   const auto last = std::make_shared<int>(-1);
-  return {{}, [=](double fraction) {
+  return {stop, [=](double fraction) {
             const int percent = static_cast<int>(fraction * 100);
             // A log gets a line every 5 %.
             if (percent <= *last || (!isTerminal && percent < 100 && percent < *last + 5)) return;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <stop_token>
 #include <string>
 
 #include "core/support/task_control.h"
@@ -22,10 +23,14 @@ struct Tool {
   bool showProgress = false;
   bool force = false;        ///< permits outputs that checkOutputs() refuses, and exports to existing files
   int threads = 0;           ///< 0: all cores
+  std::stop_token stop;      ///< of the whole program, see StopOnSignal
   std::function<int()> run;  ///< returns the exit code
 
-  /// A control that shows progress on standard error (on a terminal or if requested), labelled with `what`.
+  /// A control with `stop` that shows progress on standard error (on a terminal or if requested), labelled with `what`.
   TaskControl control(const std::string& what) const;
+
+  /// For results that may be incomplete after a stop. @throws Cancelled if a stop was requested.
+  void throwIfStopped() const { TaskControl{stop, {}}.throwIfStopped(); }
 };
 
 // One function per subcommand, each in the file of the same name.

@@ -101,10 +101,10 @@ def check_files(attack, arguments, rng):
         partial = [name for name in found if name in whole and found[name] != whole[name]]
         if partial:
             attack.finding(arguments, f"{kind.name}: {partial} partial")
-        if kind == signal.SIGINT and code != 0 and found:
-            attack.finding(arguments, f"SIGINT left {sorted(found)}")
-        if kind == signal.SIGINT and code not in (0, 1, 130, -signal.SIGINT):
+        if kind == signal.SIGINT and code not in (0, -kind):
             attack.finding(arguments, f"SIGINT: exit code {code}: {error.strip()[:200]}")
+        elif kind == signal.SIGINT and found.keys() != (whole.keys() if code == 0 else set()):
+            attack.finding(arguments, f"SIGINT: exit code {code} with the files {sorted(found)}")
 
 
 def check_resumed_study(attack, rng):
@@ -123,6 +123,8 @@ def check_resumed_study(attack, rng):
 
 def signals(attack, _):
     rng = random.Random(2)
+    # A shell starts commands in the background with SIGINT ignored, and goniotool would inherit that.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     (attack.folder / INPUTS).mkdir()
     for arguments in PREPARATION:
         code, _, error = attack.run(arguments)

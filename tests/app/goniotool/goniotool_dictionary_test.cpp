@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <signal.h>
-
 #include <QTest>
 #include <cmath>
 
 #include "core/dictionary/decode.h"
 #include "core/materials/code_file.h"
 #include "core/metrics/brdf_metrics.h"
-#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/app/goniotool/interruption.h"
 #include "tests/support/test_program.h"
 
 namespace goniotool_dictionary_test {
@@ -187,18 +185,11 @@ class GoniotoolDictionaryTest : public QObject {
   void anInterruptedTrainingWritesNothing() {
     QFETCH(QString, progress);
     const QString out = folder_.path("never.dictionary");
-    QProcess process;
-    process.start(GONIO_TOOL, {"dictionary", "train", merl_, "--subspace-loss", "1e-9", "--tolerance", "0",
-                               "--iterations", "10000", "--only-complete", "--progress", "--out", out});
-    QVERIFY(process.waitForStarted());
-    process.setReadChannel(QProcess::StandardError);
-    QString error;
-    while (!error.contains(progress) && process.waitForReadyRead(60000)) error += process.readAllStandardError();
-    ::kill(pid_t(process.processId()), SIGINT);
-    QVERIFY(process.waitForFinished(60000));
-    QCOMPARE(process.exitCode(), 1);
-    error += process.readAllStandardError();
-    QVERIFY2(error.contains("never.dictionary: not written"), qPrintable(error));
+    const Interruption run = interrupt({"dictionary", "train", merl_, "--subspace-loss", "1e-9", "--tolerance", "0",
+                                        "--iterations", "10000", "--only-complete", "--progress", "--out", out},
+                                       SIGINT, progress);
+    QCOMPARE(run.endedBySignal, SIGINT);
+    QVERIFY2(run.error.contains("never.dictionary: not written"), qPrintable(run.error));
     QVERIFY(!QFile::exists(out));
   }
 

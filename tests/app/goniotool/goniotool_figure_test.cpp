@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
-#include <csignal>
 
-#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/app/goniotool/interruption.h"
 #include "tests/support/test_program.h"
 
 namespace goniotool_figure_test {
@@ -107,18 +106,11 @@ class GoniotoolFigureTest : public QObject {
 
   void anInterruptLeavesNoFile() {
     const QString out = folder_.path("interrupted.pdf"), saved = folder_.path("interrupted.json");
-    QProcess process;
-    process.start(GONIO_TOOL, QStringList{"figure", "--materials", plastic_, "--representations", "ggx", "sgd",
-                                          "--samples", "100000", "--out", out, "--save", saved, "--progress"});
-    QVERIFY(process.waitForStarted());
-    // The first report: the work has begun.
-    process.setReadChannel(QProcess::StandardError);
-    QVERIFY(process.waitForReadyRead(60000));
-    ::kill(pid_t(process.processId()), SIGINT);
-    QVERIFY(process.waitForFinished(60000));
-    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process.exitCode(), 1);
-    QVERIFY(process.readAllStandardError().contains("cancelled"));
+    const Interruption run = interrupt({"figure", "--materials", plastic_, "--representations", "ggx", "sgd",
+                                        "--samples", "100000", "--out", out, "--save", saved, "--progress"},
+                                       SIGINT, "measuring");
+    QCOMPARE(run.endedBySignal, SIGINT);
+    QVERIFY(run.error.contains("interrupted"));
     QVERIFY(!QFile::exists(out) && !QFile::exists(saved));
   }
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/app/goniotool/interruption.h"
+#include "tests/support/test_program.h"
+
+namespace goniotool_signals_test {
+using namespace gonio::test;
+
+class GoniotoolSignalsTest : public QObject {
+  Q_OBJECT
+
+  /// Seconds of rendering, with a report of progress every 5 %.
+  QStringList longCommand() const {
+    return {"render", plastic_, "--size", "64", "--samples", "4000", "--progress", "--out", image_};
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic); }
+
+  void aSignalEndsTheWork_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("keyboard") << SIGINT;
+    QTest::newRow("kill") << SIGTERM;
+    QTest::newRow("closed terminal") << SIGHUP;
+  }
+  /// The parent sees that the signal ended the program, as it would without a handler, but nothing is left half done.
+  void aSignalEndsTheWork() {
+    QFETCH(int, signal);
+    const Interruption run = interrupt(longCommand(), signal, "rendering");
+    QCOMPARE(run.endedBySignal, signal);
+    QVERIFY2(run.error.endsWith("goniotool: interrupted\n"), qPrintable(run.error));
+    QVERIFY(!QFile::exists(image_));
+  }
+
+  /// As under nohup, and in the background of a shell script.
+  void signalsThatTheParentIgnoresStayIgnored() {
+    QProcess process;
+    process.setChildProcessModifier([] { std::signal(SIGHUP, SIG_IGN); });
+    process.start(GONIO_TOOL, longCommand());
+    process.setReadChannel(QProcess::StandardError);
+    QVERIFY(process.waitForReadyRead(60000));
+    ::kill(pid_t(process.processId()), SIGHUP);
+    // Two more reports follow: it works on.
+    for (int report = 0; report < 2; ++report) {
+      (void)process.readAllStandardError();
+      QVERIFY(process.waitForReadyRead(60000));
+    }
+    ::kill(pid_t(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), SIGTERM);
+  }
+
+ private:
+  TestFolder folder_{"goniotool-signals"};
+  QString plastic_, image_ = folder_.path("image.exr");
+};
+
+GONIO_TEST(GoniotoolSignalsTest)
+}  // namespace goniotool_signals_test
+
+#include "goniotool_signals_test.moc"
