@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/gonio/library/bundled_thumbnails.h"
-#include "app/gonio/window/allocator_settings.h"
 #include "app/gonio/window/event_times.h"
 #include "app/gonio/window/figure_screenshot.h"
 #include "app/gonio/window/main_window.h"
@@ -73,7 +72,6 @@ void openFiles(MainWindow& first, const QStringList& files, const QList<Recovera
 }  // namespace
 
 int main(int argc, char** argv) {
-  configureAllocator();
   printWithoutDisplay(argc, argv);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));

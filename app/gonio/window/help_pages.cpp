@@ -158,6 +158,7 @@ QString aboutPage() {
                                                          {"Embree", "Apache-2.0"},
                                                          {"cairo", "LGPL-2.1-only or MPL-1.1"},
                                                          {"Imath", "BSD-3-Clause"},
+                                                         {"jemalloc", "BSD-2-Clause"},
                                                          {"QCustomPlot", "GPL-3.0-or-later"}};
   for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
   page +=

@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/gonio/window/allocator_settings.h"
 #include "app/gonio/window/theme.h"
 #include "core/dictionary/signals.h"
 #include "core/geometry/bundled_meshes.h"
@@ -83,7 +82,6 @@ class MonkeyTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    configureAllocator();
     applyTheme(*qApp, Theme::system);
     const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
