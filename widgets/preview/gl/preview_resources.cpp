@@ -7,35 +7,10 @@
 
 #include "core/rendering/false_colour.h"
 #include "core/support/error.h"
-#include "widgets/preview/gl/flat_uniforms.h"
 #include "widgets/preview/gl/opengl_version.h"
-#include "widgets/preview/gl/shader_library.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
-
-namespace {
-
-bool link(QOpenGLShaderProgram& program, const PassShaders& shaders) {
-  return program.addShaderFromSourceCode(QOpenGLShader::Vertex, shaders.vertex) &&
-         program.addShaderFromSourceCode(QOpenGLShader::Fragment, shaders.fragment) && program.link();
-}
-
-/// Null where the driver refuses it.
-std::unique_ptr<QOpenGLShaderProgram> linkedWithFlatUniforms(const PassShaders& shaders, int vectors) {
-  auto program = std::make_unique<QOpenGLShaderProgram>();
-  return link(*program, withFlatUniforms(shaders, vectors)) ? std::move(program) : nullptr;
-}
-
-std::unique_ptr<QOpenGLShaderProgram> linked(const PassShaders& shaders, const QString& name) {
-  auto program = std::make_unique<QOpenGLShaderProgram>();
-  if (!link(*program, shaders))
-    throw Error("shader " + name.toStdString() +
-                " could not be compiled by the graphics driver: " + program->log().toStdString());
-  return program;
-}
-
-}  // namespace
 
 TableTexture::~TableTexture() {
   if (QOpenGLContext* context = QOpenGLContext::currentContext(); context && name)
@@ -45,11 +20,9 @@ TableTexture::~TableTexture() {
 void PreviewResources::initialize() {
   if (!initializeOpenGLFunctions()) throw Error(openGlTooOld);
   glGenVertexArrays(1, &vertexArray_);
-  usesFlatUniforms_ = CodeDecoder::isSoftware(*this);
-  decodesCodes_ = !usesFlatUniforms_;
-  GLint vectors = 0;
-  glGetIntegerv(GL_MAX_VARYING_VECTORS, &vectors);
-  flatVectors_ = vectors - 1;  // one is the position's
+  const bool isSoftware = CodeDecoder::isSoftware(*this);
+  decodesCodes_ = !isSoftware;
+  setUsesFlatUniforms(isSoftware);
   initialized_ = true;
 }
 
@@ -72,22 +45,10 @@ void PreviewResources::release() {
   initialized_ = false;
 }
 
-QOpenGLShaderProgram& PreviewResources::program(const QString& fragment, const QStringList& definitions,
-                                                const QStringList& preamble) {
-  auto& program = programs_[fragment + ' ' + definitions.join(' ')];
-  if (!program) {
-    if (compileListener_) compileListener_();
-    const PassShaders shaders{assembleShader("preview/fullscreen.vert"),
-                              assembleShader(fragment, definitions, preamble)};
-    if (usesFlatUniforms_) program = linkedWithFlatUniforms(shaders, flatVectors_);
-    if (!program) program = linked(shaders, fragment);
-  }
-  return *program;
-}
-
 void PreviewResources::setUsesFlatUniforms(bool uses) {
-  usesFlatUniforms_ = uses;
-  programs_.clear();
+  GLint vectors = 0;
+  glGetIntegerv(GL_MAX_VARYING_VECTORS, &vectors);
+  programs_.setFlatVectors(uses ? std::optional(vectors - 1) : std::nullopt);  // one is the position's
 }
 
 void PreviewResources::drawFullscreen() {

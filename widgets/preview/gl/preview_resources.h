@@ -13,6 +13,7 @@
 #include "core/rendering/environment.h"
 #include "widgets/preview/gl/code_decoder.h"
 #include "widgets/preview/gl/mesh_texture.h"
+#include "widgets/preview/gl/program_cache.h"
 #include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
@@ -68,12 +69,13 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// Frees everything that belongs to the context.
   void release();
 
-  /// The program of a fullscreen pass with the given fragment shader, assembled and linked at first use.
-  /// @throws Error with the compiler's log.
+  /// ProgramCache::program()
   QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions = {},
-                                const QStringList& preamble = {});
+                                const QStringList& preamble = {}) {
+    return programs_.program(fragment, definitions, preamble);
+  }
   /// The listener is called before a program is compiled, which can take a second.
-  void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
+  void setCompileListener(std::function<void()> listener) { programs_.setCompileListener(std::move(listener)); }
   /// Whether programs are transformed by withFlatUniforms(). By default only with software OpenGL. The setter frees all
   /// programs.
   void setUsesFlatUniforms(bool uses);
@@ -104,12 +106,10 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   bool decode(const EnsembleCode& code, GLuint& texture);
 
   CodeDecoder decoder_;
-  std::function<void()> compileListener_;
-  bool initialized_ = false, decodesCodes_ = false, usesFlatUniforms_ = false;
-  int flatVectors_ = 0;
+  ProgramCache programs_;
+  bool initialized_ = false, decodesCodes_ = false;
   GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
   GLuint colourMaps_[2] = {0, 0};
-  std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
   std::map<std::weak_ptr<const void>, std::weak_ptr<ShaderBase>, std::owner_less<>> bases_;
   std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace gonio::widgets {
+
+/// The linked programs of the fullscreen passes of one OpenGL context. Each combination of scene, base and edits has
+/// its own, so that only those that were used last are kept. The context must be current in all calls.
+class ProgramCache {
+ public:
+  /// More than one picture needs, and than the combinations between which someone switches back and forth.
+  static constexpr std::size_t mostPrograms = 64;
+
+  /// The program with the given fragment shader, assembled and linked unless it is kept. The reference is valid until
+  /// mostPrograms other programs were used. @throws Error with the compiler's log.
+  QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions, const QStringList& preamble);
+  void clear() { programs_.clear(); }
+
+  /// The listener is called before a program is compiled, which can take a second.
+  void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
+  /// The number of vectors for withFlatUniforms(), by which programs are then transformed. Frees all programs.
+  void setFlatVectors(std::optional<int> vectors);
+
+ private:
+  struct LinkedProgram {
+    std::unique_ptr<QOpenGLShaderProgram> program;
+    std::uint64_t lastUse = 0;
+  };
+
+  void makeRoom();
+  std::unique_ptr<QOpenGLShaderProgram> compiled(const QString& fragment, const QStringList& definitions,
+                                                 const QStringList& preamble) const;
+
+  std::function<void()> compileListener_;
+  std::optional<int> flatVectors_;
+  std::map<QString, LinkedProgram> programs_;
+  std::uint64_t uses_ = 0;
+};
+
+}  // namespace gonio::widgets
