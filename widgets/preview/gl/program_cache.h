@@ -15,8 +15,9 @@ namespace gonio::widgets {
 /// its own, so that only those that were used last are kept. The context must be current in all calls.
 class ProgramCache {
  public:
-  /// More than one picture needs, and than the combinations between which someone switches back and forth.
-  static constexpr std::size_t mostPrograms = 64;
+  /// More than one picture needs, and than the combinations between which someone switches back and forth. A program of
+  /// a scene takes about 2 MB with software OpenGL.
+  static constexpr std::size_t mostPrograms = 32;
 
   /// The program with the given fragment shader, assembled and linked unless it is kept. The reference is valid until
   /// mostPrograms other programs were used. @throws Error with the compiler's log.
