@@ -71,7 +71,7 @@ class MonkeyTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     window->files().open("library:rgl/satin_purple");
-    constexpr int patienceMs = 120'000, restMs = 10'000, rests = 12;
+    constexpr int patienceMs = 120'000, restMs = 10'000, rests = 60;
     for (std::size_t before = 0, i = 0; i < rests && test::allocatedMegabytes() != before; ++i) {
       before = test::allocatedMegabytes();
       QTest::qWait(restMs);
