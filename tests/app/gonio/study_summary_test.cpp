@@ -38,7 +38,7 @@ struct Editor {
   std::optional<StudySummaryWindow> window;
 
   /// Two grey materials, one that is not diffuse, and a file that cannot be read.
-  Editor() {
+  explicit Editor(int samples = 4) {
     write("dark", *models::findModel("lambert").instantiate({{Rgb(0.1)}}));
     write("bright", *models::findModel("lambert").instantiate({{Rgb(0.6)}}));
     const models::Model& phong = models::findModel("phong");
@@ -48,7 +48,7 @@ struct Editor {
     if (!broken.open(QIODevice::WriteOnly)) qFatal("cannot write");
     window.emplace(tasks, ids, nullptr);
     study::StudyOptions options;
-    options.picture = {.width = 16, .height = 16, .samples = 4};
+    options.picture = {.width = 16, .height = 16, .samples = samples};
     window->setChoice(fewRepresentations(), options);
   }
   void write(const QString& name, const Brdf& brdf) {
@@ -97,7 +97,8 @@ class StudySummaryTest : public QObject {
 
   /// Escape stops, what is measured stays, and the rest is measured from there.
   void stoppingKeepsWhatIsMeasured() {
-    Editor editor;
+    constexpr int manySamples = 300;  // so that it is stopped before it ends
+    Editor editor(manySamples);
     StudySummaryModel& model = editor.window->model();
     connect(&model, &QAbstractItemModel::dataChanged, &*editor.window, [&] {
       if (model.missing(1).size() == 2) QTest::keyClick(&*editor.window, Qt::Key_Escape);
