@@ -18,6 +18,7 @@ using namespace gonio;
 constexpr int failed = 1, wrongUsage = 2;
 
 int printError(const std::string& message, int code) {
+  tool::eraseProgress();
   std::fprintf(stderr, "goniotool: %s\n", tool::oneLine(message).c_str());
   return code;
 }

@@ -9,6 +9,10 @@
 
 namespace gonio::tool {
 
+void eraseProgress() {
+  if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+}
+
 TaskControl Tool::control(const std::string& what) const {
   const bool isTerminal = isatty(STDERR_FILENO) != 0;
   if (!showProgress && !isTerminal) return {stop, {}};
@@ -18,10 +22,10 @@ TaskControl Tool::control(const std::string& what) const {
             // A log gets a line every 5 %.
             if (percent <= *last || (!isTerminal && percent < 100 && percent < *last + 5)) return;
             *last = percent;
-            if (isTerminal)
-              std::fprintf(stderr, percent < 100 ? "\r%s %d %%" : "\r\033[K", what.c_str(), percent);
+            if (isTerminal && percent >= 100)
+              eraseProgress();
             else
-              std::fprintf(stderr, "%s %d %%\n", what.c_str(), percent);
+              std::fprintf(stderr, isTerminal ? "\r%s %d %%" : "%s %d %%\n", what.c_str(), percent);
           }};
 }
 

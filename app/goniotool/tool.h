@@ -33,6 +33,9 @@ struct Tool {
   void throwIfStopped() const { TaskControl{stop, {}}.throwIfStopped(); }
 };
 
+/// Erases the line of progress on standard error if that is a terminal, so that a message can take its place.
+void eraseProgress();
+
 // One function per subcommand, each in the file of the same name.
 void addInfo(CLI::App& app, Tool& tool);
 void addEvaluate(CLI::App& app, Tool& tool);

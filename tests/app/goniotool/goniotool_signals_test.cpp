@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <pty.h>
+#include <unistd.h>
+
 #include "tests/app/goniotool/interruption.h"
 #include "tests/support/test_program.h"
 
@@ -30,6 +33,32 @@ class GoniotoolSignalsTest : public QObject {
     QCOMPARE(run.endedBySignal, signal);
     QVERIFY2(run.error.endsWith("goniotool: interrupted\n"), qPrintable(run.error));
     QVERIFY(!QFile::exists(image_));
+  }
+
+  /// Not behind the progress that stands there.
+  void theMessageHasALineOfItsOwn() {
+    int master = -1, terminal = -1;
+    QCOMPARE(::openpty(&master, &terminal, nullptr, nullptr, nullptr), 0);
+    QProcess process;
+    process.setChildProcessModifier([terminal] {
+      ::dup2(terminal, STDERR_FILENO);
+      std::signal(SIGINT, SIG_DFL);
+    });
+    process.start(GONIO_TOOL, longCommand());
+    QVERIFY(process.waitForStarted());
+    ::close(terminal);
+    QByteArray shown;
+    char part[256];
+    bool interrupted = false;
+    for (ssize_t count = 0; (count = ::read(master, part, sizeof part)) > 0;) {
+      shown.append(part, count);
+      if (interrupted || !shown.contains("rendering")) continue;
+      interrupted = true;
+      ::kill(pid_t(process.processId()), SIGINT);
+    }
+    ::close(master);
+    QVERIFY(process.waitForFinished(60000));
+    QVERIFY2(shown.endsWith("%\r\033[Kgoniotool: interrupted\r\n"), shown.right(100).constData());
   }
 
   /// As under nohup, and in the background of a shell script.
