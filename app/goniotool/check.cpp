@@ -13,7 +13,8 @@ namespace {
 
 int check(const std::string& file, const Tool& tool) {
   const materials::Material material = openMaterial(file, tool.control("reading"));
-  const std::vector<metrics::PlausibilityCheck> checks = metrics::checkPlausibility(*material.brdf);
+  const std::vector<metrics::PlausibilityCheck> checks =
+      metrics::checkPlausibility(*material.brdf, tool.control("checking"));
   Json list = Json::array();
   std::string text, failures;
   for (const metrics::PlausibilityCheck& one : checks) {

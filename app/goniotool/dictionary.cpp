@@ -168,7 +168,10 @@ void addTrain(CLI::App& app, Tool& tool) {
                       "File for the training state; if it exists, training resumes from it");
   command->add_flag("--only-complete", options->onlyComplete,
                     "After an interrupt, write nothing instead of the best dictionary so far");
-  command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
+  command->callback([options, &tool] {
+    tool.keepsPartialResults = true;
+    tool.run = [options, &tool] { return train(*options, tool); };
+  });
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const auto start = std::chrono::steady_clock::now();
   brdf->evaluate(pairs, values);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tool.throwIfStopped();
   io::writeFileAtomically(options.out, valuesCsv(directions, values));
   const double evaluationNs = seconds * 1e9 / double(values.size());
   print(

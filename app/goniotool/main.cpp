@@ -38,14 +38,13 @@ int work(const tool::Tool& tool, const CLI::App& command) {
   }
 }
 
-int parseAndWork(int argc, char** argv) {
+int parseAndWork(tool::Tool& tool, int argc, char** argv) {
   CLI::App app(
       "Command-line tool for measured materials (BRDFs): reads, checks, converts, fits, edits, factorises, encodes "
       "and\n"
       "blends them, plans measurements, exports, renders, compares, and makes studies and figures.",
       "goniotool");
   const tool::StopOnSignal stopOnSignal;
-  tool::Tool tool;
   tool.stop = stopOnSignal.token();
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
   app.require_subcommand(1);
@@ -75,8 +74,10 @@ int parseAndWork(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    const int code = parseAndWork(argc, argv);
-    if (code != 0) tool::endByReceivedSignal();
+    tool::Tool tool;
+    const int code = parseAndWork(tool, argc, argv);
+    // Also where the signal came too late to stop anything.
+    if (code != 0 || !tool.keepsPartialResults) tool::endByReceivedSignal();
     return code;
   } catch (const std::exception& error) {
     return printError(error.what(), failed);

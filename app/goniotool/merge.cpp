@@ -20,6 +20,7 @@ int merge(const MergeArguments& options, const Tool& tool) {
   const std::vector<StoredStudy> joined = joinShards(options.shards);
   if (joined.empty()) throw Error("the shards contain no materials");
   const StudyFacts& facts = joined.front().facts;
+  tool.throwIfStopped();
   makeFolder(options.out);
   StudyOutput output(options.out, facts);
   for (const StoredStudy& read : joined) {

@@ -73,13 +73,16 @@ Rendered renderPicture(const PathTracer& tracer, const RenderOptions& size, cons
   return result;
 }
 
-/// Adds the figures of each sampling strategy to the result.
-void measureStrategies(const PathTracer& tracer, const Materials& materials, const RenderOptions& size,
-                       const Tool& tool, Json& json, std::string& text) {
-  const std::vector<StrategyCost> costs = measureStrategyCosts(
+std::vector<StrategyCost> measureStrategies(const PathTracer& tracer, const Materials& materials,
+                                            const RenderOptions& size, const Tool& tool) {
+  return measureStrategyCosts(
       tracer.scene(), materials, tracer.plan(),
       {.width = size.width, .height = size.height, .samples = size.samples, .referenceSamples = 64 * size.samples},
       tool.control("measuring strategies"));
+}
+
+/// Adds the figures of each sampling strategy to the result.
+void reportStrategies(std::span<const StrategyCost> costs, Json& json, std::string& text) {
   Json list = Json::array();
   for (const StrategyCost& cost : costs) {
     list.push_back({{"strategy", strategyId(cost.strategy)},
@@ -118,6 +121,9 @@ int render(const RenderArguments& options, const Tool& tool) {
             {"reflections", tracer.plan().reflections},
             {"plan", planJson(tracer.plan(), shownCosts)}};
   std::string text;
+  // Before the image is written: an interrupted command leaves none.
+  const auto strategies =
+      options.strategies ? measureStrategies(tracer, materials, size, tool) : std::vector<StrategyCost>();
   if (!options.out.empty()) {
     const Rendered rendered = renderPicture(tracer, size, tool);
     writePicture(rendered.film.image(), *options.picture, options.out,
@@ -135,7 +141,7 @@ int render(const RenderArguments& options, const Tool& tool) {
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +
            std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n";
   }
-  if (options.strategies) measureStrategies(tracer, materials, size, tool, json, text);
+  if (options.strategies) reportStrategies(strategies, json, text);
   if (options.effects || options.costs) text += planText(tracer.plan(), shownCosts);
   print(tool, json, text);
   return 0;

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace gonio::tool {
 
@@ -15,14 +17,36 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 
+// timeout(1) and some shells send a signal to the process and then to its group.
+constexpr std::int64_t sameRequestMs = 500;
+
 std::atomic<int> received = 0;
+std::atomic<std::int64_t> receivedAt = 0;  // 0: no signal yet
 sem_t wakeUp;
 
+/// On a clock that is never 0.
+std::int64_t milliseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t(now.tv_sec) * 1000 + now.tv_nsec / 1'000'000 + 1;
+}
+
+void endBy(int signal) {
+  std::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
 extern "C" void receive(int signal) {
-  const int before = errno;
-  received = signal;
-  sem_post(&wakeUp);
-  errno = before;
+  const int errorBefore = errno;
+  const std::int64_t now = milliseconds();
+  std::int64_t first = 0;
+  if (receivedAt.compare_exchange_strong(first, now)) {
+    received = signal;
+    ::sem_post(&wakeUp);
+  } else if (now - first > sameRequestMs) {
+    endBy(signal);
+  }
+  errno = errorBefore;
 }
 
 void setHandlers() {
@@ -31,8 +55,7 @@ void setHandlers() {
     if (::sigaction(signal, nullptr, &current) != 0 || current.sa_handler == SIG_IGN) continue;
     struct sigaction next {};
     next.sa_handler = receive;
-    // The second signal ends the program.
-    next.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    next.sa_flags = SA_RESTART;
     ::sigaction(signal, &next, nullptr);
   }
 }
@@ -45,7 +68,7 @@ StopOnSignal::StopOnSignal() {
   setHandlers();
 }
 
-// The handlers stay: a first signal while the program ends is too late to stop any work.
+// The handlers stay installed: a first signal that arrives while the program exits only decides how it ends.
 StopOnSignal::~StopOnSignal() {
   watcher_.request_stop();
   ::sem_post(&wakeUp);
@@ -58,7 +81,7 @@ void StopOnSignal::watch(const std::stop_token& end) {
 }
 
 void endByReceivedSignal() {
-  if (received != 0) ::raise(received);
+  if (received != 0) endBy(received);
 }
 
 }  // namespace gonio::tool

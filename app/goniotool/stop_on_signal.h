@@ -7,9 +7,9 @@
 
 namespace gonio::tool {
 
-/// From its construction on, the first SIGINT, SIGTERM or SIGHUP requests the work to stop, so that no temporary file
-/// remains; a second one ends the program as usual. Signals that the parent process ignores (`nohup`) stay ignored.
-/// Only one instance may exist in a process.
+/// While it exists, the first SIGINT, SIGTERM or SIGHUP asks the work to stop, so that no temporary file remains.
+/// Another one ends the program at once; within half a second it counts as the same request. Signals that the parent
+/// process ignores (`nohup`) stay ignored. Only one instance may exist in a process.
 class StopOnSignal {
  public:
   StopOnSignal();

@@ -100,7 +100,8 @@ class MaterialStudy {
 
   const StudyFacts& facts() const { return facts_; }
 
-  /// Measured now, or read where --resume finds it done. Its files are written.
+  /// Measured now, or read where --resume finds it done. Its files are written; after a stop only if they replace none.
+  /// @throws Cancelled if nothing was measured before a stop.
   StudiedMaterial result(const std::string& path) {
     const materials::Material material = openMaterial(path, tool_.control("reading " + path));
     const std::string stem = stemOf(path), source = material.source.sha256;
@@ -113,8 +114,10 @@ class MaterialStudy {
     StudiedMaterial studied{
         stem, material.name, source,
         runStudy({table, material.brdf}, representations, study_, tool_.control("studying " + material.name))};
+    studied.complete = studied.records.size() == representations.size();
+    if (studied.records.empty()) tool_.throwIfStopped();
     if (options_.withoutTimes) eraseTimes(studied.records);
-    writeMaterialStudy(options_.out, studied, facts_);
+    if (studied.complete || !hasMaterialStudy(options_.out, stem)) writeMaterialStudy(options_.out, studied, facts_);
     return studied;
   }
 
@@ -207,13 +210,19 @@ int study(const StudyArguments& options, const Tool& tool) {
   const auto start = Clock::now();
   MaterialStudy studying(options, materials, tool);
   StudyOutput output(options.out, studying.facts(), options.budget);
-  const auto stopped = [&] { return tool.stop.stop_requested(); };
+  if (!options.shard.empty()) removeShard(options.out);
+  bool complete = true;
   try {
-    for (std::size_t i = 0; i < materials.size() && !stopped(); ++i)
-      if (shard.contains(i)) output.add(studying.result(materials[i]));
-  } catch (const Cancelled&) {  // before the material had any records
+    for (std::size_t i = 0; i < materials.size() && complete; ++i) {
+      if (!shard.contains(i)) continue;
+      tool.throwIfStopped();
+      const StudiedMaterial material = studying.result(materials[i]);
+      output.add(material);
+      complete = material.complete;
+    }
+  } catch (const Cancelled&) {
+    complete = false;
   }
-  const bool complete = !stopped();
   Json further = Json::object();
   if (options.shard.empty()) {
     output.writeSummary();
@@ -292,7 +301,10 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--min-snr", options->budget.renderedSnr,
                       "Limit for the best representation: min. rendered SNR, dB");
   command->add_option("--max-bytes", options->budget.bytes, "Limit for the best representation: max. size, bytes");
-  command->callback([options, &tool] { tool.run = [options, &tool] { return study(*options, tool); }; });
+  command->callback([options, &tool] {
+    tool.keepsPartialResults = true;
+    tool.run = [options, &tool] { return study(*options, tool); };
+  });
 }
 
 }  // namespace gonio::tool

@@ -86,6 +86,10 @@ void writeMaterialStudy(const fs::path& folder, const StudiedMaterial& material,
         recordsJson(material.records), facts);
 }
 
+bool hasMaterialStudy(const fs::path& folder, const std::string& stem) {
+  return fs::exists(fileOf(folder, stem, ".json"));
+}
+
 void writeSummary(const fs::path& folder, const std::string& title, std::span<const StudyRecord> medians,
                   const Json& records, const StudyFacts& facts) {
   write(folder, "summary", {{"material", title}}, medians, records, facts);
@@ -112,7 +116,7 @@ StoredStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
 
 std::optional<StudiedMaterial> finishedStudy(const fs::path& folder, const std::string& stem, const std::string& source,
                                              const StudyFacts& facts, std::size_t records) {
-  if (!fs::exists(fileOf(folder, stem, ".json"))) return std::nullopt;
+  if (!hasMaterialStudy(folder, stem)) return std::nullopt;
   try {
     StoredStudy found = readMaterialStudy(folder, stem);
     const bool same = found.facts.settings == facts.settings && found.material.source == source;

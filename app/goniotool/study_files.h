@@ -43,10 +43,13 @@ struct StudiedMaterial {
   std::string name;    ///< name in texts
   std::string source;  ///< SHA-256 of the material
   std::vector<study::StudyRecord> records;
+  bool complete = true;  ///< false if a stop left some representations without a record
 };
 
 /// Writes the three files with io::writeFilesAtomically(). @throws Error that names the file.
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
+/// Whether STEM.json exists.
+bool hasMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
 /// Writes the three files of the summary. @param records the medians as JSON.
 void writeSummary(const std::filesystem::path& folder, const std::string& title,
                   std::span<const study::StudyRecord> medians, const Json& records, const StudyFacts& facts);

@@ -31,7 +31,7 @@ void StudyOutput::add(const StudiedMaterial& material) {
     records_.back().update(record);
   }
   text_ += material.name + "\n" + recordsText(material.records);
-  choose(material);
+  if (material.complete) choose(material);
   all_.push_back(material.records);
 }
 

@@ -26,7 +26,7 @@ class StudyOutput {
   void print(const Tool& tool, bool complete, double seconds, const Json& further = Json::object());
 
  private:
-  /// Records the best representation within the limits, if there are limits.
+  /// Records the best representation within the limits, if there are limits. Precondition: the material is complete.
   void choose(const StudiedMaterial& material);
 
   std::string folder_;

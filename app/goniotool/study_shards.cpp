@@ -98,6 +98,12 @@ void writeShard(const fs::path& folder, const Shard& shard, const std::vector<st
   io::writeFileAtomically(shardPath(folder), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+void removeShard(const fs::path& folder) {
+  std::error_code cause;
+  fs::remove(shardPath(folder), cause);
+  if (cause) throw Error(shardPath(folder).string() + ": cannot be removed: " + cause.message());
+}
+
 std::vector<StoredStudy> joinShards(const std::vector<std::string>& folders) {
   const std::map<std::size_t, ShardFile> shards = completeShards(folders);
   const ShardFile& first = shards.begin()->second;

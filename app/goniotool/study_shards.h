@@ -29,6 +29,10 @@ inline constexpr const char* shardStem = "shard";
 void writeShard(const std::filesystem::path& folder, const Shard& shard, const std::vector<std::string>& stems,
                 const StudyFacts& facts);
 
+/// Removes this file, so that the folder counts as incomplete while its materials are measured anew. @throws Error that
+/// names the file.
+void removeShard(const std::filesystem::path& folder);
+
 /// The results of all materials, in the order of the study.
 /// @throws Error that names the folder or file if a shard is incomplete, missing, given twice or belongs to another
 /// study, or if the result of a material is missing or belongs to another study.

@@ -21,10 +21,11 @@ class UsageError : public Error {
 struct Tool {
   bool json = false;
   bool showProgress = false;
-  bool force = false;        ///< permits outputs that checkOutputs() refuses, and exports to existing files
-  int threads = 0;           ///< 0: all cores
-  std::stop_token stop;      ///< of the whole program, see StopOnSignal
-  std::function<int()> run;  ///< returns the exit code
+  bool force = false;                ///< permits outputs that checkOutputs() refuses, and exports to existing files
+  int threads = 0;                   ///< 0: all cores
+  std::stop_token stop;              ///< of the whole program, see StopOnSignal
+  std::function<int()> run;          ///< returns the exit code
+  bool keepsPartialResults = false;  ///< whether exit code 0 after a stop means the results so far
 
   /// A control with `stop` that shows progress on standard error (on a terminal or if requested), labelled with `what`.
   TaskControl control(const std::string& what) const;

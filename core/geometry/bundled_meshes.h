@@ -32,7 +32,7 @@ TriangleMesh cylinderMesh();
 /// A thin cloth that hangs in folds over a ball, for sheen, silhouettes and soft creases.
 TriangleMesh clothMesh();
 
-/// The names of bundledMesh().
+/// The names that bundledMesh() accepts.
 std::vector<std::string> bundledMeshNames();
 
 /// The mesh of a name: "shader-ball", "torus", "bowl", "cylinder" or "cloth". Generated at the first call, then shared.

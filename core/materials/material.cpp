@@ -38,7 +38,7 @@ std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& cont
 }
 
 Material readMaterial(const io::ByteSource& source, const TaskControl& control) {
-  // Beside the reading of a large file, after that of a small one, for which a thread takes longer than the hash.
+  // Large files are hashed while they are read; small ones afterwards, because starting a thread would take longer.
   const auto launch = source.size() > (std::size_t(1) << 18) ? std::launch::async : std::launch::deferred;
   auto hash = std::async(launch, [&source] { return io::sha256Hex(source); });
   Material material = readFormat(source, control);

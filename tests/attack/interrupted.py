@@ -32,6 +32,8 @@ LONG = [["fit", "library:merl-copy/chrome", "--model", "he", "--out", "x.binary"
          "x.binary"],
         ["reconstruct", "--plan", f"{INPUTS}/plan.csv", "--values", f"{INPUTS}/values.csv", "--out", "x.binary"],
         ["render", "library:merl-copy/aluminium", "--size", "256", "--samples", "256", "--out", "x.exr"],
+        ["render", "library:merl-copy/aluminium", "--size", "64", "--samples", "64", "--strategy-costs", "--out",
+         "x.exr"],
         ["compare", "library:rgl/paper_blue", "library:merl-copy/blue-fabric", "--image", "x.png"],
         ["figure", "--materials", "library:merl-copy/aluminium", "--representations", "ggx", "factors-3d:5", "--size",
          "96", "--out", "x.pdf", "x.svg", "--csv", "x.csv"],
@@ -66,7 +68,7 @@ def interrupted(attack, arguments, kind, delay):
     except subprocess.TimeoutExpired:
         process.kill()
         process.communicate()
-        attack.finding(arguments, f"runs on for a minute after {kind.name}")
+        attack.finding(arguments, f"still running a minute after {kind.name}")
         return None
     return process.returncode, error
 
@@ -89,7 +91,7 @@ def kinds_and_delays(rng, duration):
 
 
 def check_files(attack, arguments, rng):
-    """No file, or the complete one."""
+    """An interrupted command leaves either no file or complete ones: where SIGINT cut its work, none."""
     whole, duration = whole_run(attack, arguments)
     for kind, delay in kinds_and_delays(rng, duration) if whole else ():
         clear(attack)
@@ -103,7 +105,7 @@ def check_files(attack, arguments, rng):
             attack.finding(arguments, f"{kind.name}: {partial} partial")
         if kind == signal.SIGINT and code not in (0, -kind):
             attack.finding(arguments, f"SIGINT: exit code {code}: {error.strip()[:200]}")
-        elif kind == signal.SIGINT and found.keys() != (whole.keys() if code == 0 else set()):
+        elif kind == signal.SIGINT and found.keys() != (set() if "interrupted" in error else whole.keys()):
             attack.finding(arguments, f"SIGINT: exit code {code} with the files {sorted(found)}")
 
 
@@ -117,8 +119,12 @@ def check_resumed_study(attack, rng):
         code, _, error = attack.run([*STUDY, "--resume"])
         if code != 0:
             attack.finding(STUDY, f"resumed after {kind.name}: {error.strip()[:200]}")
-        elif different := [name for name, value in outputs_of(attack).items() if whole.get(name) != value]:
+            continue
+        found = outputs_of(attack)
+        if different := [name for name, value in whole.items() if found.get(name) != value]:
             attack.finding(STUDY, f"resumed after {kind.name}: other {different}")
+        if kind == signal.SIGINT and found.keys() != whole.keys():
+            attack.finding(STUDY, f"resumed after {kind.name}: left {sorted(found.keys() - whole.keys())}")
 
 
 def signals(attack, _):

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_view.h"
 
+#include <QApplication>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -115,6 +116,27 @@ class LibraryViewTest : public QObject {
   }
 
   /// Of several buttons of one sort any, of two sorts both; turned off, everything is shown again.
+  /// As the other controls do.
+  void pressedChipsFollowTheTheme() {
+    LibraryModel model;
+    model.setItems(threeMaterials());
+    LibraryView view(&model);
+    view.setChipsShown(true);
+    view.show();
+    QToolButton* chip = view.chips().chip("Favourites");
+    chip->setChecked(true);
+    const auto shown = [chip](const QPalette& theme) {
+      QApplication::setPalette(theme);
+      QCoreApplication::processEvents();
+      return chip->palette().color(QPalette::Button);
+    };
+    const QPalette before = QApplication::palette();
+    QPalette other = before;
+    other.setColor(QPalette::Highlight, QColor(1, 2, 3));
+    QCOMPARE(shown(other), QColor(1, 2, 3));
+    QCOMPARE(shown(before), before.color(QPalette::Highlight));
+  }
+
   void chipsChooseWhatIsShown() {
     LibraryModel model;
     LibraryView view(&model);

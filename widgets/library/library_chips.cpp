@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_chips.h"
 
+#include <QEvent>
 #include <QHash>
 #include <QToolButton>
 #include <algorithm>
@@ -12,6 +13,16 @@ namespace gonio::widgets {
 
 namespace {
 QString sentenceCase(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+/// The style's own look of a button that is down is hard to see on a dark ground.
+void colour(QToolButton& chip) {
+  QPalette palette;
+  if (chip.isChecked()) {
+    palette.setColor(QPalette::Button, palette.color(QPalette::Highlight));
+    palette.setColor(QPalette::ButtonText, palette.color(QPalette::HighlightedText));
+  }
+  chip.setPalette(palette);
+}
 }  // namespace
 
 LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
@@ -65,19 +76,18 @@ void LibraryChips::followTags() {
   if (m_model.tags() != m_tags) rebuild();
 }
 
+void LibraryChips::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) std::ranges::for_each(m_chips, [](QToolButton* chip) { colour(*chip); });
+}
+
 QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip) {
   auto* chip = new QToolButton;
   chip->setText(text);
   chip->setToolTip(toolTip);
   chip->setCheckable(true);
   chip->setFocusPolicy(Qt::StrongFocus);
-  // The style's own look of a button that is down is hard to see on a dark ground.
-  connect(chip, &QToolButton::toggled, chip, [chip](bool on) {
-    QPalette palette;
-    if (on) palette.setColor(QPalette::Button, palette.color(QPalette::Highlight));
-    if (on) palette.setColor(QPalette::ButtonText, palette.color(QPalette::HighlightedText));
-    chip->setPalette(palette);
-  });
+  connect(chip, &QToolButton::toggled, chip, [chip] { colour(*chip); });
   layout()->addWidget(chip);
   m_chips.push_back(chip);
   return chip;

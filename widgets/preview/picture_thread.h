@@ -41,7 +41,7 @@ class PictureThread : public QObject {
   void drawn(const gonio::widgets::PictureState& state);
   /// The requested picture is delayed because a shader is being compiled.
   void compiling();
-  /// @param number of the request that failed; the largest int if it was none.
+  /// @param number of the request that failed; INT_MAX if the failure belongs to none.
   void failed(const QString& message, int number);
 
  private:

@@ -37,9 +37,6 @@ class AcquisitionControls : public QWidget {
 
  private:
   enum ReconstructionItem { localRidge, chosenRidge, publishedRidge, printedRidge, sparse };
-  /// Maximum number of components with a fixed ridge, which permits more components than samples. The time for the
-  /// uncertainty grows with the square of their number.
-  static constexpr int maxComponents = 100;
 
   void buildReconstruction(QFormLayout& form);
   void connectRows();

@@ -38,23 +38,26 @@ void AcquisitionPlanner::plan(const PlanSettings& settings, const QString& measu
   if (given) m_settings.samples = int(given->samples.size());
   const QStringList ids =
       settings.leaveOutReference ? without(settings.training.ids, measuredId) : settings.training.ids;
-  if (m_basis && ids == m_learned)
+  // The published equation takes as many components as samples.
+  const int components = std::max(maxComponents, m_settings.samples);
+  if (m_basis && ids == m_learned && components <= m_learnedComponents)
     choose();
   else
-    learn(ids);
+    learn(ids, components);
 }
 
-void AcquisitionPlanner::learn(const QStringList& ids) {
+void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   using Basis = std::shared_ptr<const dictionary::PrincipalComponents>;
   // Gigabytes, of a large set: the old one goes before the new one comes.
   m_basis.reset();
   m_learned.clear();
   m_tasks.run<Basis>(
       {tr("Learning from %n materials", nullptr, int(ids.size())), m_taskKey},
-      [ids](const TaskControl& control) { return learnBasis(ids, control); },
-      [this, ids](const Basis& basis) {
+      [ids, components](const TaskControl& control) { return learnBasis(ids, components, control); },
+      [this, ids, components](const Basis& basis) {
         m_basis = basis;
         m_learned = ids;
+        m_learnedComponents = components;
         choose();
       },
       failure(tr("Cannot learn from the training set")), [this] { Q_EMIT stopped(); });

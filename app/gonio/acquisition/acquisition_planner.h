@@ -61,7 +61,7 @@ class AcquisitionPlanner : public QObject {
   void failed(const QString& title, const QString& text);
 
  private:
-  void learn(const QStringList& ids);
+  void learn(const QStringList& ids, int components);
   void choose();
   void takeGiven();
   void install(const acquisition::SampleSelection& selection, const acquisition::SamplingPlan& plan);
@@ -73,6 +73,7 @@ class AcquisitionPlanner : public QObject {
   PlanSettings m_settings;
   std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
   QStringList m_learned;                             ///< materials of m_basis
+  int m_learnedComponents = 0;                       ///< maximum number of components of m_basis
   std::optional<acquisition::SamplingPlan> m_given;  ///< existing plan to use, if any
   int m_run = 0;  ///< number of the plan, to recognise directions of earlier plans that arrive late
   std::vector<std::uint32_t> m_chosen;

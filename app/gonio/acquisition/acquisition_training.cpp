@@ -68,7 +68,8 @@ QStringList without(const QStringList& ids, const QString& id) {
   return kept;
 }
 
-std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, const TaskControl& control) {
+std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, int components,
+                                                                  const TaskControl& control) {
   if (ids.size() < 2)
     throw Error("The training set has " + std::to_string(ids.size()) + (ids.size() == 1 ? " material" : " materials") +
                 "; it needs at least 2.");
@@ -77,7 +78,7 @@ std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringL
     return materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
   };
   return std::make_shared<const dictionary::PrincipalComponents>(
-      dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {}, control));
+      dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {.maxComponents = components}, control));
 }
 
 }  // namespace gonio::app

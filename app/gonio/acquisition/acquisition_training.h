@@ -37,10 +37,14 @@ QString baseName(const QString& id);
 /// The ids without this material and copies of it, which have the same baseName().
 QStringList without(const QStringList& ids, const QString& id);
 
-/// Reads the materials one after another and learns their principal components. About a second per material that is not
-/// a table. Memory: see PrincipalComponents.
+/// Maximum number of components with a fixed ridge, which permits more components than samples. The time for the
+/// uncertainty grows with the square of their number, and a component takes about 4 MB.
+inline constexpr int maxComponents = 100;
+
+/// Reads the materials one after another and learns their first principal components. About a second per material that
+/// is not a table. Memory: see learnPrincipalComponents().
 /// @throws Error that names the file, or if there are fewer than two materials; Cancelled.
-std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids,
+std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, int components,
                                                                   const TaskControl& control = {});
 
 }  // namespace gonio::app

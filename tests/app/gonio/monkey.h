@@ -79,7 +79,8 @@ class Monkey : public QObject {
     QTimer::singleShot(pauseMilliseconds, this, [this] {
       m_isScheduled = false;
       const int level = QThread::currentThread()->loopLevel();
-      if (m_end.hasExpired() && !isInDialog() && level == m_playLevel) return;
+      // An act that is not over may still open a dialog.
+      if (m_end.hasExpired() && !isInDialog() && !m_acting && level == m_playLevel) return;
       next();
       // Not in the middle of an act, but in the loop of a dialog that the act has opened.
       if (m_acting && level <= m_level) return;
@@ -104,6 +105,11 @@ class Monkey : public QObject {
     if (qobject_cast<QFileDialog*>(where) || m_stuck > patience) {
       note("closes " + QString(where->metaObject()->className()));
       m_stuck = 0;
+      where->close();
+      return;
+    }
+    if (where != &m_window && where->isWindow() && below(12) == 0) {
+      note("closes " + QString(where->metaObject()->className()));
       where->close();
       return;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <fcntl.h>
 #include <pty.h>
 #include <unistd.h>
 
@@ -33,6 +34,63 @@ class GoniotoolSignalsTest : public QObject {
     QCOMPARE(run.endedBySignal, signal);
     QVERIFY2(run.error.endsWith("goniotool: interrupted\n"), qPrintable(run.error));
     QVERIFY(!QFile::exists(image_));
+  }
+
+  /// As `timeout` sends it: to the process, then to its group.
+  void repeatedAtOnceASignalCountsOnce() {
+    QProcess process;
+    process.setChildProcessModifier([] { std::signal(SIGTERM, SIG_DFL); });
+    process.start(GONIO_TOOL, longCommand());
+    process.setReadChannel(QProcess::StandardError);
+    QVERIFY(process.waitForReadyRead(60000));
+    for (int i = 0; i < 20; ++i) {
+      ::kill(pid_t(process.processId()), SIGTERM);
+      ::usleep(1000);
+    }
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), SIGTERM);
+    QVERIFY(process.readAllStandardError().endsWith("goniotool: interrupted\n"));
+  }
+
+  /// Of whatever kind, where the first one does not stop the work: here, because nobody reads the progress.
+  void aLaterSignalEndsTheProgram() {
+    int full[2];
+    QCOMPARE(::pipe(full), 0);
+    const int size = ::fcntl(full[1], F_GETPIPE_SZ);
+    QCOMPARE(::write(full[1], QByteArray(size, ' ').data(), std::size_t(size)), ssize_t(size));
+    QProcess process;
+    process.setChildProcessModifier([&full] {
+      for (const int signal : {SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+      ::dup2(full[1], STDERR_FILENO);
+    });
+    process.start(GONIO_TOOL, longCommand());
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(500);
+    ::kill(pid_t(process.processId()), SIGTERM);
+    QVERIFY(!process.waitForFinished(1000));
+    ::kill(pid_t(process.processId()), SIGHUP);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), SIGHUP);
+    for (const int end : full) ::close(end);
+  }
+
+  /// Neither by a part of its new results nor by none, and the folder no longer counts as a complete shard.
+  void anInterruptedStudyReplacesNoResults() {
+    const QString out = folder_.path("study"), shard = out + "/shard.json";
+    const QStringList study{"study", plastic_,     "--representations", "fits", "--models",   "lambert",
+                            "ggx",   "--no-times", "--shard",           "1/1",  "--progress", "--out",
+                            out};
+    const auto results = [&] {
+      QFile file(out + "/plastic.json");
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    QCOMPARE(runTool(study + QStringList{"--size", "16"}).code, 0);
+    const QByteArray before = results();
+    QVERIFY(!before.isEmpty() && QFile::exists(shard));
+    const Interruption stopped = interrupt(study + QStringList{"--samples", "300"}, SIGTERM, "studying");
+    QCOMPARE(stopped.endedBySignal, 0);
+    QCOMPARE(results(), before);
+    QVERIFY(!QFile::exists(shard));
   }
 
   /// Not behind the progress that stands there.

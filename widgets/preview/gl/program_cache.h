@@ -15,8 +15,8 @@ namespace gonio::widgets {
 /// its own, so that only those that were used last are kept. The context must be current in all calls.
 class ProgramCache {
  public:
-  /// More than one picture needs, and than the combinations between which someone switches back and forth. A program of
-  /// a scene takes about 2 MB with software OpenGL.
+  /// More than a single picture needs, and more than the combinations that a user is likely to switch between. A
+  /// program of a scene takes about 2 MB with software OpenGL.
   static constexpr std::size_t mostPrograms = 32;
 
   /// The program with the given fragment shader, assembled and linked unless it is kept. The reference is valid until
@@ -26,7 +26,8 @@ class ProgramCache {
 
   /// The listener is called before a program is compiled, which can take a second.
   void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
-  /// The number of vectors for withFlatUniforms(), by which programs are then transformed. Frees all programs.
+  /// Transforms programs with withFlatUniforms(), given this number of vectors; nullopt: no transformation. Frees all
+  /// programs.
   void setFlatVectors(std::optional<int> vectors);
 
  private:
