@@ -125,16 +125,18 @@ class LibraryViewTest : public QObject {
     view.show();
     QToolButton* chip = view.chips().chip("Favourites");
     chip->setChecked(true);
-    const auto shown = [chip](const QPalette& theme) {
+    const auto shown = [chip](const QPalette& theme, const QString& styleSheet) {
       QApplication::setPalette(theme);
+      qApp->setStyleSheet(styleSheet);
       QCoreApplication::processEvents();
       return chip->palette().color(QPalette::Button);
     };
     const QPalette before = QApplication::palette();
     QPalette other = before;
     other.setColor(QPalette::Highlight, QColor(1, 2, 3));
-    QCOMPARE(shown(other), QColor(1, 2, 3));
-    QCOMPARE(shown(before), before.color(QPalette::Highlight));
+    QCOMPARE(shown(other, "QFrame#a { border: none; }"), QColor(1, 2, 3));
+    QCOMPARE(shown(before, "QFrame#b { border: none; }"), before.color(QPalette::Highlight));
+    qApp->setStyleSheet({});
   }
 
   void chipsChooseWhatIsShown() {

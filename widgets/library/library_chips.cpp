@@ -78,7 +78,9 @@ void LibraryChips::followTags() {
 
 void LibraryChips::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) std::ranges::for_each(m_chips, [](QToolButton* chip) { colour(*chip); });
+  // A new style sheet takes their palettes from widgets.
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
+  for (QToolButton* chip : m_chips) colour(*chip);
 }
 
 QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip) {
