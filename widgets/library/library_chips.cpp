@@ -6,6 +6,7 @@
 #include <QHash>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/inputs/flow_layout.h"
 
@@ -14,15 +15,35 @@ namespace gonio::widgets {
 namespace {
 QString sentenceCase(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
-/// The style's own look of a button that is down is hard to see on a dark ground.
-void colour(QToolButton& chip) {
-  QPalette palette;
-  if (chip.isChecked()) {
-    palette.setColor(QPalette::Button, palette.color(QPalette::Highlight));
-    palette.setColor(QPalette::ButtonText, palette.color(QPalette::HighlightedText));
+/// A button with the accent colour while it is pressed: the style's own look is hard to see on a dark ground.
+class Chip final : public QToolButton {
+ public:
+  Chip() {
+    setCheckable(true);
+    connect(this, &QToolButton::toggled, this, &Chip::colour);
   }
-  chip.setPalette(palette);
-}
+
+ protected:
+  /// A new theme sets the palette of each widget, and its style sheet takes it away again.
+  void changeEvent(QEvent* event) override {
+    QToolButton::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) colour();
+  }
+
+ private:
+  void colour() {
+    if (std::exchange(m_colouring, true)) return;
+    QPalette palette;
+    if (isChecked()) {
+      palette.setColor(QPalette::Button, palette.color(QPalette::Highlight));
+      palette.setColor(QPalette::ButtonText, palette.color(QPalette::HighlightedText));
+    }
+    setPalette(palette);
+    m_colouring = false;
+  }
+
+  bool m_colouring = false;
+};
 }  // namespace
 
 LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
@@ -76,20 +97,11 @@ void LibraryChips::followTags() {
   if (m_model.tags() != m_tags) rebuild();
 }
 
-void LibraryChips::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  // A new style sheet takes their palettes from widgets.
-  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::StyleChange) return;
-  for (QToolButton* chip : m_chips) colour(*chip);
-}
-
 QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip) {
-  auto* chip = new QToolButton;
+  auto* chip = new Chip;
   chip->setText(text);
   chip->setToolTip(toolTip);
-  chip->setCheckable(true);
   chip->setFocusPolicy(Qt::StrongFocus);
-  connect(chip, &QToolButton::toggled, chip, [chip] { colour(*chip); });
   layout()->addWidget(chip);
   m_chips.push_back(chip);
   return chip;

@@ -27,9 +27,6 @@ class LibraryChips : public QWidget {
  Q_SIGNALS:
   void filterChanged();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void rebuild();
   void followTags();
