@@ -38,18 +38,9 @@ class GoniotoolSignalsTest : public QObject {
 
   /// As `timeout` sends it: to the process, then to its group.
   void repeatedAtOnceASignalCountsOnce() {
-    QProcess process;
-    process.setChildProcessModifier([] { std::signal(SIGTERM, SIG_DFL); });
-    process.start(GONIO_TOOL, longCommand());
-    process.setReadChannel(QProcess::StandardError);
-    QVERIFY(process.waitForReadyRead(60000));
-    for (int i = 0; i < 20; ++i) {
-      ::kill(pid_t(process.processId()), SIGTERM);
-      ::usleep(1000);
-    }
-    QVERIFY(process.waitForFinished(60000));
-    QCOMPARE(process.exitCode(), SIGTERM);
-    QVERIFY(process.readAllStandardError().endsWith("goniotool: interrupted\n"));
+    const Interruption run = interrupt(longCommand(), SIGTERM, "rendering", 3);
+    QCOMPARE(run.endedBySignal, SIGTERM);
+    QVERIFY2(run.error.endsWith("goniotool: interrupted\n"), qPrintable(run.error));
   }
 
   /// Of whatever kind, where the first one does not stop the work: here, because nobody reads the progress.
