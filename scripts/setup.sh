@@ -12,6 +12,12 @@ fail() {
 
 package_names() { sed -e 's/#.*//' -e 's/[[:space:]].*//' -e '/^$/d' "$root/scripts/packages-debian.txt"; }
 
+# Also the names that installed packages provide: what is a package in Debian 12 may be a part of another in Debian 13.
+installed_names() {
+  dpkg-query -W -f '${db:Status-Status}, ${Package}, ${Provides}\n' | sed -n 's/^installed, //p' | tr ',' '\n' |
+    sed -e 's/(.*//' -e 's/ //g'
+}
+
 # Installs the missing packages of scripts/packages-debian.txt, saying which and what each is for.
 install_packages() {
   if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg-query >/dev/null 2>&1; then
@@ -20,9 +26,10 @@ install_packages() {
     sed -e '/^#/d' -e 's/^/         /' "$root/scripts/packages-debian.txt" >&2
     return 0
   fi
-  local missing=() name
+  local missing=() installed name
+  installed=$(installed_names)
   while read -r name; do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
+    grep -qxF "$name" <<<"$installed" || missing+=("$name")
   done < <(package_names)
   [ ${#missing[@]} -eq 0 ] && return 0
   printf 'gonio: installing %d Debian packages that are missing:\n' ${#missing[@]}

@@ -115,9 +115,7 @@ std::optional<MeshHit> MeshIntersector::closest(const glm::dvec3& origin, const 
   const std::optional<RTCRay> ray = scene_->localRay(origin, direction, tMin, tMax);
   if (!ray) return std::nullopt;
   RTCRayHit found = emptyHit(*ray);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_->scene, &context, &found);
+  intersect(scene_->scene, found);
   if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   const std::size_t index = found.hit.primID;
@@ -138,9 +136,7 @@ std::optional<MeshHit> MeshIntersector::closest(const glm::dvec3& origin, const 
 bool MeshIntersector::occluded(const glm::dvec3& origin, const glm::dvec3& direction, double tMin, double tMax) const {
   std::optional<RTCRay> ray = scene_->localRay(origin, direction, tMin, tMax);
   if (!ray) return false;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_->scene, &context, &*ray);
+  occlude(scene_->scene, *ray);
   return ray->tfar < 0;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <benchmark/benchmark.h>
-#include <embree3/rtcore.h>
 
 #include <filesystem>
 #include <limits>
 #include <random>
 
 #include "core/geometry/bundled_meshes.h"
+#include "core/geometry/embree_device.h"
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/obj_file.h"
 
@@ -140,9 +140,7 @@ void meshEmbreeFloorShaderBall(benchmark::State& state) {
     hit.ray.tfar = std::numeric_limits<float>::infinity();
     hit.ray.mask = ~0u;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene, &context, &hit);
+    intersect(scene, hit);
     return hit.ray.tfar;
   });
   rtcReleaseScene(scene);

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# Embree 4 or 3, the target `embree` (core/geometry/embree_device.h has the differences).
+find_package(embree 4 QUIET CONFIG)
+if(NOT embree_FOUND)
+  find_package(embree 3 REQUIRED CONFIG)
+endif()
