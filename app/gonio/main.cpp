@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QSettings>
+#include <csignal>
 #include <utility>
 
 #include "app/gonio/library/bundled_thumbnails.h"
@@ -72,6 +73,8 @@ void openFiles(MainWindow& first, const QStringList& files, const QList<Recovera
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows beyond `ulimit -f` is an error of writing, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   printWithoutDisplay(argc, argv);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));

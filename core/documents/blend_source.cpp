@@ -46,6 +46,19 @@ std::string nameOf(const EditDocument& material) {
   return std::filesystem::path(material.sourcePath.substr(material.sourcePath.rfind(':') + 1)).stem().string();
 }
 
+int depthOf(const BlendSource& blend) {
+  int deepest = 0;
+  for (const EditDocument& material : blend.materials)
+    if (material.blend) deepest = std::max(deepest, depthOf(*material.blend));
+  return deepest + 1;
+}
+
+std::size_t materialsIn(const BlendSource& blend) {
+  std::size_t count = 0;
+  for (const EditDocument& material : blend.materials) count += material.blend ? materialsIn(*material.blend) : 1;
+  return count;
+}
+
 std::string nodesNote(const std::string& name, double accuracy) {
   return "The RGL files were resampled to the angles of " + name +
          " for the blend. Reflected light over its error: " + std::to_string(std::lround(accuracy)) +
@@ -93,6 +106,15 @@ InterpolationOptions blendOptions(const models::Model* model) {
   return options;
 }
 
+void checkLimits(const BlendSource& blend) {
+  if (const int depth = depthOf(blend); depth > maxBlendsInBlends)
+    throw Error("found " + std::to_string(depth) + " nested blends, expected at most " +
+                std::to_string(maxBlendsInBlends));
+  if (const std::size_t count = materialsIn(blend); count > maxBlendMaterials)
+    throw Error("found a blend of " + std::to_string(count) + " materials, expected at most " +
+                std::to_string(maxBlendMaterials));
+}
+
 nlohmann::json toJson(const BlendSource& blend) {
   nlohmann::json materials = nlohmann::json::array();
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
@@ -137,6 +159,7 @@ std::string blendSha256(const BlendSource& blend) {
 
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control) {
+  checkLimits(blend);
   materials::Material material;
   std::string names, fractions;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {

@@ -34,6 +34,11 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
 nlohmann::json toJson(const BlendSource& blend);
 /// Maximum depth of blends inside blends.
 inline constexpr int maxBlendsInBlends = 16;
+/// Maximum number of materials of a blend and of the blends inside it: each is read and sampled, 0.1 to 0.4 s.
+inline constexpr std::size_t maxBlendMaterials = 64;
+/// @throws Error that states which of the two limits is exceeded.
+void checkLimits(const BlendSource& blend);
+
 /// @param where the object's path in its document, for errors, e.g. "source.blend". @param version of the document.
 /// @param depth 1 for a document's own blend.
 /// @throws Error as documentFromJson(), and for invalid weights or more than maxBlendsInBlends nested blends.
@@ -47,7 +52,7 @@ std::string blendSha256(const BlendSource& blend);
 /// A blend as a material, named after its materials, without a path. A blend of UTIA files, or of RGL files, has their
 /// form where nativeFormBlend() finds one; for RGL files a note states the accuracy. Otherwise it is a weighted sum if
 /// some material is not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the
-/// prepared interpolation of `blend`. @throws Cancelled.
+/// prepared interpolation of `blend`. @throws Error as checkLimits(), Cancelled.
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control = {});
 

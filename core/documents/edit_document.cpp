@@ -92,6 +92,26 @@ Edit editFromJson(const nlohmann::json& json, const std::string& where) {
   return edit;
 }
 
+template <class Check>
+void withPlaceInErrors(const std::string& place, const Check& check) {
+  try {
+    check();
+  } catch (const Error& error) {
+    throw Error(place + ": " + error.what());
+  }
+}
+
+EditList editsFromJson(const JsonObject& object, int version) {
+  const nlohmann::json& edits = object.array("edits");
+  EditList list;
+  // One more than the limit is enough to see that there are too many.
+  for (std::size_t i = 0; i < std::min(edits.size(), maxEdits + 1); ++i)
+    list.push_back(
+        editFromJson(migratedEdit(edits[i], version), object.place("edits") + "[" + std::to_string(i) + "]"));
+  withPlaceInErrors(object.place("edits"), [&] { checkLimits(list); });
+  return list;
+}
+
 int readVersion(const JsonObject& root) {
   if (root.text("format") != formatName) root.fail("format", "\"" + std::string(formatName) + "\"");
   const std::string expected = "a version from 1 to " + std::to_string(EditDocument::currentVersion);
@@ -152,6 +172,7 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   if (source.contains("blend")) {
     document.blend =
         blendSourceFromJson(source.member("blend", "an object"), source.place("blend"), version, depth + 1);
+    if (depth == 0) withPlaceInErrors(source.place("blend"), [&] { checkLimits(*document.blend); });
   } else {
     document.sourcePath = source.text("path");
     if (document.sourcePath.empty()) source.fail("path", "the path of a material");
@@ -165,10 +186,7 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   }
   document.sourceSha256 = source.text("sha256");
   if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 lower-case hexadecimal digits");
-  const nlohmann::json& edits = object.array("edits");
-  for (std::size_t i = 0; i < edits.size(); ++i)
-    document.edits.push_back(
-        editFromJson(migratedEdit(edits[i], version), object.place("edits") + "[" + std::to_string(i) + "]"));
+  document.edits = editsFromJson(object, version);
   return document;
 }
 

@@ -3,19 +3,31 @@
 #include "core/documents/open_material.h"
 
 #include <algorithm>
-#include <cctype>
-#include <fstream>
+#include <string_view>
 
 #include "core/documents/blend_source.h"
+#include "core/io/byte_source.h"
 
 namespace gonio::editing {
 
+namespace {
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+}  // namespace
+
 bool isDocument(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  char first = 0;
-  while (stream.get(first) && std::isspace(static_cast<unsigned char>(first))) {
+  constexpr std::size_t maxStart = 4096;
+  std::vector<std::byte> start;
+  try {
+    const io::FileSource source(path);
+    start.resize(std::min<std::uint64_t>(source.size(), maxStart));
+    source.readAt(0, start);
+  } catch (const Error&) {  // reading the material reports the error
+    return false;
   }
-  return stream && first == '{';
+  std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
+  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");
+  return first != text.npos && text[first] == '{';
 }
 
 EditedMaterial openWithEdits(const std::string& path, const TaskControl& control) {

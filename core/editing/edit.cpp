@@ -12,6 +12,7 @@
 #include "core/coordinates/azimuth_rotation.h"
 #include "core/editing/lobe_change.h"
 #include "core/math/parallel.h"
+#include "core/support/number_text.h"
 
 namespace gonio::editing {
 
@@ -103,7 +104,8 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
   }
 }
 
-/// A base with one edit by lobes, or with any number of others.
+/// A base with edits. All are in one object, so that neither evaluation nor destruction recurses over a long list; only
+/// an edit by lobes that changes widths evaluates those before it again (maxBaseEvaluations).
 class EditedBrdf final : public Brdf {
  public:
   EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
@@ -113,7 +115,7 @@ class EditedBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     for (std::size_t begin = 0; begin < pairs.size(); begin += chunkSize) {
       const std::size_t count = std::min(chunkSize, pairs.size() - begin);
-      evaluateChunk(pairs.subspan(begin, count), values.subspan(begin, count));
+      evaluateFirst(edits_.size(), pairs.subspan(begin, count), values.subspan(begin, count));
     }
   }
 
@@ -125,22 +127,39 @@ class EditedBrdf final : public Brdf {
   }
 
  private:
-  void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+  /// The base with the first edits, for at most chunkSize pairs at once.
+  class FirstEdits final : public Brdf {
+   public:
+    FirstEdits(const EditedBrdf& all, std::size_t count) : all_(all), count_(count) {}
+    void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+      all_.evaluateFirst(count_, pairs, values);
+    }
+    bool hasData(const DirectionPair& pair) const override { return all_.hasData(pair); }
+
+   private:
+    const EditedBrdf& all_;
+    std::size_t count_;
+  };
+
+  /// The base with the first `count` edits, for at most chunkSize pairs.
+  void evaluateFirst(std::size_t count, std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+    assert(pairs.size() <= chunkSize);
     base_->evaluate(pairs, values);
     std::array<bool, chunkSize> known;
     for (std::size_t i = 0; i < pairs.size(); ++i) known[i] = values[i] != Rgb(0) || base_->hasData(pairs[i]);
-    if (edits_.front().lobes)
-      addLobes(pairs, values);
-    else
-      addEdits(edits_, pairs, values, floor_);
+    for (std::size_t i = 0; i < count; ++i)
+      if (edits_[i].lobes)
+        addLobes(i, pairs, values);
+      else
+        addEdits(std::span(edits_).subspan(i, 1), pairs, values, floor_);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (!known[i]) values[i] = Rgb(0);
   }
 
-  void addLobes(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+  void addLobes(std::size_t index, std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
     std::array<Rgb, chunkSize> changes{};
-    const ActiveEdit& edit = edits_.front();
-    edit.lobes->evaluate(*base_, pairs, values, std::span(changes).first(pairs.size()));
+    const ActiveEdit& edit = edits_[index];
+    edit.lobes->evaluate(FirstEdits(*this, index), pairs, values, std::span(changes).first(pairs.size()));
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = changed(values[i], edit.strength * changes[i], floor_);
   }
 
@@ -196,21 +215,11 @@ std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
   return capped;
 }
 
-/// One EditedBrdf after another: an edit by lobes asks the ones before it for other directions.
+/// The base itself without edits.
 std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, const std::vector<ActiveEdit>& active,
                                        double floor) {
-  std::vector<ActiveEdit> together;
-  const auto flush = [&] {
-    if (!together.empty()) base = std::make_shared<const EditedBrdf>(std::move(base), std::move(together), floor);
-    together.clear();
-  };
-  for (const ActiveEdit& edit : active) {
-    if (edit.lobes) flush();
-    together.push_back(edit);
-    if (edit.lobes) flush();
-  }
-  flush();
-  return base;
+  if (active.empty()) return base;
+  return std::make_shared<const EditedBrdf>(std::move(base), active, floor);
 }
 
 std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base,
@@ -267,6 +276,20 @@ bool Edit::isIdentity() const {
 
 bool isIdentity(std::span<const Edit> edits) {
   return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isIdentity(); });
+}
+
+void checkLimits(std::span<const Edit> edits) {
+  if (edits.size() > maxEdits) throw Error("found more than " + std::to_string(maxEdits) + " edits, the limit");
+  double evaluations = 1;
+  for (const Edit& edit : edits) {
+    const auto* change = std::get_if<DifferentialEdit>(&edit.content);
+    if (change && change->composition == Composition::lobes && !edit.isIdentity())
+      evaluations *= 1 + double(widthChanges(*change));
+  }
+  if (evaluations > maxBaseEvaluations)
+    throw Error("the edits that change the width of highlights are too many: the measurement would be evaluated " +
+                numberText(evaluations) + " times for each value, expected at most " + numberText(maxBaseEvaluations) +
+                "; use one edit for several changes, or the additive composition");
 }
 
 bool isAnisotropic(const Edit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }

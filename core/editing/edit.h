@@ -30,6 +30,14 @@ struct Edit {
 /// Edits in the order of application; may contain several of one kind.
 using EditList = std::vector<Edit>;
 
+/// Maximum number of edits of a material.
+inline constexpr std::size_t maxEdits = 100;
+/// Maximum number of evaluations of the base per evaluation of the edited BRDF. An edit by lobes that changes widths
+/// evaluates the edits before it again at other directions, for each change of width, so that these numbers multiply.
+inline constexpr double maxBaseEvaluations = 1024;
+/// @throws Error that states which of the limits is exceeded. Edits without an effect count only as edits.
+void checkLimits(std::span<const Edit> edits);
+
 /// Whether all edits leave every base bitwise unchanged.
 bool isIdentity(std::span<const Edit> edits);
 /// Whether the change depends on the azimuth, so that an isotropic table cannot represent it. Always false for factors.

@@ -85,6 +85,15 @@ std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit) {
   return changesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
 
+std::size_t widthChanges(const DifferentialEdit& edit) {
+  std::vector<LobeWarp> warps;
+  for (const LobeEffect& effect : lobeEffects(edit))
+    if (effect.kind != LobeEffect::none && !effect.warp.isIdentity() &&
+        std::ranges::find(warps, effect.warp) == warps.end())
+      warps.push_back(effect.warp);
+  return warps.size();
+}
+
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
   constexpr double darkest = 1e-30, minChannel = 1e-6;
   const double before = luminance(fitted), after = luminance(edited);

@@ -84,5 +84,8 @@ struct LobeEffect {
 };
 /// The change of each lobe, for the preview's shader. Only for models with lobes.
 std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit);
+/// Number of distinct changes of width: LobeChange::evaluate() evaluates the base again for each. Only for models with
+/// lobes.
+std::size_t widthChanges(const DifferentialEdit& edit);
 
 }  // namespace gonio::editing

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <list>
+#include <utility>
 #include <vector>
 
 #include "core/support/error.h"
@@ -20,10 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// For mkstemp().
+std::string unusedName(const fs::path& target) { return target.string() + ".XXXXXX"; }
+
 /// A temporary file that is removed again unless it was renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
+  explicit TemporaryFile(const fs::path& target) : target_(target), name_(unusedName(target)) {
     descriptor_ = ::mkstemp(name_.data());
     if (descriptor_ < 0) fail();
   }
@@ -73,6 +77,42 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
+/// A file that is about to be replaced. It has a second name as long as this object exists, where the file system has
+/// hard links.
+class OldFile {
+ public:
+  explicit OldFile(fs::path target) : target_(std::move(target)) {
+    struct stat status {};
+    existed_ = ::lstat(target_.c_str(), &status) == 0;
+    if (!existed_) return;
+    std::string name = unusedName(target_);
+    const int descriptor = ::mkstemp(name.data());
+    if (descriptor < 0) return;
+    ::close(descriptor);
+    ::unlink(name.c_str());
+    if (::link(target_.c_str(), name.c_str()) == 0) secondName_ = name;
+  }
+  ~OldFile() {
+    if (!secondName_.empty()) ::unlink(secondName_.c_str());
+  }
+  OldFile(const OldFile&) = delete;
+  OldFile& operator=(const OldFile&) = delete;
+
+  const fs::path& target() const { return target_; }
+  /// Undoes the replacement. @return false if that is impossible.
+  bool restore() {
+    if (!existed_) return ::unlink(target_.c_str()) == 0;
+    if (secondName_.empty() || ::rename(secondName_.c_str(), target_.c_str()) != 0) return false;
+    secondName_.clear();
+    return true;
+  }
+
+ private:
+  fs::path target_;
+  bool existed_ = false;
+  std::string secondName_;
+};
+
 /// Makes the rename itself survive a power failure. Not every file system can: no error.
 void flushFolder(const fs::path& folder) {
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -83,11 +123,25 @@ void flushFolder(const fs::path& folder) {
 
 /// The file that is replaced: through a link the one that it points to, not the link.
 fs::path targetOf(const fs::path& path) {
+  if (path.native().find('\0') != std::string::npos)
+    throw Error(std::string(path.c_str()) + ": cannot be written: found a NUL character in the path");
   std::error_code ignored;
   fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-  if (target.filename().empty() || fs::is_directory(target, ignored))
-    throw Error(path.string() + ": cannot be written: found a folder, expected the name of a file");
+  const auto refuse = [&](const char* found) {
+    throw Error(path.string() + ": cannot be written: found " + found + ", expected the name of a file");
+  };
+  if (target.filename().empty() || fs::is_directory(target, ignored)) refuse("a folder");
+  // Renaming would replace /dev/null itself.
+  if (fs::is_other(target, ignored)) refuse("a device, a pipe or a socket");
   return target;
+}
+
+/// @throws Error that extends `cause`, if a file cannot be restored.
+void restoreAll(std::list<OldFile>& replaced, const Error& cause) {
+  std::string lost;
+  for (OldFile& file : replaced)
+    if (!file.restore()) lost += (lost.empty() ? "" : ", ") + file.target().string();
+  if (!lost.empty()) throw Error(std::string(cause.what()) + "; already replaced: " + lost);
 }
 
 }  // namespace
@@ -106,23 +160,23 @@ void writeFileAtomically(const fs::path& path, std::span<const std::byte> conten
 
 void writeFilesAtomically(std::span<const FileContent> files) {
   std::list<TemporaryFile> written;
-  std::vector<fs::path> targets, added;
+  std::vector<fs::path> targets;
   for (const FileContent& file : files) {
     targets.push_back(targetOf(file.path));
     written.emplace_back(targets.back());
     written.back().write(file.content);
     written.back().flush();
   }
+  std::list<OldFile> replaced;
   try {
-    for (std::size_t i = 0; i < targets.size(); ++i, written.pop_front()) {
-      std::error_code ignored;
-      const bool isNew = !fs::exists(targets[i], ignored);
-      written.front().replaceTarget();
-      if (isNew) added.push_back(targets[i]);
+    for (TemporaryFile& file : written) {
+      // A single file needs no second name: nothing can fail after its rename.
+      if (targets.size() > 1) replaced.emplace_back(targets[replaced.size()]);
+      file.replaceTarget();
     }
-  } catch (...) {
-    std::error_code ignored;
-    for (const fs::path& path : added) fs::remove(path, ignored);
+  } catch (const Error& error) {
+    if (!replaced.empty()) replaced.pop_back();  // the one that failed is as it was
+    restoreAll(replaced, error);
     throw;
   }
   for (const fs::path& target : targets) flushFolder(target.parent_path());

@@ -6,13 +6,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "core/support/error.h"
 
 namespace gonio::io {
+
+namespace {
+/// What is read between two looks at the stop token.
+constexpr std::size_t maxPieceBytes = std::size_t(1) << 26;
+}  // namespace
 
 std::vector<std::byte> ByteSource::readAll(std::uint64_t maxBytes) const {
   if (size() > maxBytes)
@@ -22,14 +29,15 @@ std::vector<std::byte> ByteSource::readAll(std::uint64_t maxBytes) const {
   return bytes;
 }
 
-FileSource::FileSource(const std::filesystem::path& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+FileSource::FileSource(const std::filesystem::path& path, std::stop_token stop) : stop_(std::move(stop)) {
+  if (path.native().find('\0') != std::string::npos) throw Error("found a NUL character in the path");
+  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) throw Error(std::string("cannot be opened: ") + std::strerror(errno));
   struct stat status {};
   const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   if (!regular) {
     ::close(descriptor_);
-    throw Error("found a folder or a device, expected a file");
+    throw Error("found a folder, a device, a pipe or a socket, expected a file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -39,8 +47,9 @@ FileSource::~FileSource() { ::close(descriptor_); }
 void FileSource::readAt(std::uint64_t offset, std::span<std::byte> target) const {
   std::size_t done = 0;
   while (done < target.size()) {
-    const ssize_t count =
-        ::pread(descriptor_, target.data() + done, target.size() - done, static_cast<off_t>(offset + done));
+    if (stop_.stop_requested()) throw Cancelled();
+    const std::size_t piece = std::min(target.size() - done, maxPieceBytes);
+    const ssize_t count = ::pread(descriptor_, target.data() + done, piece, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw Error(std::string("cannot be read: ") + std::strerror(errno));
     if (count == 0)

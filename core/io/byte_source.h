@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace gonio::io {
@@ -19,7 +20,7 @@ class ByteSource {
   virtual std::uint64_t size() const = 0;
   /// Fills `target` from `offset`.
   /// @throws Error if the source ends too early (such as a file that was truncated meanwhile) or the system reports an
-  /// error.
+  /// error; Cancelled.
   virtual void readAt(std::uint64_t offset, std::span<std::byte> target) const = 0;
 
   /// All bytes.
@@ -29,8 +30,9 @@ class ByteSource {
 
 class FileSource final : public ByteSource {
  public:
-  /// @throws Error that states the system's reason; also for folders and devices.
-  explicit FileSource(const std::filesystem::path& path);
+  /// @param stop makes readAt() throw Cancelled, within 64 MiB.
+  /// @throws Error that states the system's reason; also for folders, devices, pipes and sockets, without waiting.
+  explicit FileSource(const std::filesystem::path& path, std::stop_token stop = {});
   ~FileSource() override;
   FileSource(const FileSource&) = delete;
   FileSource& operator=(const FileSource&) = delete;
@@ -41,6 +43,7 @@ class FileSource final : public ByteSource {
  private:
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+  std::stop_token stop_;
 };
 
 /// Bytes in memory, which must outlive this object.

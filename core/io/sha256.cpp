@@ -68,10 +68,11 @@ std::string sha256Hex(std::span<const std::byte> bytes) {
 
 std::string sha256Hex(std::string_view text) { return sha256Hex(std::as_bytes(std::span(text))); }
 
-std::string sha256Hex(const ByteSource& source) {
+std::string sha256Hex(const ByteSource& source, const std::stop_token& stop) {
   Sha256 hash;
   std::vector<std::byte> piece(std::min<std::uint64_t>(source.size(), pieceBytes));
   for (std::uint64_t offset = 0; offset < source.size(); offset += piece.size()) {
+    if (stop.stop_requested()) throw Cancelled();
     piece.resize(std::min<std::uint64_t>(source.size() - offset, pieceBytes));
     source.readAt(offset, piece);
     hash.add(piece);

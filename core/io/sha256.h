@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,7 @@ class Sha256 {
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
 /// SHA-256 of all bytes of a source, read in pieces. About 20 ms for 35 MB on a processor with SHA instructions.
-std::string sha256Hex(const ByteSource& source);
+/// @throws Cancelled after a stop.
+std::string sha256Hex(const ByteSource& source, const std::stop_token& stop = {});
 
 }  // namespace gonio::io

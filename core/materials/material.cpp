@@ -40,17 +40,24 @@ std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& cont
 Material readMaterial(const io::ByteSource& source, const TaskControl& control) {
   // Large files are hashed while they are read; small ones afterwards, because starting a thread would take longer.
   const auto launch = source.size() > (std::size_t(1) << 18) ? std::launch::async : std::launch::deferred;
-  auto hash = std::async(launch, [&source] { return io::sha256Hex(source); });
-  Material material = readFormat(source, control);
-  material.source.sha256 = hash.get();
-  return material;
+  // Its destructor waits for the hash, which nobody needs once reading has failed.
+  std::stop_source failed;
+  auto hash = std::async(launch, [&source, stop = failed.get_token()] { return io::sha256Hex(source, stop); });
+  try {
+    Material material = readFormat(source, control);
+    material.source.sha256 = hash.get();
+    return material;
+  } catch (...) {
+    failed.request_stop();
+    throw;
+  }
 }
 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string(), control);
   if (isNpfRow(path)) return readNpfRow(path);
   return withFileInErrors(path, [&] {
-    Material material = readMaterial(io::FileSource(path), control);
+    Material material = readMaterial(io::FileSource(path, control.stop), control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();
     return material;

@@ -17,7 +17,8 @@ auto withFileInErrors(const std::filesystem::path& path, Work work) {
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
+    // Messages end at a NUL character, which a path from a document may have.
+    throw Error(std::string(path.c_str()) + ": " + error.what());
   }
 }
 

@@ -28,7 +28,6 @@ constexpr int controlEms = 20;
 
 AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
-      m_document(document),
       m_session(tasks),
       m_controls(new AcquisitionControls),
       m_source(new MeasuredMaterialSource(document, m_session, *m_controls)),
@@ -113,6 +112,7 @@ void AcquisitionPanel::connectSession() {
 void AcquisitionPanel::connectParts() {
   connect(&m_controls->measuredMaterial(), &MeasuredMaterialRows::wanted, this,
           &AcquisitionPanel::measuredMaterialRequested);
+  connect(&m_session, &AcquisitionSession::materialMade, this, &AcquisitionPanel::materialMade);
   connect(m_files, &AcquisitionFiles::exported, this, &AcquisitionPanel::exported);
   connect(m_files, &AcquisitionFiles::failed, this, &AcquisitionPanel::failed);
   connect(m_charts, &AcquisitionCharts::currentChanged, this, &AcquisitionPanel::mark);
@@ -175,13 +175,13 @@ void AcquisitionPanel::refresh() {
 void AcquisitionPanel::openResult() {
   if (!m_session.result()) return;
   m_source->fixOpenMaterial();
-  m_session.open(m_document, reconstructionFolder());
+  m_session.open(reconstructionFolder());
 }
 
 void AcquisitionPanel::openPrediction() {
   if (!m_factors->result()) return;
   m_source->fixOpenMaterial();
-  m_session.openTable(m_document, m_factors->result()->table, m_factors->resultName(), reconstructionFolder());
+  m_session.openTable(m_factors->result()->table, m_factors->resultName(), reconstructionFolder());
 }
 
 }  // namespace gonio::app

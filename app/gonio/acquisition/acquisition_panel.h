@@ -56,6 +56,8 @@ class AcquisitionPanel : public QWidget {
   /// The user wants to choose the measured material.
   void measuredMaterialRequested();
   void exported(const QString& path);
+  /// As AcquisitionSession::materialMade().
+  void materialMade(const LoadedMaterialPtr& material, const QString& text);
   void failed(const QString& title, const QString& text);
 
  protected:
@@ -72,7 +74,6 @@ class AcquisitionPanel : public QWidget {
   void openResult();
   void openPrediction();
 
-  Document& m_document;
   AcquisitionSession m_session;
   bool m_pageChosen = false;  ///< whether the user has chosen a page since the last start
   AcquisitionControls* m_controls;

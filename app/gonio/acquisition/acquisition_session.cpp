@@ -210,11 +210,11 @@ QString AcquisitionSession::resultName() const {
   return tr("%1 from %n samples", nullptr, int(m_planner.samplingPlan().samples.size())).arg(m_resultOf);
 }
 
-void AcquisitionSession::open(Document& document, const QString& folder) {
-  if (m_result) openTable(document, m_result->reconstruction->table, resultName(), folder);
+void AcquisitionSession::open(const QString& folder) {
+  if (m_result) openTable(m_result->reconstruction->table, resultName(), folder);
 }
 
-void AcquisitionSession::openTable(Document& document, std::shared_ptr<const TabulatedBrdf> table, const QString& name,
+void AcquisitionSession::openTable(std::shared_ptr<const TabulatedBrdf> table, const QString& name,
                                    const QString& folder) {
   m_tasks.run<LoadedMaterialPtr>(
       {tr("Opening %1").arg(name), openKey},
@@ -227,9 +227,7 @@ void AcquisitionSession::openTable(Document& document, std::shared_ptr<const Tab
         materials::writeMaterial(*table, path);
         return loadMaterial(path, control);
       },
-      [&document, name](const LoadedMaterialPtr& material) {
-        document.replaceMaterial(material, tr("Open %1").arg(name));
-      },
+      [this, name](const LoadedMaterialPtr& material) { Q_EMIT materialMade(material, tr("Open %1").arg(name)); },
       [this, name](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(name), error); });
 }
 

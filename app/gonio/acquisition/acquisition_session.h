@@ -61,12 +61,10 @@ class AcquisitionSession : public QObject {
   const AcquisitionResultPtr& result() const { return m_result; }
   const std::vector<CurvePoint>& curve() const { return m_curve; }
 
-  /// Writes the reconstructed table into a folder, as a MERL file with the name resultName(), and makes it the
-  /// document's material: one undo step.
-  void open(Document& document, const QString& folder);
+  /// Writes the reconstructed table into a folder, as a MERL file with the name resultName(), and emits materialMade().
+  void open(const QString& folder);
   /// The same for any table. @param name of the material.
-  void openTable(Document& document, std::shared_ptr<const TabulatedBrdf> table, const QString& name,
-                 const QString& folder);
+  void openTable(std::shared_ptr<const TabulatedBrdf> table, const QString& name, const QString& folder);
   bool isOpening() const;
   /// "chrome from 20 samples"
   QString resultName() const;
@@ -80,6 +78,8 @@ class AcquisitionSession : public QObject {
   void curveChanged();
   /// The step or its progress changed.
   void progressed();
+  /// A material to open in the document's place, and the name of the undo step.
+  void materialMade(const LoadedMaterialPtr& material, const QString& text);
   void failed(const QString& title, const QString& text);
 
  private:

@@ -6,27 +6,57 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QStandardPaths>
 #include <QUuid>
+#include <optional>
 #include <utility>
 
 namespace gonio::app {
 
 namespace {
 
-// Each copy has a record in the data folder: a text file with the copy's path and the document's path, and a lock.
+// Each copy has a record in the data folder, ID.record, with a lock: a JSON object with the path of its document. The
+// path of the copy follows from both, so that no record, however damaged, names another file.
 const QString recordSuffix = QStringLiteral(".record");
+const QString documentKey = QStringLiteral("document");
 constexpr qsizetype shortIdLength = 8;
+constexpr qint64 maxRecordBytes = 1 << 16;
 
-QString readLine(QFile& file) { return QString::fromUtf8(file.readLine()).chopped(1); }
+QString copyInFolder(const QString& dataFolder, const QString& id) { return dataFolder + '/' + id + documentSuffix(); }
 
-RecoverableWork readRecord(const QString& path) {
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  RecoverableWork work;
-  work.autosavePath = readLine(file);
-  work.originalPath = readLine(file);
-  return work;
+QString copyBeside(const QString& documentPath, const QString& id) {
+  return documentPath + '.' + id.left(shortIdLength) + QStringLiteral(".autosave");
+}
+
+QByteArray recordText(const QString& documentPath) {
+  return QJsonDocument(QJsonObject{{documentKey, documentPath}}).toJson();
+}
+
+/// The path of the document, empty if it was never saved; nullopt if the record cannot be read.
+std::optional<QString> recordedDocument(const QString& recordPath) {
+  QFile file(recordPath);
+  if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+  const QByteArray content = file.read(maxRecordBytes);
+  if (const QJsonValue path = QJsonDocument::fromJson(content).object().value(documentKey); path.isString())
+    return path.toString();
+  // Until November 2026: two lines, the copy and its document.
+  const QList<QByteArray> lines = content.split('\n');
+  if (lines.size() != 3 || !lines[2].isEmpty()) return std::nullopt;
+  return QString::fromUtf8(lines[1]);
+}
+
+/// The copy that belongs to a record. @return an empty path if the record cannot be read or the copy does not exist.
+RecoverableWork workOf(const QFileInfo& record) {
+  const std::optional<QString> document = recordedDocument(record.absoluteFilePath());
+  if (!document) return {};
+  const QString id = record.completeBaseName();
+  QStringList places{copyInFolder(record.absolutePath(), id)};
+  if (!document->isEmpty()) places << copyBeside(*document, id);
+  for (const QString& copy : places)
+    if (QFileInfo(copy).isFile()) return {copy, *document};
+  return {{}, *document};
 }
 
 }  // namespace
@@ -44,11 +74,12 @@ QString Autosave::defaultDataFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recovery");
 }
 
-void Autosave::setDocumentPath(const QString& path) {
+bool Autosave::setDocumentPath(const QString& path) {
   Copy previous = std::exchange(m_current, {});
   m_documentPath = path;
-  update();
+  const bool written = update();
   remove(std::move(previous));
+  return written;
 }
 
 Autosave::Copy Autosave::newCopy(Place place) const {
@@ -56,13 +87,12 @@ Autosave::Copy Autosave::newCopy(Place place) const {
   QDir().mkpath(m_dataFolder);
   Copy copy;
   copy.record = m_dataFolder + '/' + id + recordSuffix;
-  copy.path = place == Place::dataFolder ? m_dataFolder + '/' + id + documentSuffix()
-                                         : m_documentPath + '.' + id.left(shortIdLength) + ".autosave";
+  copy.path = place == Place::dataFolder ? copyInFolder(m_dataFolder, id) : copyBeside(m_documentPath, id);
   copy.lock = std::make_unique<QLockFile>(copy.record + ".lock");
   copy.lock->setStaleLockTime(0);
   copy.lock->tryLock();
   QFile record(copy.record);
-  if (record.open(QIODevice::WriteOnly)) record.write((copy.path + '\n' + m_documentPath + '\n').toUtf8());
+  if (record.open(QIODevice::WriteOnly)) record.write(recordText(m_documentPath));
   return copy;
 }
 
@@ -72,16 +102,21 @@ void Autosave::remove(Copy copy) {
   QFile::remove(copy.record);
 }
 
-void Autosave::update() {
+bool Autosave::update() {
   const auto document = m_snapshot();
-  if (!document) return discard();
+  if (!document) {
+    discard();
+    return true;
+  }
   if (!m_current.lock) m_current = newCopy(m_documentPath.isEmpty() ? Place::dataFolder : Place::besideDocument);
-  if (write(*document)) return;
+  if (write(*document)) return true;
   // The document's folder may be read-only or gone; saving will say so when the user asks for it.
   Copy previous = std::exchange(m_current, newCopy(Place::dataFolder));
+  const bool written = write(*document);
   // An older copy is better than none.
-  if (!write(*document)) std::swap(previous, m_current);
+  if (!written) std::swap(previous, m_current);
   remove(std::move(previous));
+  return written;
 }
 
 bool Autosave::write(const editing::EditDocument& document) const {
@@ -102,20 +137,23 @@ QList<RecoverableWork> Autosave::recoverable(const QString& dataFolder) {
     QLockFile lock(record.absoluteFilePath() + ".lock");
     lock.setStaleLockTime(0);
     if (!lock.tryLock(0)) continue;  // its program still runs
-    const RecoverableWork work = readRecord(record.absoluteFilePath());
-    if (QFileInfo::exists(work.autosavePath))
+    const RecoverableWork work = workOf(record);
+    if (!work.autosavePath.isEmpty())
       found.append(work);
-    else
+    else if (recordedDocument(record.absoluteFilePath()))
       QFile::remove(record.absoluteFilePath());
   }
   return found;
 }
 
 void Autosave::forget(const QString& dataFolder, const QString& autosavePath) {
+  if (autosavePath.isEmpty()) return;
   const QDir folder(dataFolder);
   for (const QFileInfo& record : folder.entryInfoList({"*" + recordSuffix}, QDir::Files))
-    if (readRecord(record.absoluteFilePath()).autosavePath == autosavePath) QFile::remove(record.absoluteFilePath());
-  QFile::remove(autosavePath);
+    if (workOf(record).autosavePath == autosavePath) {
+      QFile::remove(autosavePath);
+      QFile::remove(record.absoluteFilePath());
+    }
 }
 
 }  // namespace gonio::app

@@ -34,15 +34,17 @@ class Autosave : public QObject {
   ~Autosave() override;
 
   /// Sets the document's path; empty if it was never saved. Writes the copy of this document first, if it has unsaved
-  /// changes, and then removes the previous one.
-  void setDocumentPath(const QString& path);
-  /// Writes the copy now, or removes it if everything is saved.
-  void update();
+  /// changes, and then removes the previous one. @return as update().
+  bool setDocumentPath(const QString& path);
+  /// Writes the copy now, or removes it if everything is saved. @return false if there are unsaved changes and they
+  /// could not be copied.
+  bool update();
   void discard();
   QString currentCopy() const { return m_current.path; }
 
   /// The copies of programs that no longer run.
   static QList<RecoverableWork> recoverable(const QString& dataFolder);
+  /// Removes a copy and its record. A path that is not the copy of a record in the folder is left alone.
   static void forget(const QString& dataFolder, const QString& autosavePath);
   static QString defaultDataFolder();
 

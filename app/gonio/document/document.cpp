@@ -123,6 +123,12 @@ void Document::beginInteraction() {
 
 void Document::addStep(EditState after, const QString& text) {
   if (after.edits == edits() && after.incident == state().incident) return;
+  try {
+    editing::checkLimits(after.edits);
+  } catch (const Error& error) {
+    Q_EMIT editChanged();  // the panels show the values as they are
+    return Q_EMIT refused(tr("The edit was not changed: %1.").arg(QString::fromUtf8(error.what())));
+  }
   after.selected = std::min(after.selected, int(after.edits.size()) - 1);
   m_history.add(new ReplaceEditsCommand(*this, std::move(after), text, m_interaction));
 }

@@ -133,6 +133,8 @@ class Document : public QObject {
   void selectionChanged();
   /// Name, path or modified state changed.
   void titleChanged();
+  /// A change was not made, because the edits would exceed a limit (editing::checkLimits()).
+  void refused(const QString& text);
 
  private:
   void startAnew(Content content);

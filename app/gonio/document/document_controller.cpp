@@ -49,6 +49,9 @@ void DocumentController::openRecovered(const QString& autosavePath, const QStrin
 
 void DocumentController::start(const QString& path, const QString& documentPath, bool recovered) {
   m_opening = path;
+  m_known = currentState();
+  m_changedSource.reset();
+  m_replacement = nullptr;
   const bool stored = recovered || isDocument(path);
   m_tasks.run<Opened>(
       {tr("Opening %1").arg(shortName(path)), openKey},
@@ -72,7 +75,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
         if (opened.stored && opened.stored->sourceSha256 != opened.material->material.source.sha256)
           offerChangedSource(std::move(opened));
         else
-          install(opened);
+          replace(shortName(path), m_known, [=, this] { install(opened); });
       },
       [=, this](const QString& error) {
         m_opening.clear();
@@ -83,7 +86,6 @@ void DocumentController::start(const QString& path, const QString& documentPath,
 
 void DocumentController::install(const Opened& opened) {
   try {
-    m_changedSource.reset();
     dropTasks();
     Q_EMIT installing();
     if (!opened.stored) {
@@ -91,10 +93,8 @@ void DocumentController::install(const Opened& opened) {
     } else {
       if (!opened.documentPath.isEmpty()) m_versions.remember(opened.documentPath, opened.digest);
       m_document.setMaterial(opened.material, *opened.stored, opened.documentPath);
-      if (opened.recovered) {
-        m_document.markUnsaved();
-        Q_EMIT this->recovered(opened.path);
-      }
+      if (opened.recovered || opened.unsaved) m_document.markUnsaved();
+      if (opened.recovered) Q_EMIT this->recovered(opened.path);
       Q_EMIT viewRestored(opened.stored->view);
     }
     Q_EMIT this->opened(opened.recovered ? opened.documentPath : opened.path);
@@ -117,14 +117,36 @@ void DocumentController::offerChangedSource(Opened opened) {
 void DocumentController::openChangedSource(ChangedSource choice) {
   const std::shared_ptr<const Opened> changed = std::exchange(m_changedSource, nullptr);
   if (!changed || choice == ChangedSource::cancel) return;
-  if (choice == ChangedSource::withoutEdits) {
-    // As if the measured file had been opened: saving replaces no document, and a recovered copy stays where it is.
-    const std::string& source = changed->material->material.source.path.native();
-    return install(
-        {.material = changed->material, .stored = {}, .path = QString::fromStdString(source), .documentPath = {}});
-  }
-  install(*changed);
-  m_document.markUnsaved();
+  Opened next = *changed;
+  next.unsaved = true;
+  // As if the measured file had been opened: saving replaces no document, and a recovered copy stays where it is.
+  if (choice == ChangedSource::withoutEdits)
+    next = {.material = changed->material,
+            .stored = {},
+            .path = QString::fromStdString(changed->material->material.source.path.native()),
+            .documentPath = {}};
+  replace(shortName(next.path), m_known, [=, this] { install(next); });
+}
+
+void DocumentController::openInMemory(LoadedMaterialPtr material, const QString& text) {
+  const QString name = QString::fromStdString(material->material.name);
+  replace(name, std::nullopt, [=, this] { m_document.replaceMaterial(material, text); });
+}
+
+DocumentController::KnownState DocumentController::currentState() const {
+  return {m_document.material(), m_document.edits(), m_document.state().incident};
+}
+
+void DocumentController::replace(const QString& name, const std::optional<KnownState>& known,
+                                 std::function<void()> install) {
+  if (!m_document.isModified() || known == currentState()) return install();
+  m_replacement = std::move(install);
+  Q_EMIT unsavedChanges(name);
+}
+
+void DocumentController::replaceUnsaved(bool replace) {
+  const auto install = std::exchange(m_replacement, nullptr);
+  if (install && replace) install();
 }
 
 void DocumentController::dropTasks() {

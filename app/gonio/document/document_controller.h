@@ -23,13 +23,19 @@ class DocumentController : public QObject {
   DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
   /// Opens a material file, a bundled material ("library:...") or a .gonio document. It replaces the open document once
-  /// it is read, unless a newer call replaced the request. If no edit changes a model, the default model is then
-  /// fitted.
+  /// it is read, unless a newer call replaced the request. The caller has asked about the unsaved changes that exist
+  /// now; if there are others by then, unsavedChanges() is emitted instead. If no edit changes a model, the default
+  /// model is then fitted.
   void open(const QString& path);
   /// Opens an autosaved copy. @param originalPath path of the document itself; empty: it was never saved.
   void openRecovered(const QString& autosavePath, const QString& originalPath);
   /// Path of the file that is being opened; empty if there is none.
   QString opening() const { return m_opening; }
+  /// Opens a material in memory, such as a blend, in one undo step (Document::replaceMaterial()). Unsaved changes of
+  /// the open document are asked about first, because they would not be saved with the new one: unsavedChanges().
+  void openInMemory(LoadedMaterialPtr material, const QString& text);
+  /// Answers unsavedChanges(): replaces the open document, or keeps it.
+  void replaceUnsaved(bool replace);
   /// Answers sourceChanged(). `withEdits` opens the document and marks it as unsaved; `withoutEdits` opens its source
   /// like a material file; `cancel` changes nothing.
   void openChangedSource(ChangedSource choice);
@@ -55,6 +61,8 @@ class DocumentController : public QObject {
  Q_SIGNALS:
   /// The source file of a document changed after the document was saved; waits for openChangedSource().
   void sourceChanged(const QString& text);
+  /// `name` would replace a document with unsaved changes; waits for replaceUnsaved().
+  void unsavedChanges(const QString& name);
   /// The document that was read is about to replace the open one.
   void installing();
   /// `path` is empty for recovered work that was never saved.
@@ -75,8 +83,18 @@ class DocumentController : public QObject {
     std::optional<editing::EditDocument> stored;
     QString path, documentPath;
     QByteArray digest;  ///< of the document's file, before it was read; empty without one
-    bool recovered = false;
+    bool recovered = false, unsaved = false;
   };
+  /// What the caller of open() knew of the open document.
+  struct KnownState {
+    LoadedMaterialPtr material;
+    editing::EditList edits;
+    IncidentDirection incident = IncidentDirection::viewer;
+    bool operator==(const KnownState&) const = default;
+  };
+  KnownState currentState() const;
+  /// Runs `install` now, or after the answer to unsavedChanges() if changes would be lost that were not in `known`.
+  void replace(const QString& name, const std::optional<KnownState>& known, std::function<void()> install);
   void start(const QString& path, const QString& documentPath, bool recovered);
   void install(const Opened& opened);
   void offerChangedSource(Opened opened);
@@ -98,7 +116,9 @@ class DocumentController : public QObject {
   BackgroundTasks& m_tasks;
   FileVersions m_versions;
   QString m_opening;
+  std::optional<KnownState> m_known;              ///< at the last open()
   std::shared_ptr<const Opened> m_changedSource;  ///< waits for openChangedSource()
+  std::function<void()> m_replacement;            ///< waits for replaceUnsaved()
   std::optional<fitting::FitResult> m_proposal;
 };
 

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/file_versions.h"
 
-#include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
+
+#include "core/io/sha256.h"
+#include "core/support/error.h"
 
 namespace gonio::app {
 
@@ -13,9 +14,11 @@ QString keyOf(const QString& path) { return QFileInfo(path).absoluteFilePath(); 
 }  // namespace
 
 QByteArray FileVersions::digest(const QString& path) {
-  QFile file(path);
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();
+  try {
+    return QByteArray::fromStdString(io::sha256Hex(io::FileSource(path.toStdString())));
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 void FileVersions::remember(const QString& path, const QByteArray& digest) { m_digests[keyOf(path)] = digest; }

@@ -261,7 +261,7 @@ void InterpolationPanel::openAsMaterial() {
         auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
         return loadInMemory(std::move(material), source, control.between(blendFraction, 1));
       },
-      [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
+      [this, text](const LoadedMaterialPtr& material) { Q_EMIT materialMade(material, text); },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot open the blend"), error); });
 }
 

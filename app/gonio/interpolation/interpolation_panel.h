@@ -73,6 +73,8 @@ class InterpolationPanel : public QWidget {
   /// subject() changed.
   void subjectChanged();
   void failed(const QString& title, const QString& text);
+  /// A material to open in the document's place, and the name of the undo step.
+  void materialMade(const LoadedMaterialPtr& material, const QString& text);
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <chrono>
 
 #include "core/materials/material.h"
 #include "widgets/library/library_model.h"
@@ -11,8 +12,10 @@ namespace gonio::app {
 
 /// The thumbnail of a material: a sphere in the studio environment on a transparent background. A bundled material has
 /// a built-in one (bundledThumbnail()). Others are rendered from the native form and cached in `cacheFolder`, by the
-/// hash of the material's content and the version of the renderer. @throws Error, Cancelled.
-widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control);
+/// hash of the material's content and the version of the renderer. @param limit on the time, so that one material does
+/// not hold up a whole library. @throws Error, also after `limit`; Cancelled.
+widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control,
+                                            std::chrono::milliseconds limit = std::chrono::seconds(30));
 
 /// Reads the material of a library id: a bundled material, a file, or a document with its edits applied.
 /// @throws Error, Cancelled.

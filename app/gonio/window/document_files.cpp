@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <memory>
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
@@ -46,6 +47,22 @@ QString exportFolder(const materials::Material& material) {
   return folder == QDir::homePath() && source.isFile() ? source.absolutePath() : folder;
 }
 
+/// With the text as it is: Qt would take words of a file that look like HTML for HTML.
+std::unique_ptr<QMessageBox> plainBox(QMessageBox::Icon icon, const QString& title, const QString& text,
+                                      QMessageBox::StandardButtons buttons, QWidget* window) {
+  auto box = std::make_unique<QMessageBox>(icon, title, QString(), buttons, window);
+  box->setTextFormat(Qt::PlainText);
+  box->setText(text);
+  return box;
+}
+
+QMessageBox::StandardButton ask(const QString& title, const QString& text, QMessageBox::StandardButtons buttons,
+                                QWidget* window) {
+  return QMessageBox::StandardButton(plainBox(QMessageBox::Question, title, text, buttons, window)->exec());
+}
+
+constexpr auto saveButtons = QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel;
+
 /// The document's path, or the material of a document that was never saved.
 QString nameOfWork(const RecoverableWork& work) {
   if (!work.originalPath.isEmpty()) return work.originalPath;
@@ -76,17 +93,18 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
     if (!path.isEmpty()) m_parts.recent.add(path);
   });
   connect(controller, &DocumentController::recovered, this, [this](const QString& autosavePath) {
-    updateAutosave();  // before the recovered copy goes
-    Autosave::forget(Autosave::defaultDataFolder(), autosavePath);
+    // The recovered copy goes once there is another.
+    if (updateAutosave()) Autosave::forget(Autosave::defaultDataFolder(), autosavePath);
   });
   connect(controller, &DocumentController::saved, this, [this](const QString& path) {
     m_autosave.setDocumentPath(path);
     m_parts.recent.add(path);
   });
+  connect(controller, &DocumentController::unsavedChanges, this, &DocumentFiles::askAboutUnsavedChanges);
   connect(controller, &DocumentController::sourceChanged, this, &DocumentFiles::askAboutChangedSource);
 }
 
-void DocumentFiles::updateAutosave() { m_autosave.setDocumentPath(m_parts.document.path()); }
+bool DocumentFiles::updateAutosave() { return m_autosave.setDocumentPath(m_parts.document.path()); }
 
 void DocumentFiles::open(const QString& path) {
   if (mayDiscard()) m_parts.controller.open(path);
@@ -103,14 +121,13 @@ void DocumentFiles::askAndOpen() {
 bool DocumentFiles::mayDiscard() {
   if (!m_parts.document.isModified()) return true;
   const auto answer =
-      QMessageBox::question(m_window, tr("Unsaved changes"), tr("Save changes to %1?").arg(m_parts.document.name()),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+      ask(tr("Unsaved changes"), tr("Save changes to %1?").arg(m_parts.document.name()), saveButtons, m_window);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
 
 bool DocumentFiles::close() {
-  if (!mayDiscard() || !mayStopExports()) return false;
+  if ((!m_discarding && !mayDiscard()) || !mayStopExports()) return false;
   m_autosave.discard();
   return true;
 }
@@ -126,10 +143,23 @@ bool DocumentFiles::mayStopExports() {
   return box.clickedButton() == stop;
 }
 
+void DocumentFiles::askAboutUnsavedChanges(const QString& replacement) {
+  const QString name = m_parts.document.name();
+  QMessageBox* box =
+      plainBox(QMessageBox::Question, tr("Unsaved changes"), tr("Save changes to %1?").arg(name), saveButtons, m_window)
+          .release();
+  box->setInformativeText(tr("%1 is about to be opened in its place.").arg(replacement));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(box, &QDialog::finished, this, [this](int answer) {
+    m_parts.controller.replaceUnsaved(answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard);
+  });
+  box->open();
+}
+
 void DocumentFiles::askAboutChangedSource(const QString& text) {
-  auto* box =
-      new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
-  box->setTextFormat(Qt::PlainText);
+  QMessageBox* box =
+      plainBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window)
+          .release();
   box->setInformativeText(
       tr("The edits were made for the previous values. Applied to the changed file, they may look different, or take "
          "effect twice if the file already contains them."));
@@ -152,17 +182,17 @@ bool DocumentFiles::save() {
 
 bool DocumentFiles::saveAgain(const QString& path) {
   if (m_parts.controller.hasChangedOnDisk(path)) {
-    QMessageBox box(QMessageBox::Warning, tr("The document has changed on disk"),
-                    tr("Another program or window has changed %1 since it was opened or last saved here.").arg(path),
-                    QMessageBox::Cancel, m_window);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("If you replace the file, the changes made there are lost."));
-    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    QPushButton* elsewhere = box.addButton(tr("Save &As..."), QMessageBox::AcceptRole);
-    box.setDefaultButton(elsewhere);
-    box.exec();
-    if (box.clickedButton() == elsewhere) return saveAs();
-    if (box.clickedButton() != replace) return false;
+    const auto box =
+        plainBox(QMessageBox::Warning, tr("The document has changed on disk"),
+                 tr("Another program or window has changed %1 since it was opened or last saved here.").arg(path),
+                 QMessageBox::Cancel, m_window);
+    box->setInformativeText(tr("If you replace the file, the changes made there are lost."));
+    const QPushButton* replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    QPushButton* elsewhere = box->addButton(tr("Save &As..."), QMessageBox::AcceptRole);
+    box->setDefaultButton(elsewhere);
+    box->exec();
+    if (box->clickedButton() == elsewhere) return saveAs();
+    if (box->clickedButton() != replace) return false;
   }
   return m_parts.controller.save(path, viewToJson(m_parts.preview));
 }
@@ -197,7 +227,8 @@ void DocumentFiles::saveInLibrary() {
       folder.filePath(name.replace(QRegularExpression(QStringLiteral(R"([/\\:*?"<>|])")), "-") + documentSuffix());
   const bool isOwn = path == m_parts.document.path();
   if (!isOwn && QFileInfo::exists(path) &&
-      QMessageBox::question(m_window, tr("Save in Library"), tr("Replace %1?").arg(name)) != QMessageBox::Yes)
+      ask(tr("Save in Library"), tr("Replace %1?").arg(name), QMessageBox::Yes | QMessageBox::No, m_window) !=
+          QMessageBox::Yes)
     return;
   folder.mkpath(QStringLiteral("."));
   if (isOwn ? saveAgain(path) : saveTo(path)) m_parts.library.addOwn(path);
@@ -228,9 +259,8 @@ void DocumentFiles::exportBrdf() {
     }
   const QString target = withSuffix(path, suffixOf(form));
   if (m_parts.exports.refuses(target)) return;
-  if (QFileInfo::exists(target) &&
-      QMessageBox::question(m_window, tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName())) !=
-          QMessageBox::Yes)
+  if (QFileInfo::exists(target) && ask(tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName()),
+                                       QMessageBox::Yes | QMessageBox::No, m_window) != QMessageBox::Yes)
     return;
   m_parts.exports.writeMaterial(target, form);
 }
@@ -256,11 +286,10 @@ QList<RecoverableWork> DocumentFiles::askForRecovery() {
   QList<RecoverableWork> wanted;
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
     const QString time = QLocale().toString(QFileInfo(work.autosavePath).lastModified(), QLocale::ShortFormat);
-    const auto answer =
-        QMessageBox::question(m_window, tr("Recover unsaved work"),
-                              tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?")
-                                  .arg(nameOfWork(work), time),
-                              QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
+    const auto answer = ask(tr("Recover unsaved work"),
+                            tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?")
+                                .arg(nameOfWork(work), time),
+                            QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
     if (answer == QMessageBox::Yes) wanted << work;
   }

@@ -70,6 +70,8 @@ class DocumentFiles : public QObject {
   /// Asks about unsaved changes and running exports, and removes the copy of unsaved work. @return false if the
   /// document should stay open.
   bool close();
+  /// Whether close() discards unsaved changes without a question, because the user has answered it for all windows.
+  void setDiscarding(bool discarding) { m_discarding = discarding; }
 
  private:
   bool saveTo(const QString& path);
@@ -77,12 +79,15 @@ class DocumentFiles : public QObject {
   bool saveAgain(const QString& path);
   bool mayDiscard();
   bool mayStopExports();
+  void askAboutUnsavedChanges(const QString& replacement);
   void askAboutChangedSource(const QString& text);
-  void updateAutosave();
+  /// @return as Autosave::update().
+  bool updateAutosave();
 
   Parts m_parts;
   QWidget* m_window;
   Autosave m_autosave;
+  bool m_discarding = false;
 };
 
 }  // namespace gonio::app

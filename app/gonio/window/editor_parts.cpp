@@ -88,6 +88,8 @@ void EditorParts::connectStandIns() {
     if (kind == StandIn::representation) return study.show(-1);
     interpolation.setShownInPreview(false);
   });
+  QObject::connect(&interpolation, &InterpolationPanel::materialMade, &controller, &DocumentController::openInMemory);
+  QObject::connect(&acquisition, &AcquisitionPanel::materialMade, &controller, &DocumentController::openInMemory);
   QObject::connect(&study, &StudyPanel::useRequested, &controller,
                    [this](const gonio::study::Representation& representation) { use(representation); });
   const RepresentationPanel* representation = inspector.representation();

@@ -16,8 +16,8 @@
 namespace gonio::app {
 
 FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewContent& preview,
-                   LibraryController& library, DockLayout& docks, QSettings& settings,
-                   const std::function<void()>& newWindow, QWidget* window)
+                   LibraryController& library, DockLayout& docks, QSettings& settings, const WindowActions& windows,
+                   QWidget* window)
     : QMenu(tr("&File"), window),
       m_files(files),
       m_exporter(exporter),
@@ -25,12 +25,12 @@ FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, const widge
       m_library(library),
       m_docks(docks),
       m_settings(settings) {
-  addOpening(newWindow);
+  addOpening(windows.openNew);
   addSeparator();
   addSaving();
   addSeparator();
   addAction(tr("&Close Window"), QKeySequence::Close, window, &QWidget::close);
-  addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), qApp, &QApplication::closeAllWindows);
+  addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), qApp, windows.quit);
 }
 
 void FileMenu::addOpening(const std::function<void()>& newWindow) {

@@ -23,8 +23,13 @@ class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
+  /// What concerns all windows.
+  struct WindowActions {
+    std::function<void()> openNew, quit;
+  };
+
   FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewContent& preview,
-           LibraryController& library, DockLayout& docks, QSettings& settings, const std::function<void()>& newWindow,
+           LibraryController& library, DockLayout& docks, QSettings& settings, const WindowActions& windows,
            QWidget* window);
 
  private:

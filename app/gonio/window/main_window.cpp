@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QScreen>
 #include <QStatusBar>
 #include <QStyle>
@@ -135,9 +136,8 @@ void MainWindow::addDocks() {
 
 void MainWindow::addMenus() {
   EditorParts& p = m_parts;
-  menuBar()->addMenu(new FileMenu(
-      m_files, p.exporter, p.preview.content(), p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); },
-      this));
+  menuBar()->addMenu(new FileMenu(m_files, p.exporter, p.preview.content(), p.library, *m_docks, p.settings,
+                                  {[] { (new MainWindow)->show(); }, &MainWindow::quit}, this));
   menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.preview, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview.content(), this);
@@ -208,6 +208,7 @@ void MainWindow::connectMessages() {
   connect(&m_parts.scene, &ScenePanel::failed, this, &MainWindow::showFailure);
   connect(&m_parts.acquisition, &AcquisitionPanel::failed, this, &MainWindow::showFailure);
   connect(&m_parts.preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_parts.document, &Document::refused, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_parts.controller, &DocumentController::applyProposal);
@@ -294,6 +295,38 @@ void MainWindow::showFailure(const QString& title, const QString& text) {
 void MainWindow::showTitle() {
   setWindowTitle(tr("%1[*] - Gonio").arg(m_parts.document.name()));
   setWindowModified(m_parts.document.isModified());
+}
+
+void MainWindow::quit() {
+  QList<QPointer<MainWindow>> unsaved;
+  QStringList names;
+  for (QWidget* widget : QApplication::topLevelWidgets())
+    if (auto* window = qobject_cast<MainWindow*>(widget); window && window->m_parts.document.isModified()) {
+      unsaved << window;
+      const Document& document = window->m_parts.document;
+      names << (document.path().isEmpty() ? document.name() : document.path());
+    }
+  bool discards = false;
+  if (!unsaved.isEmpty()) {
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), QString(),
+                    QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel, unsaved.first());
+    box.setTextFormat(Qt::PlainText);
+    box.setText(names.size() == 1 ? tr("Save changes to this document before quitting?")
+                                  : tr("Save changes to these %1 documents before quitting?").arg(names.size()));
+    box.setInformativeText(names.join('\n'));
+    const int answer = box.exec();
+    if (answer != QMessageBox::SaveAll && answer != QMessageBox::Discard) return;
+    discards = answer == QMessageBox::Discard;
+  }
+  for (const QPointer<MainWindow>& window : unsaved) {
+    if (!window) continue;
+    if (!discards && !window->m_files.save()) return;
+    window->m_files.setDiscarding(discards);
+  }
+  QApplication::closeAllWindows();
+  // Where running exports keep a window open, its next closing asks again.
+  for (const QPointer<MainWindow>& window : unsaved)
+    if (window) window->m_files.setDiscarding(false);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -32,6 +32,10 @@ class MainWindow : public QMainWindow {
   DockLayout& docks() { return *m_docks; }
   StatusLine& status() { return *m_status; }
 
+  /// Closes all windows, after one question that names every document with unsaved changes. Nothing is closed if the
+  /// user cancels, or if a document could not be saved.
+  static void quit();
+
  protected:
   void closeEvent(QCloseEvent* event) override;
 

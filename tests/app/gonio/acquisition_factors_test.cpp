@@ -35,6 +35,7 @@ struct Editor {
   FactorPage& page = panel.factors();
 
   Editor() {
+    QObject::connect(&panel, &AcquisitionPanel::materialMade, &document, &Document::replaceMaterial);
     panel.resize(1400, 520);
     panel.show();
     panel.session().referenceReader().setPicture(smallPicture());

@@ -41,6 +41,7 @@ struct Editor {
   QSignalSpy failed{&panel, &AcquisitionPanel::failed};
 
   Editor() {
+    QObject::connect(&panel, &AcquisitionPanel::materialMade, &document, &Document::replaceMaterial);
     panel.resize(1400, 420);
     panel.show();
     panel.session().referenceReader().setPicture(smallPicture());

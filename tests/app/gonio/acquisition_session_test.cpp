@@ -222,7 +222,8 @@ class AcquisitionSessionTest : public QObject {
     QVERIFY(acquisition.plan(acquisition.library.settings(6)));
     Document document;
     const QString folder = acquisition.library.folder.filePath("acquired");
-    session.open(document, folder);
+    connect(&session, &AcquisitionSession::materialMade, &document, &Document::replaceMaterial);
+    session.open(folder);
     QVERIFY(acquisition.waitForAll());
     QVERIFY(document.material());
     QCOMPARE(document.material()->table()->values()[100], session.result()->reconstruction->table->values()[100]);
@@ -232,7 +233,7 @@ class AcquisitionSessionTest : public QObject {
     document.history().undo();
     QVERIFY(!document.material());
     // The file of the first stays as it is.
-    session.open(document, folder);
+    session.open(folder);
     QVERIFY(acquisition.waitForAll());
     QVERIFY(QFileInfo::exists(folder + "/subject from 6 samples 2.binary"));
   }

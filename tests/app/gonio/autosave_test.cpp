@@ -89,6 +89,61 @@ class AutosaveTest : public QObject {
     QCOMPARE(QDir(folder.filePath("data")).entryList({"*.record"}, QDir::Files).size(), qsizetype(1));
   }
 
+  /// Only Gonio's own copies are removed, whatever the name of the document is and whatever a record says.
+  void discardingRemovesNoOtherFile_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("newline") << QStringLiteral("first\nsecond.gonio");
+    QTest::newRow("path of a victim") << QStringLiteral("x\nvictim\n.gonio");
+    QTest::newRow("quotes") << QStringLiteral("\"},\"document\":\"victim\".gonio");
+  }
+  void discardingRemovesNoOtherFile() {
+    QFETCH(QString, name);
+    const QTemporaryDir folder;
+    QVERIFY(QDir::setCurrent(folder.path()));
+    const QString data = folder.filePath("data");
+    for (const QString& other : {QStringLiteral("victim"), QStringLiteral("first"), name})
+      QVERIFY(QFile(folder.filePath(other)).open(QIODevice::WriteOnly));
+    auto autosave = std::make_unique<Autosave>(data, [] { return std::optional(work()); });
+    autosave->setDocumentPath(folder.filePath(name));
+    const QString copy = autosave->currentCopy();
+    autosave.reset();
+    const auto found = Autosave::recoverable(data);
+    QCOMPARE(found.size(), 1);
+    QCOMPARE(found[0].autosavePath, copy);
+    QCOMPARE(found[0].originalPath, folder.filePath(name));
+    Autosave::forget(data, folder.filePath("victim"));
+    Autosave::forget(data, copy);
+    QVERIFY(!QFile::exists(copy) && Autosave::recoverable(data).isEmpty());
+    for (const QString& other : {QStringLiteral("victim"), QStringLiteral("first"), name})
+      QVERIFY(QFile::exists(folder.filePath(other)));
+  }
+
+  /// Records of November 2026 and before: two lines. One that names another file than its copy is no record of ours.
+  void recordsOfOlderVersionsAreRead() {
+    const QTemporaryDir folder;
+    const QString data = folder.filePath("data"), document = folder.filePath("mine.gonio");
+    QVERIFY(QDir().mkpath(data));
+    const auto write = [](const QString& path, const QString& text) {
+      QFile file(path);
+      return file.open(QIODevice::WriteOnly) && file.write(text.toUtf8()) > 0;
+    };
+    QVERIFY(write(folder.filePath("victim"), "kept"));
+    QVERIFY(write(document + ".12345678.autosave", "work") && write(data + "/abcdefgh-2.gonio", "work"));
+    QVERIFY(write(data + "/12345678-1.record", document + ".12345678.autosave\n" + document + '\n'));
+    QVERIFY(write(data + "/abcdefgh-2.record", data + "/abcdefgh-2.gonio\n\n"));
+    QVERIFY(write(data + "/87654321-3.record", folder.filePath("victim") + '\n' + document + '\n'));
+    QVERIFY(write(data + "/11111111-4.record", "neither"));
+    QStringList copies;
+    for (const RecoverableWork& work : Autosave::recoverable(data)) copies << work.autosavePath;
+    copies.sort();
+    const QStringList expected{data + "/abcdefgh-2.gonio", document + ".12345678.autosave"};
+    QCOMPARE(copies, expected);
+    Autosave::forget(data, folder.filePath("victim"));
+    for (const QString& copy : copies) Autosave::forget(data, copy);
+    QVERIFY(QFile::exists(folder.filePath("victim")));
+    for (const QString& copy : copies) QVERIFY(!QFile::exists(copy));
+  }
+
   /// A program that dies leaves its copy; the next one finds it, but not while the first still runs.
   void whatWasLeftBehindIsFound() {
     const QTemporaryDir folder;

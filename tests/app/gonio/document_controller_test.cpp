@@ -245,6 +245,88 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(editing::readDocument(path.toStdString()).sourceSha256, stored.sourceSha256);
   }
 
+  /// The user edits on while a file opens: what was changed meanwhile is not lost without a question.
+  void editsMadeWhileAFileOpensAreAskedAbout() {
+    Editor editor;
+    QSignalSpy asked(&editor.controller, &DocumentController::unsavedChanges);
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    const int roughness = int(*modelEdit(editor.document)->model->spec().find("roughness"));
+    for (const bool replace : {false, true}) {
+      asked.clear();
+      editor.controller.open("library:sgd/chrome");
+      setParameter(editor.document, roughness, Rgb(replace ? 0.4 : 0.3));
+      QTRY_COMPARE_WITH_TIMEOUT(asked.count(), 1, patienceMilliseconds);
+      QCOMPARE(asked[0][0].toString(), QString("chrome"));
+      QCOMPARE(editor.document.name(), QString("green-plastic"));
+      QVERIFY(editor.document.isModified());
+      editor.controller.replaceUnsaved(replace);
+      QCOMPARE(editor.document.name(), QString(replace ? "chrome" : "green-plastic"));
+      QCOMPARE(editor.document.isModified(), !replace);
+    }
+    editor.controller.replaceUnsaved(true);  // nothing waits any more
+    QCOMPARE(editor.document.name(), QString("chrome"));
+  }
+
+  /// The caller of open() has asked about what was unsaved then, and asks once.
+  void changesThatWereKnownAreNotAskedAboutAgain() {
+    Editor editor;
+    QSignalSpy asked(&editor.controller, &DocumentController::unsavedChanges);
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    setParameter(editor.document, int(*modelEdit(editor.document)->model->spec().find("roughness")), Rgb(0.3));
+    editor.controller.open("library:sgd/chrome");
+    QTRY_COMPARE_WITH_TIMEOUT(editor.document.name(), QString("chrome"), patienceMilliseconds);
+    QCOMPARE(asked.count(), 0);
+  }
+
+  /// The question about a changed source comes later still.
+  void editsMadeBeforeAnAnswerAreAskedAbout() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.gonio");
+    editing::EditDocument stored;
+    stored.sourcePath = "library:sgd/chrome";
+    stored.sourceSha256 = std::string(64, '0');
+    editing::writeDocument(stored, path.toStdString());
+    for (const ChangedSource choice : {ChangedSource::withEdits, ChangedSource::withoutEdits}) {
+      Editor editor;
+      QSignalSpy asked(&editor.controller, &DocumentController::unsavedChanges);
+      QSignalSpy changed(&editor.controller, &DocumentController::sourceChanged);
+      editor.controller.open(material);
+      QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+      editor.controller.open(path);
+      QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, patienceMilliseconds);
+      setParameter(editor.document, int(*modelEdit(editor.document)->model->spec().find("roughness")), Rgb(0.3));
+      editor.controller.openChangedSource(choice);
+      QCOMPARE(asked.count(), 1);
+      QCOMPARE(editor.document.name(), QString("green-plastic"));
+      editor.controller.replaceUnsaved(true);
+      QCOMPARE(editor.document.name(), QString(choice == ChangedSource::withEdits ? "old" : "chrome"));
+      QCOMPARE(editor.document.isModified(), choice == ChangedSource::withEdits);
+    }
+  }
+
+  /// A blend or a reconstruction has no file of the edits before it: saving it would not save them.
+  void aMaterialInMemoryReplacesUnsavedEditsAfterAQuestion() {
+    Editor editor;
+    QSignalSpy asked(&editor.controller, &DocumentController::unsavedChanges);
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    const LoadedMaterialPtr chrome = loadMaterial("library:sgd/chrome");
+    editor.controller.openInMemory(chrome, "Open chrome");
+    QCOMPARE(asked.count(), 0);
+    QCOMPARE(editor.document.material(), chrome);
+    editor.document.history().undo();
+    setParameter(editor.document, int(*modelEdit(editor.document)->model->spec().find("roughness")), Rgb(0.3));
+    for (const bool replace : {false, true}) {
+      editor.controller.openInMemory(chrome, "Open chrome");
+      QCOMPARE(editor.document.name(), QString("green-plastic"));
+      editor.controller.replaceUnsaved(replace);
+    }
+    QCOMPARE(asked.count(), 2);
+    QCOMPARE(editor.document.material(), chrome);
+  }
+
   /// Two editors with one document: the second is asked before it replaces what the first has saved.
   void aDocumentSavedByAnotherEditorIsNoticed() {
     const QTemporaryDir folder;

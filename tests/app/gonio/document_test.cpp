@@ -71,6 +71,19 @@ class DocumentTest : public QObject {
   }
   void cleanup() { delete m_document; }
 
+  /// What would take for ever to show is not changed, and says so.
+  void editsBeyondTheLimitAreRefused() {
+    const editing::Edit edit{editing::DifferentialEdit{&models::findModel("lambert"), {{Rgb(0.2)}}, {{Rgb(0.3)}}}};
+    m_document->replaceEdits(editing::EditList(editing::maxEdits, edit), "Many");
+    QCOMPARE(m_document->edits().size(), editing::maxEdits);
+    QSignalSpy refused(m_document, &Document::refused);
+    m_document->replaceEdits(editing::EditList(editing::maxEdits + 1, edit), "One more");
+    QCOMPARE(refused.count(), 1);
+    QVERIFY(refused[0][0].toString().contains("100 edits"));
+    QCOMPARE(m_document->edits().size(), editing::maxEdits);
+    QCOMPARE(m_document->history().count(), 1);
+  }
+
   void openingAndTheFirstFitAreNoSteps() {
     QCOMPARE(m_document->history().count(), 0);
     QVERIFY(!m_document->isModified());

@@ -51,6 +51,7 @@ struct Editor {
   InterpolationPanel panel{document, tasks, nullptr, smallPictures};
 
   Editor() {
+    QObject::connect(&panel, &InterpolationPanel::materialMade, &controller, &DocumentController::openInMemory);
     panel.resize(1300, 400);
     panel.show();
   }

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QDeadlineTimer>
+#include <QDir>
 #include <QDockWidget>
 #include <QDrag>
 #include <QFileDialog>
@@ -17,6 +18,8 @@
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
+#include "core/documents/blend_source.h"
+#include "core/materials/bundled_library.h"
 
 namespace gonio::app::test_support {
 
@@ -198,9 +201,30 @@ class Monkey : public QObject {
     chosen.action->trigger();
   }
 
+  /// A blend takes seconds to open: acts that follow edit the document that it will replace.
+  static QString slowDocument() {
+    const QString path = QDir::current().absoluteFilePath("slow.gonio");
+    if (QFile::exists(path)) return path;
+    auto blend = std::make_shared<editing::BlendSource>();
+    for (const char* id : {"sgd/chrome", "sgd/brass", "sgd/teflon", "sgd/nickel", "sgd/pvc", "sgd/silver-paint"}) {
+      editing::EditDocument material;
+      material.sourcePath = std::string(materials::libraryScheme) + id;
+      material.sourceSha256 = materials::librarySha256(material.sourcePath);
+      blend->materials.push_back(material);
+      blend->weights.push_back(1.0 / 6);
+    }
+    editing::EditDocument document;
+    document.sourceSha256 = editing::blendSha256(*blend);
+    document.blend = std::move(blend);
+    editing::writeDocument(document, path.toStdString());
+    return path;
+  }
+
   void openMaterial() {
     widgets::LibraryModel& library = m_window.parts().library.model();
-    const QString id = library.index(below(library.materialCount())).data(widgets::LibraryModel::IdRole).toString();
+    const QString id =
+        below(8) == 0 ? slowDocument()
+                      : library.index(below(library.materialCount())).data(widgets::LibraryModel::IdRole).toString();
     note("open " + id);
     m_window.files().open(id);
   }

@@ -3,9 +3,11 @@
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/library/sphere_picture.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "app/gonio/library/bundled_thumbnails.h"
+#include "core/documents/edit_document.h"
 #include "core/materials/bundled_library.h"
 #include "tests/support/test_program.h"
 
@@ -27,6 +29,28 @@ class ThumbnailTest : public QObject {
       QCOMPARE(made.image, shipped->image);
     }
     QVERIFY(!bundledThumbnail("0000"));
+  }
+
+  /// A material that takes too long says so, instead of holding up the others; a stop is no failure.
+  void theTimeIsLimited() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("edited.gonio");
+    const models::Model& model = models::findModel("lambert");
+    editing::writeDocument({.sourcePath = "library:sgd/brass",
+                            .sourceSha256 = materials::librarySha256("library:sgd/brass"),
+                            .edits = {{editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.3)}}}}}},
+                           path.toStdString());
+    std::string failure;
+    try {
+      (void)materialThumbnail(path, folder.filePath("cache"), {}, std::chrono::milliseconds(1));
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+    QCOMPARE(failure, "no thumbnail: it takes longer than 0.001 s to render");
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY_EXCEPTION_THROWN(materialThumbnail(path, folder.filePath("cache"), {stop.get_token(), {}}), Cancelled);
+    QVERIFY(!materialThumbnail(path, folder.filePath("cache"), {}).image.isNull());
   }
 
   /// They are what the renderer draws now, but for the loss of JPEG; if not, scripts/thumbnails.sh renders them again.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <sys/stat.h>
+
 #include <QTest>
 
 #include "core/io/image_io.h"
@@ -95,6 +97,12 @@ class GoniotoolErrorsTest : public QObject {
     folder_.writeText("garbage.gonio", "{\"format\": \"other\"}");
     QTest::newRow("missing") << QStringList{"info", missing} << "missing.binary";
     QTest::newRow("folder") << QStringList{"info", folder_.path()} << "goniotool";
+    // Nobody writes to it: it is not waited for.
+    const QString pipe = folder_.path("pipe.binary");
+    QVERIFY(::mkfifo(qPrintable(pipe), 0600) == 0);
+    QTest::newRow("pipe") << QStringList{"info", pipe} << "pipe.binary: found a folder, a device, a pipe or a socket";
+    QTest::newRow("pipe as document") << QStringList{"render", pipe, "--out", folder_.path("x.png")} << "pipe.binary";
+    QTest::newRow("pipe as output") << QStringList{"convert", plastic_, pipe} << "pipe.binary: cannot be written";
     QTest::newRow("garbage") << QStringList{"fit", garbage, "--model", "ggx"} << "garbage.binary";
     QTest::newRow("short") << QStringList{"check", shortened} << "short.binary";
     QTest::newRow("document") << QStringList{"info", document} << "garbage.gonio";

@@ -184,6 +184,30 @@ class BlendSourceTest : public QObject {
     QVERIFY(nested(maxBlendsInBlends + 1).find("more than 16 nested blends") != std::string::npos);
   }
 
+  /// Each material takes time wherever the document is shown, also in a thumbnail.
+  void blendsOfTooManyMaterialsAreRefused() {
+    const auto blendOf = [this](std::size_t count) {
+      BlendSource blend = *blendDocument().blend;
+      blend.materials.assign(count, blend.materials.front());
+      blend.weights.assign(count, 1.0 / double(count));
+      EditDocument document = blendDocument();
+      document.blend = std::make_shared<const BlendSource>(blend);
+      return document;
+    };
+    QCOMPARE(errorOf(toJson(blendOf(maxBlendMaterials))), std::string());
+    const std::string expected = "source.blend: found a blend of 65 materials, expected at most 64";
+    QCOMPARE(errorOf(toJson(blendOf(maxBlendMaterials + 1))), expected);
+    // Also where blends of blends add up: 8 x 8 and one more.
+    EditDocument outer = blendOf(8);
+    BlendSource blend = *outer.blend;
+    blend.materials.assign(8, blendOf(8));
+    outer.blend = std::make_shared<const BlendSource>(blend);
+    QCOMPARE(errorOf(toJson(outer)), std::string());
+    blend.materials.back() = blendOf(9);
+    outer.blend = std::make_shared<const BlendSource>(blend);
+    QCOMPARE(errorOf(toJson(outer)), expected);
+  }
+
   /// Files that are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
   void codesAreBlendedAsTheyAre() {
     std::vector<InterpolationMaterial> ends;

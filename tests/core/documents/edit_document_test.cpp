@@ -161,6 +161,16 @@ class EditDocumentTest : public QObject {
     QVERIFY(contains(unknown, "edits[0].model") && contains(unknown, "phlogiston") && contains(unknown, "ggx"));
   }
 
+  /// 30,000 edits once exhausted the stack; each takes time wherever the document is shown.
+  void tooManyEditsAreRefused() {
+    EditDocument document = example();
+    const Edit edit = document.edits.front();
+    document.edits.assign(maxEdits, edit);
+    QCOMPARE(documentFromJson(toJson(document)).edits.size(), maxEdits);
+    document.edits.assign(30'000, edit);
+    QCOMPARE(errorOf([&] { documentFromJson(toJson(document)); }), "edits: found more than 100 edits, the limit");
+  }
+
   void unknownKeysAreLeftOut() {
     nlohmann::json json = toJson(example());
     json["future"] = 1;

@@ -57,9 +57,80 @@ DifferentialEdit ofGrain(const models::Model& model, double alpha, double factor
   return edit;
 }
 
+/// A width and a colour, by lobes.
+Edit widened(double factor, const Rgb& tint) {
+  const models::Model& model = models::findModel("ggx");
+  DifferentialEdit edit{.model = &model,
+                        .fitted = models::defaultParameters(model.spec()),
+                        .edited = {},
+                        .composition = Composition::lobes};
+  edit.edited = edit.fitted;
+  edit.edited.values[index(model, "roughness")] *= factor;
+  edit.edited.values[index(model, "diffuse")] *= tint;
+  return {edit};
+}
+
 class LobeChangeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// A list is what its edits are one after the other, bit for bit.
+  void aListIsOneEditAfterTheOther() {
+    const auto base = std::make_shared<const FunctionBrdf>([](const Direction& wi, const Direction& wo) {
+      const Direction h = glm::normalize(wi + wo);
+      return Rgb(0.1, 0.2, 0.05) + Rgb(0.5) * std::pow(h.z, 40.0);
+    });
+    Edit additive = widened(2, Rgb(0.5, 1, 1));
+    std::get<DifferentialEdit>(additive.content).composition = Composition::additive;
+    const EditList edits{widened(2, Rgb(1)), additive, widened(1, Rgb(1, 0.5, 0.5)), widened(0.7, Rgb(1)), additive};
+    std::shared_ptr<const Brdf> nested = base;
+    for (const Edit& edit : edits) nested = applyEdits(nested, std::span(&edit, 1));
+    const auto all = applyEdits(base, edits);
+    const std::vector<DirectionPair> directions = pairs(500);
+    std::vector<Rgb> one(directions.size()), other(directions.size()), unedited(directions.size());
+    all->evaluate(directions, one);
+    nested->evaluate(directions, other);
+    base->evaluate(directions, unedited);
+    QVERIFY(one == other);
+    QVERIFY(one != unedited);
+  }
+
+  /// The cost is counted, not the length alone: eleven changes of width evaluate the base 2048 times.
+  void listsAreLimited() {
+    const auto error = [](std::size_t count, const Edit& edit) {
+      try {
+        checkLimits(EditList(count, edit));
+        return std::string();
+      } catch (const Error& limit) {
+        return std::string(limit.what());
+      }
+    };
+    const Edit width = widened(2, Rgb(1)), colour = widened(1, Rgb(0.5));
+    QCOMPARE(error(10, width), "");
+    QVERIFY(error(11, width).find("2048 times") != std::string::npos);
+    QCOMPARE(error(maxEdits, colour), "");
+    QVERIFY(error(maxEdits + 1, colour).find("more than 100 edits") != std::string::npos);
+    Edit without = width;
+    without.enabled = false;
+    QCOMPARE(error(maxEdits, without), "");
+    // What is counted is what happens.
+    int calls = 0;
+    const auto base = std::make_shared<const FunctionBrdf>([&](const Direction&, const Direction&) {
+      ++calls;
+      return Rgb(0.2);
+    });
+    (void)applyEdits(base, EditList(10, width))->evaluate(glm::normalize(Direction(0.3, 0.1, 1)), {0, 0, 1});
+    QCOMPARE(calls, 1024);
+  }
+
+  /// A list of any length is evaluated and destroyed without recursion; no limit applies to callers of the library.
+  void longListsNeedNoStack() {
+    const auto base = std::make_shared<const FunctionBrdf>([](const Direction&, const Direction&) { return Rgb(0.2); });
+    const auto edited = applyEdits(base, EditList(100'000, widened(1, Rgb(0.5))));
+    const Rgb value = edited->evaluate({0, 0, 1}, {0, 0, 1});
+    QVERIFY(value.x >= 0 && std::isfinite(value.x));
+    QVERIFY(edited->isIsotropic() && edited->isReciprocal());
+  }
+
   /// A colour outside sRGB, with a channel below 0, stays so while its highlight widens, and no sharp peak remains in
   /// it.
   void negativeChannelsWidenWithTheHighlight() {

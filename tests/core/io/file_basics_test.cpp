@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <dlfcn.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <functional>
 
 #include "core/documents/edit_document.h"
+#include "core/documents/open_material.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/io/sha256.h"
@@ -18,6 +24,28 @@
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
+
+// In place of the system's: a rename, or every hard link, fails when a test asks for it.
+namespace {
+int renamesUntilFailure = -1;
+bool linksFail = false;
+}  // namespace
+
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (renamesUntilFailure >= 0 && renamesUntilFailure-- == 0) {
+    errno = EBUSY;
+    return -1;
+  }
+  return reinterpret_cast<int (*)(const char*, const char*)>(::dlsym(RTLD_NEXT, "rename"))(from, to);
+}
+
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (linksFail) {
+    errno = EPERM;
+    return -1;
+  }
+  return reinterpret_cast<int (*)(const char*, const char*)>(::dlsym(RTLD_NEXT, "link"))(from, to);
+}
 
 namespace file_basics_test {
 using namespace gonio;
@@ -116,6 +144,88 @@ class FileBasicsTest : public QObject {
     QVERIFY(contains(error, path.string()));
     QCOMPARE(readFile(path), old);
     QCOMPARE(std::distance(fs::directory_iterator(path.parent_path()), {}), std::ptrdiff_t(1));
+  }
+
+  /// Three files, of which the middle one is new; the last one, or the one before, cannot be renamed.
+  void aSetIsReplacedAsAWholeOrNotAtAll() {
+    for (const int failing : {0, 1, 2}) {
+      const fs::path folder = emptyFolder("io/set");
+      const Bytes old(3, std::byte{7}), content(5, std::byte{8});
+      const fs::path paths[] = {writeFile("io/set/a", old), folder / "b", writeFile("io/set/c", old)};
+      const io::FileContent files[] = {{paths[0], content}, {paths[1], content}, {paths[2], content}};
+      renamesUntilFailure = failing;
+      const std::string error = errorOf([&] { io::writeFilesAtomically(files); });
+      renamesUntilFailure = -1;
+      QVERIFY2(error.starts_with(paths[failing].string()), error.c_str());
+      QVERIFY(!contains(error, "already replaced"));
+      QCOMPARE(readFile(paths[0]), old);
+      QCOMPARE(readFile(paths[2]), old);
+      QCOMPARE(std::distance(fs::directory_iterator(folder), {}), std::ptrdiff_t(2));
+      io::writeFilesAtomically(files);
+      for (const fs::path& path : paths) QCOMPARE(readFile(path), content);
+      QCOMPARE(std::distance(fs::directory_iterator(folder), {}), std::ptrdiff_t(3));
+    }
+  }
+
+  /// On a file system without hard links the error says what has changed.
+  void whatCannotBeRestoredIsNamed() {
+    const fs::path folder = emptyFolder("io/set");
+    const Bytes old(3, std::byte{7}), content(5, std::byte{8});
+    const fs::path paths[] = {writeFile("io/set/a", old), folder / "b", writeFile("io/set/c", old)};
+    const io::FileContent files[] = {{paths[0], content}, {paths[1], content}, {paths[2], content}};
+    renamesUntilFailure = 2;
+    linksFail = true;
+    const std::string error = errorOf([&] { io::writeFilesAtomically(files); });
+    renamesUntilFailure = -1;
+    linksFail = false;
+    QVERIFY2(error.ends_with("already replaced: " + paths[0].string()), error.c_str());
+    QCOMPARE(readFile(paths[0]), content);
+    QCOMPARE(readFile(paths[2]), old);
+    QCOMPARE(std::distance(fs::directory_iterator(folder), {}), std::ptrdiff_t(2));
+  }
+
+  /// Neither waited for nor replaced: a rename would put a file in the place of /dev/null.
+  void onlyRegularFilesAreReadAndReplaced() {
+    const fs::path folder = emptyFolder("io/special"), pipe = folder / "pipe", toPipe = folder / "link";
+    QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
+    fs::create_symlink("pipe", toPipe);
+    for (const fs::path& path : {pipe, toPipe, fs::path("/dev/null")}) {
+      QVERIFY(contains(errorOf([&] { io::FileSource source(path); }), "a pipe"));
+      QVERIFY(contains(errorOf([&] { materials::readMaterial(path); }), path.string()));
+      QVERIFY(!editing::isDocument(path.string()));
+      QVERIFY(contains(errorOf([&] { io::writeFileAtomically(path, "x"); }), "a pipe"));
+      QVERIFY(contains(errorOf([&] { io::checkWritable(path); }), path.string()));
+    }
+    QVERIFY(fs::is_fifo(pipe) && fs::is_character_file("/dev/null"));
+    const fs::path cut = folder / std::string("a\0b", 3);
+    QVERIFY(contains(errorOf([&] { io::FileSource source(cut); }), "NUL"));
+    QVERIFY(contains(errorOf([&] { io::writeFileAtomically(cut, "x"); }), "NUL"));
+  }
+
+  void readingStopsWhenAsked() {
+    const io::FileSource file(writeFile("io/three_bytes", Bytes(3)));
+    std::stop_source stop;
+    const io::FileSource stoppable(outputPath("io/three_bytes"), stop.get_token());
+    Bytes byte(1);
+    stoppable.readAt(0, byte);
+    stop.request_stop();
+    QVERIFY_EXCEPTION_THROWN(stoppable.readAt(0, byte), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(io::sha256Hex(file, stop.get_token()), Cancelled);
+  }
+
+  /// 40 GB whose first bytes say already that it is no material: nobody needs its hash.
+  void aHugeFileThatIsNoMaterialIsNotReadToItsEnd() {
+    struct Huge final : io::ByteSource {
+      mutable std::atomic<std::uint64_t> read = 0;
+      std::uint64_t size() const override { return std::uint64_t(40) << 30; }
+      void readAt(std::uint64_t, std::span<std::byte> target) const override {
+        read += target.size();
+        std::ranges::fill(target, std::byte{7});
+      }
+    };
+    const Huge source;
+    QVERIFY(!errorOf([&] { materials::readMaterial(source); }).empty());
+    QVERIFY(source.read < source.size() / 2);
   }
 
   void failureNamesTheFileAndLeavesNothing() {
