@@ -7,6 +7,7 @@
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/usage.h"
 #include "core/io/image_io.h"
 #include "core/metrics/image_errors.h"
 #include "core/rendering/rendered_comparison.h"
@@ -64,7 +65,8 @@ void addCompare(CLI::App& app, Tool& tool) {
   command->add_option("A", options->reference, "Reference material")->required();
   command->add_option("B", options->test, "Material to compare with the reference")->required();
   command->add_option("--image", options->image, "PNG file to write: both images side by side and the error map");
-  command->add_option("--size", options->picture.size, "Size of the images, pixels (256)");
+  command->add_option("--size", options->picture.size, "Size of the images, pixels (256)")
+      ->check(parsedBy(pictureSize));
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/usage.h"
 #include "core/documents/edit_document.h"
 #include "core/export/export_origin.h"
 
@@ -24,23 +25,26 @@ struct EditArguments {
 
 bool writesDocument(const EditArguments& options) { return editing::isDocumentName(options.out); }
 
-/// One or three numbers, separated by commas.
+/// One or three finite numbers, separated by commas.
 Rgb parseValue(const std::string& text, const std::string& assignment) {
   std::vector<double> numbers;
-  const char *at = text.data(), *const end = at + text.size();
-  while (at < end) {
-    double value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || (next < end && *next != ',') || (next < end && next + 1 == end)) {
-      numbers.clear();
-      break;
-    }
-    numbers.push_back(value);
-    at = next + 1;
-  }
-  if (numbers.size() != 1 && numbers.size() != 3)
-    throw UsageError("edit: found '" + assignment + "', expected name=value or name=red,green,blue");
-  return numbers.size() == 1 ? Rgb(numbers[0]) : Rgb(numbers[0], numbers[1], numbers[2]);
+  for (const std::string& part : CLI::detail::split(text, ','))
+    if (const auto value = finiteNumber(part)) numbers.push_back(*value);
+  const auto parts = std::size_t(1 + std::ranges::count(text, ','));
+  if (numbers.size() != parts || (parts != 1 && parts != 3))
+    throw UsageError("edit: found '" + assignment +
+                     "', expected name=value or name=red,green,blue with finite numbers");
+  return parts == 1 ? Rgb(numbers[0]) : Rgb(numbers[0], numbers[1], numbers[2]);
+}
+
+/// Without the model, which decides on the rest.
+void checkAssignment(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError("found '" + assignment + "', expected name=value or name=red,green,blue");
+  for (const std::string& part : CLI::detail::split(assignment.substr(equals + 1), ','))
+    if (double value = 0; CLI::detail::lexical_cast(part, value) && !std::isfinite(value))
+      throw UsageError("found '" + assignment + "', expected finite numbers");
 }
 
 /// "diffuse, specular, roughness".
@@ -69,7 +73,7 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
     }
   const Rgb value = parseValue(text, assignment);
   if (!parameter.perChannel && value != Rgb(value.x))
-    throw UsageError("edit: " + name + " has one value for all channels, found '" + assignment + "'");
+    throw UsageError("edit: found '" + assignment + "', expected one number, which is for all channels");
   values.values[*index] = value;
 }
 
@@ -221,10 +225,13 @@ void addEdit(CLI::App& app, Tool& tool) {
       app.add_subcommand("edit", "Edits a material through a fitted model, or applies the edits of a document");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "Model to fit and edit")->check(CLI::IsMember(modelIds()));
-  command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable");
-  command->add_option(
-      "--control", options->controls,
-      "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()));
+  command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable")
+      ->check(parsedBy(checkAssignment));
+  command
+      ->add_option(
+          "--control", options->controls,
+          "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()))
+      ->check(parsedBy(checkAssignment));
   command
       ->add_option(
           "--compose", options->composition,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cstdio>
-#include <cstdlib>
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/usage.h"
 #include "core/editing/edit.h"
 #include "core/study/fit_ranking.h"
 #include "core/study/gamma_selection.h"
@@ -24,9 +24,8 @@ struct FitArguments {
   int samples = study::RankingOptions{}.picture.samples;
 
   fitting::FitOptions fitOptions() const {
-    const bool isNumber = !gamma.empty() && gamma != chooseGamma;
     return {.metric = metrics::metricByName(metric),
-            .gamma = isNumber ? std::stod(gamma) : metrics::defaultGamma,
+            .gamma = finiteNumber(gamma).value_or(metrics::defaultGamma),
             .maxPolarAngle = radians(maxAngle)};
   }
 };
@@ -121,14 +120,14 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
 void checkGamma(const FitArguments& options) {
   if (options.gamma.empty()) return;
   if (options.metric != metricId(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma needs --metric gamma");
-  if (options.gamma == chooseGamma) {
-    if (options.all) throw UsageError("fit: --gamma auto works for one model only; give --model");
-    return;
-  }
-  char* end = nullptr;
-  const double value = std::strtod(options.gamma.c_str(), &end);
-  if (*end != 0 || !(value >= metrics::minGamma && value <= metrics::maxGamma))
-    throw UsageError("fit: --gamma: expected a number from 1 to 3, or auto; found '" + options.gamma + "'");
+  if (options.gamma == chooseGamma && options.all)
+    throw UsageError("fit: --gamma auto works for one model only; give --model");
+}
+
+void checkGammaText(const std::string& text) {
+  const auto value = finiteNumber(text);
+  const bool inRange = value && *value >= metrics::minGamma && *value <= metrics::maxGamma;
+  if (text != chooseGamma && !inRange) throw UsageError("found '" + text + "', expected a number from 1 to 3, or auto");
 }
 
 int fit(const FitArguments& options, const Tool& tool) {
@@ -156,9 +155,11 @@ void addFit(CLI::App& app, Tool& tool) {
   orders.emplace_back(bySnr);
   command->add_option("--metric", options->metric, "Metric to minimise, see Metrics in docs/command-line.md (log)")
       ->check(CLI::IsMember(metricNames));
-  command->add_option(
-      "--gamma", options->gamma,
-      "Gamma of the metric gamma (values are raised to 1/gamma): 1 to 3, or auto for the highest rendered SNR (2)");
+  command
+      ->add_option(
+          "--gamma", options->gamma,
+          "Gamma of the metric gamma (values are raised to 1/gamma): 1 to 3, or auto for the highest rendered SNR (2)")
+      ->check(parsedBy(checkGammaText));
   command
       ->add_option("--sort", options->sort,
                    "Order of the ranking: a metric, or snr for the rendered SNR (the minimised metric)")

@@ -94,33 +94,6 @@ std::string valueWord(const CLI::Option& option, const std::string& type) {
   return type == "INT" || type == "UINT" ? "N" : type == "FLOAT" ? "NUMBER" : type;
 }
 
-/// "1 to 1e6" for "FLOAT in [1 - 1e+06]".
-std::string rangeWords(const std::string& check) {
-  static const std::regex range(R"(.* in \[(.+) - (.+)\])"), exponent("e\\+?(-?)0*");
-  if (check == "POSITIVE") return "above 0";
-  std::smatch limits;
-  if (!std::regex_match(check, limits, range)) return check;
-  return std::regex_replace(limits[1].str() + " to " + limits[2].str(), exponent, "e$1");
-}
-
-/// " N ... (1 to 20)" or " {clamp, filmic}"; for an argument without a dash, only what follows its name.
-std::string optionValueText(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::size_t colon = type.find(':');
-  const std::string check = colon == std::string::npos ? std::string() : type.substr(colon + 1);
-  const bool isSet = check.starts_with('{');
-  std::string text;
-  if (!option.get_positional()) {
-    std::string word = isSet ? filledLines(std::regex_replace(check, std::regex(","), ", "), maxSetColumns, "      ")
-                             : valueWord(option, type.substr(0, colon));
-    if (option.get_expected_min() == 0) word = "[" + word + "]";
-    text = " " + word;
-  }
-  if (option.get_expected_max() > 1 && option.get_expected_max() != option.get_expected_min()) text += " ...";
-  if (!check.empty() && !isSet) text += " (" + rangeWords(check) + ")";
-  return text;
-}
-
 /// Where the parentheses with the default begin in the description; npos if there are none.
 std::size_t defaultPosition(const CLI::Option& option) {
   const std::string& text = option.get_description();
@@ -160,6 +133,32 @@ std::string materialFooter() {
 
 }  // namespace
 
+std::string rangeWords(const std::string& check) {
+  static const std::regex range(R"(.* in \[(.+) - (.+)\])"), exponent("e\\+?(-?)0*");
+  if (check == "POSITIVE") return "above 0";
+  std::smatch limits;
+  if (!std::regex_match(check, limits, range)) return check;
+  return std::regex_replace(limits[1].str() + " to " + limits[2].str(), exponent, "e$1");
+}
+
+std::string valueText(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t colon = type.find(':');
+  const std::string check = colon == std::string::npos ? std::string() : type.substr(colon + 1);
+  const bool isSet = check.starts_with('{');
+  std::string text;
+  if (!option.get_positional()) {
+    std::string word = isSet ? filledLines(std::regex_replace(check, std::regex(","), ", "), maxSetColumns, "      ")
+                             : valueWord(option, type.substr(0, colon));
+    if (option.get_expected_min() == 0) word = "[" + word + "]";
+    text = word;
+  }
+  if (option.get_expected_max() > 1 && option.get_expected_max() != option.get_expected_min())
+    text += text.empty() ? "..." : " ...";
+  if (!check.empty() && !isSet) text += " (" + rangeWords(check) + ")";
+  return text;
+}
+
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;
   CLI::detail::format_help(out, command->get_display_name(true),
@@ -178,7 +177,8 @@ std::string HelpFormatter::make_footer(const CLI::App* command) const {
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   std::string text;
-  if (option->get_expected_max() > 0) text = optionValueText(*option);
+  if (option->get_expected_max() > 0) text = valueText(*option);
+  if (!text.empty()) text.insert(0, " ");
   if (option->get_required()) text += " REQUIRED";
   const auto addOthers = [&text](const char* label, const std::set<CLI::Option*>& others) {
     if (others.empty()) return;

@@ -4,6 +4,7 @@
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/usage.h"
 #include "core/brdf/statistics.h"
 #include "core/rendering/rendered_comparison.h"
 
@@ -91,7 +92,9 @@ void addInfo(CLI::App& app, Tool& tool) {
   CLI::Option* tableError =
       command->add_flag("--table-error", options->tableError,
                         "Also measure the rendered SNR of the material's table, which takes a few seconds");
-  command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")->needs(tableError);
+  command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")
+      ->check(parsedBy(pictureSize))
+      ->needs(tableError);
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")
       ->check(CLI::Range(1, 1 << 20))
       ->needs(tableError);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/stop_on_signal.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/usage.h"
 #include "core/math/parallel.h"
 
 namespace {
@@ -62,10 +64,12 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
         tool::addRender,      tool::addScenes,     tool::addCompare,    tool::addStudy,       tool::addMerge,
         tool::addFigure,      tool::addTrainNeural})
     add(app, tool);
+  tool::checkValues(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrongUsage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, version
+    return printError(tool::usageMessage(app, error), wrongUsage);
   }
   return work(tool, *app.get_subcommands().front());
 }
@@ -73,6 +77,8 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Beyond the limit of the size of files (ulimit -f), writing fails with an error, which names the file.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     tool::Tool tool;
     const int code = parseAndWork(tool, argc, argv);

@@ -3,8 +3,12 @@
 #include "app/goniotool/picture_options.h"
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <tuple>
 
+#include "app/goniotool/report.h"
+#include "app/goniotool/usage.h"
 #include "core/io/image_io.h"
 #include "core/rendering/environment_file.h"
 
@@ -18,10 +22,28 @@ std::string suffixOf(const std::string& path) { return std::filesystem::path(pat
 
 }  // namespace
 
+std::pair<int, int> pictureSize(const std::string& text) {
+  int width = 0, height = 0;
+  const char* const end = text.data() + text.size();
+  auto [at, error] = std::from_chars(text.data(), end, width);
+  height = width;
+  if (error == std::errc() && at != end && *at == 'x') {
+    const auto second = std::from_chars(at + 1, end, height);
+    at = second.ptr;
+    error = second.ec;
+  }
+  const auto fits = [](int length) { return length >= 1 && length <= maxPictureSize; };
+  if (error != std::errc() || at != end || !fits(width) || !fits(height))
+    throw UsageError("found '" + text + "', expected a number or WIDTHxHEIGHT up to 8192");
+  return {width, height};
+}
+
 void PictureOptions::apply(Scene& scene) const {
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
-    if (!(glm::length(direction) > 0)) throw UsageError("--light: the direction has length 0");
+    const double length = glm::length(direction);
+    if (!(length > 0) || std::isinf(length))
+      throw UsageError("--light: found a direction of length " + number(length) + ", expected a finite one above 0");
     scene.environment = nullptr;
     scene.pointLights.clear();
     std::erase_if(scene.objects, [](const SceneObject& object) { return object.emits(); });
@@ -36,17 +58,7 @@ void PictureOptions::apply(Scene& scene) const {
 
 RenderOptions PictureOptions::renderOptions() const {
   RenderOptions result;
-  const char *begin = size.data(), *const end = begin + size.size();
-  auto [at, error] = std::from_chars(begin, end, result.width);
-  result.height = result.width;
-  if (error == std::errc() && at != end && *at == 'x') {
-    const auto second = std::from_chars(at + 1, end, result.height);
-    at = second.ptr;
-    error = second.ec;
-  }
-  const auto fits = [](int length) { return length >= 1 && length <= maxPictureSize; };
-  if (error != std::errc() || at != end || !fits(result.width) || !fits(result.height))
-    throw UsageError("--size: found '" + size + "', expected a number or WIDTHxHEIGHT up to 8192");
+  std::tie(result.width, result.height) = pictureSize(size);
   result.samples = samples;
   result.seed = seed;
   return result;
@@ -65,7 +77,8 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
                      "Rotation of the environment about the vertical axis, degrees (0)");
   command.add_flag("--show-environment", options->showEnvironment, "Show the environment behind the objects");
   command.add_flag("--blur-background", options->blurBackground, "Blur the environment behind the objects");
-  command.add_option("--size", options->size, "Size of the image, pixels: a number or WIDTHxHEIGHT (256)");
+  command.add_option("--size", options->size, "Size of the image, pixels: a number or WIDTHxHEIGHT (256)")
+      ->check(parsedBy(pictureSize));
   command.add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command.add_option("--seed", options->seed, "Seed of the random numbers (1)");
   command.add_option("--exposure", options->exposure, "Exposure of PNG images, stops (0)")

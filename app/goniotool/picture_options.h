@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/goniotool/tool.h"
@@ -28,10 +29,12 @@ struct PictureOptions {
   /// `environment` if that is not empty, and applies rotation and background.
   /// @throws Error if the environment is neither bundled nor a readable picture; UsageError for other invalid options.
   void apply(Scene& scene) const;
-  /// @throws UsageError if the size cannot be parsed.
   RenderOptions renderOptions() const;
   ToneMap tone() const { return toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp; }
 };
+
+/// Width and height of "256" or "640x480". @throws UsageError.
+std::pair<int, int> pictureSize(const std::string& text);
 
 /// Adds the options for light, size, samples and display.
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options);

@@ -9,6 +9,7 @@
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/usage.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
@@ -33,23 +34,22 @@ struct PlanArguments {
 ForbiddenRegion forbiddenRegion(const std::string& text) {
   ForbiddenRegion region;
   std::set<std::string> seen;
-  const std::string expected = ", expected ranges such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)";
+  const UsageError wrong("found '" + text +
+                         "', expected ranges such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)");
   for (const std::string& part : CLI::detail::split(text, ',')) {
     const auto equals = part.find('='), colon = part.find(':');
-    double lowest = 0, highest = 0;
-    if (equals == std::string::npos || colon == std::string::npos || colon < equals ||
-        !CLI::detail::lexical_cast(part.substr(equals + 1, colon - equals - 1), lowest) ||
-        !CLI::detail::lexical_cast(part.substr(colon + 1), highest))
-      throw UsageError("plan: found --forbid " + text + expected);
+    if (equals == std::string::npos || colon == std::string::npos || colon < equals) throw wrong;
+    const auto lowest = finiteNumber(part.substr(equals + 1, colon - equals - 1));
+    const auto highest = finiteNumber(part.substr(colon + 1));
     const std::string name = part.substr(0, equals);
     const std::map<std::string, AngleRange*> ranges{
         {"theta_i", &region.thetaI}, {"theta_o", &region.thetaO}, {"phi", &region.azimuthDifference}};
     const auto range = ranges.find(name);
-    if (range == ranges.end()) throw UsageError("plan: found --forbid " + text + expected);
+    if (range == ranges.end() || !lowest || !highest) throw wrong;
     if (!seen.insert(name).second)
-      throw UsageError("plan: found " + name + " twice in --forbid " + text +
-                       ", expected one range per angle; use one --forbid for each region");
-    *range->second = {radians(lowest), radians(highest)};
+      throw UsageError("found " + name + " twice in '" + text +
+                       "', expected one range per angle; use one --forbid for each region");
+    *range->second = {radians(*lowest), radians(*highest)};
   }
   return region;
 }
@@ -172,7 +172,8 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->add_option("--forbid", options->forbidden,
                    "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees "
                    "(phi: difference of the azimuths); repeatable")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(parsedBy(forbiddenRegion));
   command->add_option("--seed", selection.seed, "Seed of the methods condition-number and random (1)");
   command
       ->add_option("--restarts", selection.restarts,

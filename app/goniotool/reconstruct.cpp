@@ -7,6 +7,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/usage.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/brdf/log_relative.h"
 #include "core/materials/plan_file.h"
@@ -33,18 +34,21 @@ std::string_view methodOf(const ReconstructArguments& options) {
                                                        : ReconstructionMethod::localRidge)];
 }
 
+/// nullopt: chosen by the program.
+std::optional<double> ridgeOf(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto ridge = finiteNumber(text);
+  if (!ridge || *ridge < 0) throw UsageError("found '" + text + "', expected a number, 0 or more, or auto");
+  return ridge;
+}
+
 ReconstructionOptions reconstructionOptions(const ReconstructArguments& options) {
   if (options.asPublished) return publishedReconstruction();
   ReconstructionOptions result = options.reconstruction;
   result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, methodOf(options)) -
                                        reconstructionMethodNames.begin());
   result.ridge.reset();
-  if (!options.ridge.empty() && options.ridge != "auto") {
-    double ridge = 0;
-    if (!CLI::detail::lexical_cast(options.ridge, ridge) || !(ridge >= 0))
-      throw UsageError("reconstruct: found --ridge " + options.ridge + ", expected a number, 0 or more, or auto");
-    result.ridge = ridge;
-  }
+  if (!options.ridge.empty()) result.ridge = ridgeOf(options.ridge);
   if (!options.ridge.empty() && result.method != ReconstructionMethod::ridge)
     throw UsageError("reconstruct: --ridge needs --method ridge");
   result.uncertainty = result.method != ReconstructionMethod::sparse;
@@ -177,9 +181,11 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(reconstructionMethods()));
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary file of the method dictionaries (bundled dictionary)");
-  command->add_option("--ridge", options->ridge,
-                      "Weight of the regularisation of --method ridge: a number (40 in Tongbuasirilai 2023, eq. 5.14) "
-                      "or auto, chosen by leave-one-out (auto)");
+  command
+      ->add_option("--ridge", options->ridge,
+                   "Weight of the regularisation of --method ridge: a number (40 in Tongbuasirilai 2023, eq. 5.14) "
+                   "or auto, chosen by leave-one-out (auto)")
+      ->check(parsedBy(ridgeOf));
   command
       ->add_option("--components", reconstruction.components,
                    "Number of components (all of the basis; with --train as many as samples)")

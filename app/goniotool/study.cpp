@@ -8,6 +8,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/study_output.h"
 #include "app/goniotool/study_shards.h"
+#include "app/goniotool/usage.h"
 #include "core/documents/training_files.h"
 #include "core/models/registry.h"
 
@@ -135,8 +136,10 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");
-  command->add_option("--shard", options->shard,
-                      "I/N: measure only every Nth material, starting with the Ith; goniotool merge merges the shards");
+  command
+      ->add_option("--shard", options->shard,
+                   "I/N: measure only every Nth material, starting with the Ith; goniotool merge merges the shards")
+      ->check(parsedBy(parseShard));
   command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
                       "Limit for the best representation: max. frame time, ms");

@@ -85,7 +85,7 @@ Shard parseShard(const std::string& text) {
   Shard shard;
   if (slash == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, slash), shard.number) ||
       !CLI::detail::lexical_cast(text.substr(slash + 1), shard.count) || shard.number < 1 || shard.number > shard.count)
-    throw UsageError("study: found --shard " + text + ", expected I/N with I from 1 to N");
+    throw UsageError("found '" + text + "', expected I/N with I from 1 to N");
   return shard;
 }
 

@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <sys/resource.h>
+
 #include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QStringList>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -55,9 +58,16 @@ inline QString undocumentedKeys() {
   return missing.isEmpty() ? QString() : "document these keys in docs/command-line.md: " + missing.join(", ");
 }
 
-/// Runs goniotool to its end, for as long as CTest lets the test run.
-inline ToolResult runTool(const QStringList& arguments) {
+/// Runs goniotool to its end, for as long as CTest lets the test run. @param maxFileBytes limits the files that it may
+/// write, as ulimit -f.
+inline ToolResult runTool(const QStringList& arguments, rlim_t maxFileBytes = RLIM_INFINITY) {
   QProcess process;
+  if (maxFileBytes != RLIM_INFINITY)
+    process.setChildProcessModifier([maxFileBytes] {
+      const rlimit limit{maxFileBytes, maxFileBytes};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      std::signal(SIGXFSZ, SIG_DFL);  // Python, for one, starts programs with the signal ignored
+    });
   process.start(GONIO_TOOL, arguments);
   process.closeWriteChannel();
   ToolResult result;
