@@ -45,7 +45,8 @@ ContainerWriter::ContainerWriter(const ContainerFormat& format) {
 }
 
 void ContainerWriter::description(const nlohmann::json& json) {
-  const std::string text = json.dump();
+  // Names of files, unlike JSON, may contain bytes that are not UTF-8.
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   number(std::uint32_t(text.size()));
   append(std::as_bytes(std::span(text)));
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/io/byte_source.h"
+#include "core/io/text_lines.h"
 #include "core/support/error.h"
 #include "core/support/lower_case.h"
 
@@ -15,7 +15,6 @@ namespace gonio::io {
 
 namespace {
 
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 constexpr std::uint64_t maxBytes = 1 << 24;
 
 std::string_view trimmed(std::string_view text, std::string_view characters = " \t\"") {
@@ -135,7 +134,7 @@ int CsvText::integer(const Row& row, std::size_t column) const {
 
 CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader,
                     std::size_t firstLine) {
-  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  text = withoutByteOrderMark(text);
   CsvText csv;
   for (std::size_t number = firstLine; !text.empty(); ++number) {
     const std::string_view line = takeLine(text), content = trimmed(line, " \t\",;");

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/geometry/polygon.h"
+#include "core/io/text_lines.h"
 #include "core/support/file_in_errors.h"
 
 namespace gonio::io {
@@ -182,7 +183,7 @@ class Reader {
 
 TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
   const std::vector<std::byte> bytes = source.readAll(maxObjBytes);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string_view text = withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return TriangleMesh(Reader(text, control.between(0, 0.7)).read());
 }
 

@@ -35,6 +35,11 @@ void TextLine::fail(const std::string& expected) const {
               (text.size() > shownCharacters ? "..'" : "'") + ", expected " + expected);
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 std::optional<TextLine> TextLines::next() {
   while (!rest_.empty()) {
     const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());

@@ -23,11 +23,14 @@ struct TextLine {
   [[noreturn]] void fail(const std::string& expected) const;
 };
 
-/// Iterates over the lines of a text that are not empty. Line ends: "\n", "\r\n", "\r".
+/// Text without the byte order mark (U+FEFF in UTF-8) that some editors and spreadsheets write before it.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// Iterates over the lines of a text that are not empty. Line ends: "\n", "\r\n", "\r". A byte order mark is skipped.
 class TextLines {
  public:
   /// @param text must outlive the lines.
-  explicit TextLines(std::string_view text) : rest_(text) {}
+  explicit TextLines(std::string_view text) : rest_(withoutByteOrderMark(text)) {}
   std::optional<TextLine> next();
   /// Number of bytes left: an upper bound for how many numbers can follow.
   std::size_t bytesLeft() const { return rest_.size(); }

@@ -53,6 +53,14 @@ std::string errorOfFile(const Bytes& bytes) {
 class ContainerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// Names of files need not be UTF-8.
+  void descriptionsAreText() {
+    io::ContainerWriter file(format);
+    file.description({{"name", "caf\xe9"}});
+    io::ContainerReader read(format, io::MemorySource(file.bytes()));
+    QCOMPARE(read.description()["name"].get<std::string>(), std::string("caf\xef\xbf\xbd"));
+  }
+
   /// The layout that the files of all versions have, byte by byte.
   void layout() {
     Bytes expected = bytesOf("GONIOTST");

@@ -46,8 +46,22 @@ class JsonTextTest : public QObject {
   }
 
   void otherTextIsRefused() {
-    for (const char* text : {"", "nul", "{\"a\": 1e999}", "[1,]", "\xff"})
+    for (const char* text : {"", "nul", "[NaN]", "[Infinity]", "[-inf]", "[1,]", "\xff", "\xef\xbb[]"})
       QVERIFY2(contains(test::errorOf([&] { io::parseJson(text); }), "found text that is not JSON"), text);
+    for (const char* number : {"1e999", "-1e999"})
+      QCOMPARE(test::errorOf([&] { io::parseJson("{\"a\": " + std::string(number) + "}"); }),
+               "found a number that is too large: '" + std::string(number) + "'");
+  }
+
+  /// However much of the text the parser has read last.
+  void errorsAreShort() {
+    for (const std::string& text : {"[\"" + std::string(100'000, 'x'), "[" + std::string(100'000, '9') + "e999]"})
+      QVERIFY(test::errorOf([&] { io::parseJson(text); }).size() < 300);
+  }
+
+  void aByteOrderMarkIsSkipped() {
+    QVERIFY(io::parseJson("\xef\xbb\xbf {\"a\": 1}") == (nlohmann::json{{"a", 1}}));
+    QCOMPARE(io::parseJson("\xef\xbb\xbf[\"\xef\xbb\xbf\"]")[0].get<std::string>(), std::string("\xef\xbb\xbf"));
   }
 };
 

@@ -45,6 +45,7 @@ class ObjFileTest : public QObject {
     QVERIFY(isCube(read(replaced(cubeVertices + cubeFaces, "\n", "\r"))));
     QVERIFY(isCube(read(replaced(cubeVertices + cubeFaces, " ", " \t "))));
     QVERIFY(isCube(read(cubeFaces + cubeVertices)));  // faces first
+    QVERIFY(isCube(read("\xef\xbb\xbf" + cubeVertices + cubeFaces)));
     QVERIFY(isCube(read(replaced(cubeVertices + cubeFaces, "\n", " # f 1 1 1\n# v x\n\n"))));
     QVERIFY(isCube(read(replaced(cubeVertices + cubeFaces, "f ", "f \\\n"))));
     QVERIFY(isCube(read("mtllib a b\no cube\n" + cubeVertices + "vt 0 x\ng a b\nusemtl m\ns 1\n" +

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/io/sha256.h"
+#include "core/io/text_lines.h"
 #include "core/materials/code_file.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
@@ -85,6 +86,25 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(format.holds.anisotropic || material.brdf->isIsotropic());
       QVERIFY(format.holds.nonReciprocal || material.brdf->isReciprocal());
     }
+  }
+
+  /// In every format that is text.
+  void aByteOrderMarkIsSkipped() {
+    int texts = 0;
+    for (const MaterialFormat& format : materials::materialFormats()) {
+      const Bytes bytes = fileOf(format.id);
+      if (!errorOf([&] { io::textHead(io::MemorySource(bytes), "text"); }).empty()) continue;
+      ++texts;
+      Bytes marked = bytesOf("\xef\xbb\xbf");
+      marked.insert(marked.end(), bytes.begin(), bytes.end());
+      QVERIFY(&materials::sniffFormat(io::MemorySource(marked)) == &format);
+      const auto read = [](const Bytes& content) {
+        return materials::readMaterial(writeFile("materials/marked.name", content)).brdf;
+      };
+      const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.5, 2)};
+      QVERIFY(read(marked)->evaluate(pair.wi, pair.wo) == read(bytes)->evaluate(pair.wi, pair.wo));
+    }
+    QVERIFY(texts >= 5);
   }
 
   void suffixesFindTheFormatInEitherCase() {
