@@ -209,7 +209,7 @@ void bindBasis(py::module_& module) {
                                const auto& values = b.components->svd.singularValues;
                                return toArray(std::span<const double>(values.data(), std::size_t(values.size())));
                              })
-      .def_property_readonly("learned_from", [](const PyBasis& b) { return b.learnedFrom; })
+      .def_property_readonly("learned_from", [](const PyBasis& b) { return toTexts(b.learnedFrom); })
       .def_property_readonly("grid",
                              [](const PyBasis& b) {
                                const HalfDifferenceGrid& grid = b.components->mapping.grid;

@@ -131,6 +131,22 @@ py::tuple toArrays(Image image) {
   return py::make_tuple(view(reinterpret_cast<const float*>(held->pixels.data()), {height, width, 3}, held), alpha);
 }
 
+py::str toText(std::string_view text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "backslashreplace"));
+}
+
+py::list toTexts(const std::vector<std::string>& texts) {
+  py::list list;
+  for (const std::string& text : texts) list.append(toText(text));
+  return list;
+}
+
+py::str toPath(const std::filesystem::path& path) {
+  const std::string& name = path.native();
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeFSDefaultAndSize(name.data(), py::ssize_t(name.size())));
+}
+
 py::object toPython(const nlohmann::json& json) {
   using Type = nlohmann::json::value_t;
   switch (json.type()) {

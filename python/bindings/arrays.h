@@ -4,6 +4,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -48,6 +49,12 @@ py::array_t<double> toArray(std::span<const Rgb> values);
 std::vector<Rgb> toRgb(const Vectors& array, const char* name);
 /// (height, width, 3) of float32, without a copy, and alpha (height, width) or None.
 py::tuple toArrays(Image image);
+
+/// Text for people, of a file or with a path in it. Bytes that are not UTF-8 become \xNN.
+py::str toText(std::string_view text);
+py::list toTexts(const std::vector<std::string>& texts);
+/// A path as Python decodes it: bytes that are not UTF-8 become surrogates, so that it opens the same file.
+py::str toPath(const std::filesystem::path& path);
 
 /// JSON as dicts, lists, strings and numbers; numbers that are not finite are unchanged.
 py::object toPython(const nlohmann::json& json);

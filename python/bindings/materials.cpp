@@ -273,12 +273,12 @@ py::list library() {
 
 void bindMaterials(py::module_& module) {
   py::class_<PyMaterial, PyMaterialPtr>(module, "Material")
-      .def_property_readonly("name", [](const PyMaterial& m) { return m.shown().name; })
+      .def_property_readonly("name", [](const PyMaterial& m) { return toText(m.shown().name); })
       .def_property_readonly("format", [](const PyMaterial& m) { return m.shown().source.format; })
-      .def_property_readonly("path", [](const PyMaterial& m) { return m.shown().source.path.string(); })
+      .def_property_readonly("path", [](const PyMaterial& m) { return toPath(m.shown().source.path); })
       .def_property_readonly("sha256", [](const PyMaterial& m) { return m.shown().source.sha256; })
-      .def_property_readonly("description", [](const PyMaterial& m) { return m.shown().source.description; })
-      .def_property_readonly("notes", [](const PyMaterial& m) { return m.shown().source.notes; })
+      .def_property_readonly("description", [](const PyMaterial& m) { return toText(m.shown().source.description); })
+      .def_property_readonly("notes", [](const PyMaterial& m) { return toTexts(m.shown().source.notes); })
       .def_property_readonly("grid", [](const PyMaterial& m) { return py::tuple(py::cast(m.shown().source.grid)); })
       .def_property_readonly("is_isotropic", [](const PyMaterial& m) { return m.brdf()->isIsotropic(); })
       .def_property_readonly("is_reciprocal", [](const PyMaterial& m) { return m.brdf()->isReciprocal(); })

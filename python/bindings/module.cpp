@@ -15,13 +15,25 @@ void setThreads(int count) {
   if (count > 0) limit.emplace(count);
 }
 
+/// Makes gonio.Error of Error.
+void translateErrors(py::module_& module) {
+  static const py::exception<Error> type(module, "Error", PyExc_ValueError);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      PyErr_SetObject(type.ptr(), toText(error.what()).ptr());
+    }
+  });
+}
+
 }  // namespace
 
 }  // namespace gonio::python
 
 PYBIND11_MODULE(_core, module) {
   using namespace gonio::python;
-  py::register_exception<gonio::Error>(module, "Error", PyExc_ValueError);
+  translateErrors(module);
   module.attr("version") = GONIO_VERSION;
   module.def("set_threads", setThreads);
   module.def("threads", gonio::threadCount);

@@ -198,7 +198,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     return result;
   });
   py::list paths;
-  for (const exports::ExportFile& file : files) paths.append(file.path.string());
+  for (const exports::ExportFile& file : files) paths.append(toPath(file.path));
   py::dict facts, row;
   for (const exports::ExportFact& fact : made.facts)
     std::visit([&](const auto& value) { facts[py::str(std::string(fact.key))] = value; }, fact.value);
@@ -206,7 +206,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   row["snr"] = made.snr;
   row["bytes"] = made.bytes();
   row["facts"] = facts;
-  row["warnings"] = made.warnings;
+  row["warnings"] = toTexts(made.warnings);
   row["material"] = newMaterial(material.shown().name, std::string(target.label), made.brdf);
   return row;
 }

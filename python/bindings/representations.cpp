@@ -281,7 +281,8 @@ void bindRepresentations(py::module_& module) {
       .def("__len__", [](const materials::NamedEnsemble& d) { return d.ensemble.dictionaries.size(); })
       .def_property_readonly("id", [](const materials::NamedEnsemble& d) { return d.id; })
       .def_property_readonly("bytes", [](const materials::NamedEnsemble& d) { return d.ensemble.bytes(); })
-      .def_property_readonly("learned_from", [](const materials::NamedEnsemble& d) { return d.ensemble.learnedFrom; })
+      .def_property_readonly("learned_from",
+                             [](const materials::NamedEnsemble& d) { return toTexts(d.ensemble.learnedFrom); })
       .def_property_readonly("grid",
                              [](const materials::NamedEnsemble& d) {
                                const HalfDifferenceGrid& grid = d.ensemble.grid;

@@ -85,7 +85,8 @@ void bindTraining(py::module_& module) {
                                const HalfDifferenceGrid& grid = patches.grid;
                                return py::make_tuple(grid.thetaHCount, grid.thetaDCount, grid.phiDCount);
                              })
-      .def_readonly("training_set", &dictionary::PatchDictionary::learnedFrom)
+      .def_property_readonly("training_set",
+                             [](const dictionary::PatchDictionary& patches) { return toTexts(patches.learnedFrom); })
       .def_property_readonly("bytes", &dictionary::PatchDictionary::bytes)
       .def("encode", encodePatches);
   module.def("learn_patches", learnPatches);

@@ -13,14 +13,15 @@ Conventions of all functions:
 - Every optional argument that defaults to None, 0, () or "" states what that default does.
 - The same arguments and seeds give the same bits for any number of threads.
 - Long computations run on all cores, release the GIL, and can be interrupted by Ctrl+C.
-- Bad input raises gonio.Error, a ValueError. Its message states what was found and what was expected.
+- Bad input raises gonio.Error, a ValueError. Its message states what was found and what was expected. Numbers that are not
+  finite are bad input for every argument, except in invalid cells of a table.
 
 Types in the signatures:
 
 - `ArrayLike` (of numpy.typing): anything that numpy.asarray() accepts: an array, a list of lists, a number. Arrays that
   functions return are `NDArray`, with the type of their elements in brackets.
-- `PathLike`: a file name as str or pathlib.Path. Where the text says so, also the name of something bundled, such as
-  "library:rgl/satin_purple".
+- `PathLike`: a file name as str, bytes or os.PathLike, such as pathlib.Path, as for Python's own open(). Where the text says
+  so, also the name of something bundled, such as "library:rgl/satin_purple".
 - `Progress`: None, or a function of one number. It is called on the calling thread with the fraction that is done, from 0
   to 1. If it raises an exception, the computation stops and the exception is passed on.
 - `Value`: the value of a model's parameter: a number; three numbers (red, green, blue) for a parameter with a value per
@@ -29,6 +30,9 @@ Types in the signatures:
 - `Optional[X]`: an X or None. `Union[X, Y]`: an X or a Y. `Sequence[X]`: a list or tuple of X. `Iterable[X]`: the same, or a
   generator. `Mapping[str, X]`: a dict with names as keys.
 """
+from inspect import isfunction as _isfunction
+
+from ._arguments import checked as _checked
 from ._core import Error, version as __version__
 from ._materials import (Check, GridDirections, LibraryEntry, Material, check, from_table, grid_directions, library, open,
                          set_threads)
@@ -66,5 +70,12 @@ __all__ = [
 
 Error.__doc__ = "Raised by all functions for bad input. The message states the file, what was found and what was expected."
 for _name in __all__:
-    globals()[_name].__module__ = __name__
-del _name
+    _item = globals()[_name]
+    _item.__module__ = __name__
+    if not isinstance(_item, type):
+        globals()[_name] = _checked(_item)
+        continue
+    for _key, _member in list(vars(_item).items()):
+        if _isfunction(_member) and (not _key.startswith("_") or _key == "__init__" and not hasattr(_item, "__dataclass_fields__")):
+            setattr(_item, _key, _checked(_member))
+del _name, _item, _key, _member

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._materials import Material, PathLike, Progress, from_table
+from ._arguments import PathLike, check_finite
+from ._materials import Material, Progress, from_table
 
 Box = Sequence[Sequence[float]]
 
@@ -85,14 +86,16 @@ class Basis:
             progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Raises:
-            Error: The shape is wrong, or there are more coefficients than components.
+            Error: The shape is wrong, there are more coefficients than components, or a coefficient is not finite.
         """
-        return Material(self._handle.decode(np.asarray(code, dtype=np.float32), name, progress))
+        coefficients = np.asarray(code, dtype=np.float32)
+        check_finite("code", coefficients)
+        return Material(self._handle.decode(coefficients, name, progress))
 
     def save(self, path: PathLike) -> None:
         """Writes a .basis file in half precision; an existing file is replaced in one step. Raises Error if it cannot be
         written."""
-        self._handle.save(os.fspath(path))
+        self._handle.save(os.fsencode(path))
 
 
 def bundled_basis(progress: Progress = None) -> Basis:
@@ -116,7 +119,7 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
     Raises:
         Error: A file cannot be read, its table has another grid, or a name in `excluded` matches no material.
     """
-    return Basis(_core.learn_basis([os.fspath(source) for source in sources], list(excluded), components, progress))
+    return Basis(_core.learn_basis([os.fsencode(source) for source in sources], list(excluded), components, progress))
 
 
 def separate(material: Material, progress: Progress = None) -> tuple[Material, Material]:
@@ -194,13 +197,13 @@ def learn_separated_basis(sources: Sequence[PathLike] = (), excluded: Sequence[s
     Raises:
         Error: A file cannot be read, its table has another grid, or a name in `excluded` matches no material.
     """
-    diffuse, specular = _core.learn_separated_basis([os.fspath(source) for source in sources], list(excluded), components, progress)
+    diffuse, specular = _core.learn_separated_basis([os.fsencode(source) for source in sources], list(excluded), components, progress)
     return SeparatedBasis(Basis(diffuse), Basis(specular))
 
 
 def open_basis(path: PathLike) -> Basis:
     """Reads a .basis file, such as the one that `goniotool plan` writes beside a plan. Raises Error if it cannot be read."""
-    return Basis(_core.read_basis(os.fspath(path)))
+    return Basis(_core.read_basis(os.fsencode(path)))
 
 
 @dataclass(frozen=True)
@@ -274,16 +277,16 @@ class Plan:
     def save(self, path: PathLike) -> None:
         """Writes the plan as CSV (docs/formats.md); an existing file is replaced in one step. Raises Error if it
         cannot be written."""
-        self._handle.save(os.fspath(path))
+        self._handle.save(os.fsencode(path))
 
     def save_values(self, readings: Readings, path: PathLike) -> None:
         """Writes readings as CSV, for `goniotool reconstruct`. Raises Error if the file cannot be written."""
-        self._handle.save_values(readings.values, readings.noise, os.fspath(path))
+        self._handle.save_values(readings.values, readings.noise, os.fsencode(path))
 
     def open_values(self, path: PathLike) -> Readings:
         """Reads the values measured at the directions of this plan from a CSV file (docs/formats.md). Raises Error with
         the file and the line."""
-        return Readings(*self._handle.read_values(os.fspath(path)))
+        return Readings(*self._handle.read_values(os.fsencode(path)))
 
 
 def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp", components: int = 0,
@@ -325,7 +328,7 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
 def open_plan(path: PathLike) -> Plan:
     """Reads a plan from a CSV file (docs/formats.md). Raises Error with the file and the line."""
-    return Plan.__new__(Plan)._set(_core.read_plan(os.fspath(path)))
+    return Plan.__new__(Plan)._set(_core.read_plan(os.fsencode(path)))
 
 
 def measure(material: Material, plan: Plan, noise: float = 0.0, floor: float = 0.0, misalignment: float = 0.0,

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._arguments import PathLike
 from ._acquisition import Plan, Readings
-from ._materials import Material, PathLike
+from ._materials import Material
 
 
 class FactorPlan(Plan):
@@ -35,7 +36,7 @@ class FactorPlan(Plan):
     def save_readings(self, readings: Readings, path: PathLike) -> None:
         """Writes the directions and the readings as CSV (docs/formats.md). Raises Error if the numbers of directions and
         values differ, or the file cannot be written."""
-        _core.write_factor_readings(self._handle, self.axes, self.curves, readings.values, readings.noise, os.fspath(path))
+        _core.write_factor_readings(self._handle, self.axes, self.curves, readings.values, readings.noise, os.fsencode(path))
 
 
 def plan_factors(axes: str, fixed_angle: float = math.radians(60), angles: int = 90, distances: int = 90,
@@ -69,7 +70,7 @@ def open_factor_readings(path: PathLike, axes: str) -> tuple[FactorPlan, Reading
     Raises:
         Error: The file cannot be read; the message states the line.
     """
-    (handle, curves, blocked), values, noise = _core.read_factor_readings(os.fspath(path), axes)
+    (handle, curves, blocked), values, noise = _core.read_factor_readings(os.fsencode(path), axes)
     return FactorPlan(handle, axes, curves, blocked), Readings(values, noise)
 
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arguments import PathLike, check_finite
 
 Progress = Optional[Callable[[float], object]]
-PathLike = Union[str, "os.PathLike[str]"]
 
 
 def _rows(first: ArrayLike, second: ArrayLike, names: tuple[str, str]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -202,8 +202,12 @@ class Material:
 
         Returns:
             Linear RGB without unit, shape theta.shape + (3,); at most 1 where the material conserves energy.
+
+        Raises:
+            Error: An angle is not finite.
         """
         angles = np.asarray(theta, dtype=np.float64)
+        check_finite("theta", angles)
         return self._handle.albedo(angles.ravel().tolist()).reshape(angles.shape + (3,))
 
     def tabulated(self, progress: Progress = None) -> Material:
@@ -253,7 +257,7 @@ class Material:
         Raises:
             Error: The suffix is unknown, the format cannot represent the material, or the file cannot be written.
         """
-        return self._handle.save(os.fspath(path), progress)
+        return self._handle.save(os.fsencode(path), progress)
 
 
 def open(path: PathLike, progress: Progress = None) -> Material:
@@ -268,7 +272,7 @@ def open(path: PathLike, progress: Progress = None) -> Material:
         Error: No reader accepts the file (the message lists what each found and expected), or the file that a document edits
             has changed.
     """
-    return Material(_core.open(os.fspath(path), progress))
+    return Material(_core.open(os.fsencode(path), progress))
 
 
 def from_table(values: ArrayLike, valid: Optional[ArrayLike] = None, reciprocal: bool = True, name: str = "table") -> Material:

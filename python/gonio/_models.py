@@ -100,10 +100,7 @@ def _text(model: Model, parameters: Mapping[str, Value]) -> str:
                 expected = ", ".join(choices.get(name, ())) or "a number"
                 raise _core.Error(f"{name}: found {value!r}, expected {expected}")
             return choices[name].index(value)
-        array = np.asarray(value, dtype=np.float64)
-        if not np.all(np.isfinite(array)):
-            raise _core.Error(f"{name}: found a value that is not finite")
-        return array.tolist()
+        return np.asarray(value, dtype=np.float64).tolist()
 
     return json.dumps({name: plain(name, value) for name, value in parameters.items()})
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._materials import Material, PathLike, Progress
+from ._arguments import PathLike
+from ._materials import Material, Progress
 
 
 class NeuralBrdf:
@@ -55,7 +56,7 @@ class NeuralBrdf:
 
     def save(self, path: PathLike) -> None:
         """Writes a .nbrdf file; an existing file is replaced in one step. Raises Error if it cannot be written."""
-        self._handle.save(os.fspath(path))
+        self._handle.save(os.fsencode(path))
 
 
 def train_neural(material: Material, steps: int = 40000, learning_rate: float = 0.01, seed: int = 1,
@@ -91,4 +92,4 @@ def neural_brdf(weights: ArrayLike) -> NeuralBrdf:
 
 def open_neural(path: PathLike) -> NeuralBrdf:
     """Reads a .nbrdf file. Raises Error if it cannot be read."""
-    return NeuralBrdf(_core.read_neural(os.fspath(path)))
+    return NeuralBrdf(_core.read_neural(os.fsencode(path)))

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._arguments import PathLike
 from ._acquisition import Basis
-from ._materials import Material, PathLike, Progress
+from ._materials import Material, Progress
 from ._representations import Dictionary
 from ._training import PatchDictionary
 
@@ -52,7 +53,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         Error: The scene or environment is unknown or cannot be read, or there are more materials than slots.
     """
     width, height = (size, size) if isinstance(size, int) else size
-    picture, coverage = _core.render(_handles(materials), os.fspath(scene), os.fspath(environment), rotation, width, height,
+    picture, coverage = _core.render(_handles(materials), os.fsencode(scene), os.fsencode(environment), rotation, width, height,
                                      samples, seed, progress)
     return np.dstack((picture, coverage)) if alpha else picture
 
@@ -77,7 +78,7 @@ def effects(materials: Union[Material, Sequence[Material]], scene: PathLike = "s
         scene: As in gonio.render().
         environment: As in gonio.render(); "": the environment of the scene.
     """
-    return [Effect(*row) for row in _core.effects(_handles(materials), os.fspath(scene), os.fspath(environment))]
+    return [Effect(*row) for row in _core.effects(_handles(materials), os.fsencode(scene), os.fsencode(environment))]
 
 
 @dataclass(frozen=True)
@@ -184,7 +185,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
     request = _core.StudyRequest()
     request.families, request.models, request.baselines = list(representations), list(models), list(baselines)
     request.terms, request.coefficients = list(terms), list(coefficients)
-    request.npf = os.fspath(npf)
+    request.npf = os.fsencode(npf)
     request.components = [count for count in components if basis is None or count <= len(basis)]
     rows = _core.study(material._handle, request, dictionary._handle if dictionary else None, basis._handle if basis else None,
                        patches._handle if patches else None, size, samples, timed, progress)
@@ -253,7 +254,7 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
             file is written.
     """
     theta_count, side = grid or (0, 0)
-    row = _core.export(material._handle, os.fspath(path), target, snr, theta_count, side, os.fspath(scene),
-                       os.fspath(environment), overwrite, progress)
+    row = _core.export(material._handle, os.fsencode(path), target, snr, theta_count, side, os.fsencode(scene),
+                       os.fsencode(environment), overwrite, progress)
     row["material"] = Material(row["material"])
     return Export(**row)

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._materials import Material, PathLike, Progress
+from ._arguments import PathLike
+from ._materials import Material, Progress
 
 
 class Factors:
@@ -123,7 +124,7 @@ class Factors:
     def save(self, path: PathLike) -> None:
         """Writes a .pdv file in single precision; an existing file is replaced in one step. Raises Error if it cannot be
         written."""
-        self._handle.save(os.fspath(path))
+        self._handle.save(os.fsencode(path))
 
 
 def factorize(material: Material, terms: int = 10, form: str = "3d", transform: str = "log-plus",
@@ -170,7 +171,7 @@ def published_deviation_nodes(materials: Sequence[Material] = (), progress: Prog
 
 def open_factors(path: PathLike) -> Factors:
     """Reads a .pdv file. Raises Error if it cannot be read."""
-    return Factors(_core.read_factors(os.fspath(path)))
+    return Factors(_core.read_factors(os.fsencode(path)))
 
 
 @dataclass(frozen=True)
@@ -263,7 +264,7 @@ def dictionary(path: PathLike = "") -> Dictionary:
     Args:
         path: A .dictionary file written by `goniotool dictionary train`; "": the bundled ensemble.
     """
-    return Dictionary(_core.dictionary(os.fspath(path)))
+    return Dictionary(_core.dictionary(os.fsencode(path)))
 
 
 @dataclass(frozen=True)
@@ -343,7 +344,7 @@ class Code:
 
     def save(self, path: PathLike) -> None:
         """Writes a .code file; an existing file is replaced in one step. Raises Error if it cannot be written."""
-        self._handle.save(os.fspath(path))
+        self._handle.save(os.fsencode(path))
 
 
 def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Dictionary] = None,
@@ -389,7 +390,7 @@ def open_code(path: PathLike, dictionary: Optional[Dictionary] = None) -> Code:
     Raises:
         Error: The file cannot be read, or was encoded over another ensemble of dictionaries.
     """
-    return Code(_core.read_code(os.fspath(path), dictionary._handle if dictionary else None))
+    return Code(_core.read_code(os.fsencode(path), dictionary._handle if dictionary else None))
 
 
 def decode(code: Union[Code, PathLike], dictionary: Optional[Dictionary] = None) -> Material:

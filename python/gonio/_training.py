@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._materials import Material, PathLike, Progress
+from ._arguments import PathLike
+from ._materials import Material, Progress
 from ._representations import Dictionary, dictionary
 
 
@@ -41,7 +42,7 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
     Raises:
         Error: A file cannot be read or written, grids differ, or an argument is out of range.
     """
-    _core.train_dictionary([os.fspath(source) for source in sources], os.fspath(out), list(excluded), dictionaries,
+    _core.train_dictionary([os.fsencode(source) for source in sources], os.fsencode(out), list(excluded), dictionaries,
                            list(sparsities), iterations, passes, tolerance, subspace_loss, as_published, seed, progress)
     return dictionary(out)
 
@@ -120,4 +121,4 @@ def learn_patches(sources: Sequence[PathLike] = (), excluded: Sequence[str] = ()
         Error: A file cannot be read, grids differ, a grid is not a multiple of the patches (12, 9, 9), or a name in `excluded`
             matches no material.
     """
-    return PatchDictionary(_core.learn_patches([os.fspath(source) for source in sources], list(excluded), progress))
+    return PatchDictionary(_core.learn_patches([os.fsencode(source) for source in sources], list(excluded), progress))
