@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/acquisition/sample_rows.h"
 #include "core/io/csv_text.h"
 #include "core/math/monotone_cubic.h"
 #include "core/support/error.h"
@@ -129,6 +130,7 @@ FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues
   if (values.rgb.size() != plan.plan.samples.size() || plan.curves.size() != values.rgb.size())
     throw Error("found " + std::to_string(values.rgb.size()) + " values, expected one for each of the " +
                 std::to_string(plan.plan.samples.size()) + " readings");
+  checkMeasured(plan.plan, values);
   std::vector<Reading> along = readingsOf(plan, values, FactorCurve::along);
   std::vector<Reading> across = readingsOf(plan, values, FactorCurve::across);
   checkAlong(along);

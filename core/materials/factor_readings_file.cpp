@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/acquisition/sample_rows.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/materials/plan_file.h"
@@ -59,6 +60,7 @@ std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& valu
 }
 
 void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
+  if (!values.rgb.empty()) acquisition::checkMeasured(plan.plan, values);
   io::writeFileAtomically(path, factorReadingsCsv(plan, values));
 }
 

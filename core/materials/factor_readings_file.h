@@ -24,7 +24,8 @@ struct FactorReadings {
 /// Angles have six decimals, values are written without loss. @param values may be empty: the file then lists the
 /// directions to measure and has no columns r, g, b.
 std::string factorReadingsCsv(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values = {});
-/// Writes a file, atomically. @throws Error that names the file.
+/// Writes a file, atomically. @throws Error that names the file, or a sample whose value cannot be read again
+/// (acquisition::checkMeasured()).
 void writeFactorReadings(const acquisition::FactorPlan& plan, const acquisition::MeasuredValues& values,
                          const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "core/acquisition/sample_rows.h"
 #include "core/io/atomic_file.h"
 #include "core/io/colour_columns.h"
 #include "core/io/csv_text.h"
@@ -103,6 +104,7 @@ std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values) {
 }
 
 void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
+  acquisition::checkMeasured(plan, values);
   io::writeFileAtomically(path, valuesCsv(plan, values));
 }
 

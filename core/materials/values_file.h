@@ -19,7 +19,8 @@ namespace gonio::materials {
 
 /// Numbers are written without loss. @param values one per sample of the plan.
 std::string valuesCsv(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values);
-/// Writes a file, atomically. @throws Error that names the file.
+/// Writes a file, atomically. @throws Error that names the file, or a sample whose value cannot be read again
+/// (acquisition::checkMeasured()).
 void writeValues(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values,
                  const std::filesystem::path& path);
 

@@ -185,7 +185,7 @@ class GoniotoolRenderTest : public QObject {
     QTest::newRow("scene") << QStringList{"--scene", "teapot", "--out", out} << 1 << "(sphere, sphere-distant-light";
     QTest::newRow("file") << QStringList{"--scene", folder_.path("bad.json"), "--out", out} << 1
                           << "bad.json: objects[0].name: found nothing, expected a string";
-    QTest::newRow("effect") << QStringList{"--on", "glow", "--out", out} << 2 << "emitted-light,direct-light";
+    QTest::newRow("effect") << QStringList{"--on", "glow", "--out", out} << 2 << "emitted-light, direct-light";
     QTest::newRow("off") << QStringList{"--off", "direct-light,glow", "--out", out} << 2 << "glow";
     QTest::newRow("materials") << QStringList{matte_, "--out", out} << 2 << "found 2, expected at most 1";
     QTest::newRow("remainder") << QStringList{"--remainder", "2", "--out", out} << 2 << "remainder";

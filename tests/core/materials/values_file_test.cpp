@@ -45,6 +45,16 @@ class ValuesFileTest : public QObject {
     QVERIFY(found.rgb == values.rgb && found.noise == values.noise);
   }
 
+  void whatCannotBeReadAgainIsNotWritten() {
+    const std::vector<Rgb> good(3, Rgb(1));
+    const auto path = test::outputPath("values/refused.csv");
+    for (const MeasuredValues& values :
+         {MeasuredValues{{Rgb(1), Rgb(NAN, 0, 0), Rgb(1)}, {}}, MeasuredValues{{Rgb(1), Rgb(INFINITY), Rgb(1)}, {}},
+          MeasuredValues{good, {Rgb(0), Rgb(0), Rgb(0, 0, NAN)}}, MeasuredValues{{Rgb(1), Rgb(-1), Rgb(1)}, {}},
+          MeasuredValues{{Rgb(1)}, {}}, MeasuredValues{good, {Rgb(0)}}})
+      QVERIFY(!test::errorOf([&] { writeValues(plan(), values, path); }).empty() && !std::filesystem::exists(path));
+  }
+
   /// Rows in any order, columns that nobody asked for, one noise for all channels, a spreadsheet's form.
   void forms() {
     const std::vector<Rgb> expected{Rgb(1, 2, 3), Rgb(0.5, 0, 4), Rgb(6)};
