@@ -7,12 +7,9 @@
 
 #include "core/documents/blend_source.h"
 #include "core/io/byte_source.h"
+#include "core/io/text_lines.h"
 
 namespace gonio::editing {
-
-namespace {
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-}  // namespace
 
 bool isDocument(const std::string& path) {
   constexpr std::size_t maxStart = 4096;
@@ -24,8 +21,7 @@ bool isDocument(const std::string& path) {
   } catch (const Error&) {  // reading the material reports the error
     return false;
   }
-  std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
-  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  const std::string_view text = io::withoutByteOrderMark({reinterpret_cast<const char*>(start.data()), start.size()});
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");
   return first != text.npos && text[first] == '{';
 }

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/documents/open_material.h"
 #include "core/models/parameters_json.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
@@ -169,6 +170,15 @@ class EditDocumentTest : public QObject {
     QCOMPARE(documentFromJson(toJson(document)).edits.size(), maxEdits);
     document.edits.assign(30'000, edit);
     QCOMPARE(errorOf([&] { documentFromJson(toJson(document)); }), "edits: found more than 100 edits, the limit");
+  }
+
+  /// As Windows' editors save text.
+  void aByteOrderMarkIsAccepted() {
+    const fs::path path = outputPath("documents/mark.gonio");
+    const std::string text = "\xEF\xBB\xBF \n" + toJson(example()).dump();
+    writeFile("documents/mark.gonio", std::as_bytes(std::span(text)));
+    QVERIFY(isDocument(path.string()));
+    QCOMPARE(readDocument(path).edits.size(), example().edits.size());
   }
 
   void unknownKeysAreLeftOut() {
