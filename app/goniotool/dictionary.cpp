@@ -8,6 +8,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/documents/training_files.h"
+#include "core/io/json_text.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/training_checkpoint.h"
 
@@ -37,7 +38,7 @@ std::string describe(const DictionaryArguments& options, const TrainingMaterials
             {"grid", {materials.grid.thetaHCount, materials.grid.thetaDCount, materials.grid.phiDCount}},
             {"materials", materials.names}};
   if (!t.signals.scaled) json["scaled"] = false;
-  return json.dump();
+  return io::jsonText(json);
 }
 
 TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const TrainingMaterials& materials,

@@ -86,6 +86,7 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   if (!tool.force)
     for (const std::filesystem::path& path : paths) checkOutput(path, source.files);
   exports::checkTargets(paths, {}, tool.force);
+  if (scene) exports::checkSceneName(*target.scene, name.filename().string());
   exports::ExportResult made = exports::makeExport(target, source.material, options, tool.control("exporting"));
   if (scene) exports::addScene(made, target, *scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);

@@ -8,8 +8,10 @@
 #include <iostream>
 #include <string_view>
 
+#include "core/io/json_text.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::tool {
 
@@ -22,26 +24,11 @@ std::string metricLine(std::string_view id, const std::string& value, std::strin
   return line;
 }
 
-/// Bytes of the first character of UTF-8 text, 0 if it is a control character or not UTF-8: errors quote damaged files,
-/// which must not control the terminal.
-std::size_t printableLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned first = byte(0);
-  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const bool isControl = first == 0xc2 && byte(1) < 0xa0;
-  const bool isSeparator = first == 0xe2 && byte(1) == 0x80 && (byte(2) == 0xa8 || byte(2) == 0xa9);
-  return isControl || isSeparator ? 0 : length;
-}
-
 }  // namespace
 
 void print(const Tool& tool, const Json& json, const std::string& text) {
   if (tool.json)
-    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << io::jsonText(json, 2) << '\n';
   else
     std::cout << text;
   if (!std::cout.flush()) throw Error("standard output cannot be written");
@@ -49,15 +36,15 @@ void print(const Tool& tool, const Json& json, const std::string& text) {
 
 std::string oneLine(const std::string& message) {
   std::string line;
-  for (std::size_t at = 0; at < message.size();) {
-    const std::size_t length = printableLength(std::string_view(message).substr(at));
-    if (message[at] == '\n')
+  for (std::string_view rest = message; !rest.empty();) {
+    const Utf8Character character = firstCharacter(rest);
+    if (character.code == '\n')
       line += line.ends_with(':') ? " " : "; ";
-    else if (length == 0)
+    else if (!character.isPlain())
       line += '?';
-    else if (message[at] != ' ' || !line.ends_with(' '))  // the lines of a list are indented
-      line.append(message, at, length);
-    at += std::max<std::size_t>(1, length);
+    else if (character.code != ' ' || !line.ends_with(' '))  // the lines of a list are indented
+      line += rest.substr(0, character.bytes);
+    rest.remove_prefix(character.bytes);
   }
   return line;
 }

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 /// @throws Error if writing to standard output fails.
 void print(const Tool& tool, const Json& json, const std::string& text);
 
-/// Joins the lines of an error message (e.g. of several readers) to one line. Control characters, and bytes that are
-/// not UTF-8, become question marks.
+/// Joins the lines of an error message (e.g. of several readers) to one line. Errors quote damaged
+/// files, which must not control the terminal: control characters, and bytes that are not UTF-8, become question marks.
 std::string oneLine(const std::string& message);
 
 /// Six significant digits; "undefined" for NaN, such as the SNR of a black material.

@@ -40,7 +40,7 @@ void write(const fs::path& folder, const std::string& stem, Json head, std::span
   notes.push_back("images and frame times: " + facts.pictures);
   const std::vector<StudyAxes> axes =
       facts.timed() ? allCostAxes() : std::vector<StudyAxes>{{.cost = Cost::bytes, .quality = {}}};
-  const std::string json = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string json = io::jsonText(head, 2) + "\n";
   const std::string csv = plots::toCsv(studyCsv("material: " + title, records, facts.machine, facts.pictures));
   const std::string svg = studySvg(title, records, axes, notes);
   const auto content = [&](const char* suffix, const std::string& text) {
@@ -77,7 +77,7 @@ StudyFacts studyFacts(const std::string& pictures, const MachineFacts& machine,
                       {"patches", inputs.patches},
                       {"npf", inputs.npf},
                       {"representations", names}};
-  facts.settings = settings.dump(-1, ' ', false, Json::error_handler_t::replace);
+  facts.settings = io::jsonText(settings);
   return facts;
 }
 
@@ -107,7 +107,7 @@ StoredStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
     try {
       const Json json = readOrderedJson(path);
       return StoredStudy{{stem, json.at("material"), json.at("source"), recordsOf(json.at("records"))},
-                         {json.at("pictures"), machineOf(json.at("machine")), json.at("settings").dump()}};
+                         {json.at("pictures"), machineOf(json.at("machine")), io::jsonText(json.at("settings"))}};
     } catch (const Json::exception& error) {
       throw Error(std::string("not the result of a study that can be merged: ") + error.what());
     }

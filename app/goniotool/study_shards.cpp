@@ -6,6 +6,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
+#include "core/io/json_text.h"
 #include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
@@ -30,7 +31,8 @@ ShardFile readShard(const fs::path& folder) {
   return withFileInErrors(path, [&] {
     try {
       const Json json = readOrderedJson(path);
-      ShardFile file{folder, {json.at("shard"), json.at("shards")}, json.at("materials"), json.at("settings").dump()};
+      ShardFile file{
+          folder, {json.at("shard"), json.at("shards")}, json.at("materials"), io::jsonText(json.at("settings"))};
       if (file.shard.number < 1 || file.shard.number > file.shard.count)
         throw Error("found shard " + file.shard.text() + ", expected I/N with I from 1 to N");
       return file;
@@ -46,7 +48,7 @@ std::string difference(const std::string& settingsA, const std::string& settings
   const Json a = Json::parse(settingsA), b = Json::parse(settingsB);
   for (const auto& [key, value] : a.items())
     if (!b.contains(key) || b[key] != value)
-      return key + " " + value.dump() + between + (b.contains(key) ? b[key].dump() : "none");
+      return key + " " + io::jsonText(value) + between + (b.contains(key) ? io::jsonText(b[key]) : "none");
   return "other settings";
 }
 
@@ -95,7 +97,7 @@ void writeShard(const fs::path& folder, const Shard& shard, const std::vector<st
                   {"shards", shard.count},
                   {"materials", stems},
                   {"settings", Json::parse(facts.settings)}};
-  io::writeFileAtomically(shardPath(folder), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  io::writeFileAtomically(shardPath(folder), io::jsonText(json, 2) + "\n");
 }
 
 void removeShard(const fs::path& folder) {

@@ -8,6 +8,7 @@
 
 #include "core/documents/edit_document_json.h"
 #include "core/interpolation/native_form_blend.h"
+#include "core/io/json_text.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
@@ -154,7 +155,7 @@ std::string blendSha256(const BlendSource& blend) {
   nlohmann::json identity = toJson(blend);
   for (std::size_t i = 0; i < blend.materials.size(); ++i)
     identity["materials"][i] = {blend.weights[i], identityOf(blend.materials[i])};
-  return io::sha256Hex(std::string_view(identity.dump()));
+  return io::sha256Hex(std::string_view(io::jsonText(identity)));
 }
 
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,

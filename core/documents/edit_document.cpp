@@ -126,8 +126,10 @@ int readVersion(const JsonObject& root) {
 std::string portableSource(const std::string& source, const std::filesystem::path& documentPath) {
   const std::filesystem::path path(source);
   if (isLibraryPath(source) || !path.is_absolute()) return source;
-  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(documentPath).parent_path());
-  const auto relative = std::filesystem::weakly_canonical(path).lexically_relative(folder);
+  std::error_code inaccessible;  // or a name that is too long: the path stays absolute
+  const auto folder =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(documentPath).parent_path(), inaccessible);
+  const auto relative = std::filesystem::weakly_canonical(path, inaccessible).lexically_relative(folder);
   return relative.empty() || *relative.begin() == ".." ? source : relative.generic_string();
 }
 
@@ -224,12 +226,8 @@ EditDocument readDocument(const std::filesystem::path& path) {
 
 void writeDocument(const EditDocument& document, const std::filesystem::path& path) {
   const std::string text = withFileInErrors(path, [&] {
-    try {
-      const auto portable = [&](const EditDocument& one) { return portableSource(one.sourcePath, path); };
-      return toJson(withPaths(document, portable)).dump(2) + "\n";
-    } catch (const nlohmann::json::exception& exception) {
-      throw Error(std::string("cannot be written as JSON: ") + exception.what());
-    }
+    const auto portable = [&](const EditDocument& one) { return portableSource(one.sourcePath, path); };
+    return io::exactJsonText(toJson(withPaths(document, portable)), 2) + "\n";
   });
   io::writeFileAtomically(path, text);
 }

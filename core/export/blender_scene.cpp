@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/blender_scene.h"
 
-#include <nlohmann/json.hpp>
-
 #include "core/export/blender_scene_program.h"
+#include "core/io/json_text.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -31,7 +31,7 @@ SceneJson blenderCamera(const OrbitCamera& view) {
 }
 
 SceneJson blenderObject(const SceneObject& object, const std::string& mesh) {
-  SceneJson json{{"name", object.name}};
+  SceneJson json{{"name", plainText(object.name)}};
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
     json["sphere"] = {{"centre", blenderAxes(sphere->centre)}, {"radius", sphere->radius}};
   } else if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) {
@@ -63,7 +63,7 @@ std::string blenderSceneText(const Scene& scene, const SceneFileNames& files) {
     json["environment"] = {{"picture", files.environment},
                            {"turn", scene.environmentRotation - halfPi},
                            {"shown", scene.showEnvironment ? 1 : 0}};
-  return blenderSceneProgram(json.dump(2, ' ', false, SceneJson::error_handler_t::replace));
+  return blenderSceneProgram(io::jsonText(json, 2));
 }
 
 SceneFormat blenderFormat(std::string_view materialSuffix) {

@@ -6,7 +6,8 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr const char* sceneProgramStart = R"(# A scene for Cycles, made by Gonio: Scripting > Open > Run Script, or
+constexpr const char* sceneProgramStart = R"(# -*- coding: utf-8 -*-
+# A scene for Cycles, made by Gonio: Scripting > Open > Run Script, or
 #   blender --background --python THIS_FILE -- picture.exr
 #   blender --background --python THIS_FILE -- scene.blend
 # The files that it names lie beside it.

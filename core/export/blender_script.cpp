@@ -2,14 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/blender_script.h"
 
-#include "core/export/export_report.h"
-
 namespace gonio::exports {
 
 namespace {
 
-constexpr const char* scriptStart = R"(#
-# Makes the material in Blender: Scripting > Open > Run Script, with the object selected, or
+/// Python reads a declaration of the encoding in the first two lines, so no name may occur in them.
+constexpr const char* scriptStart = R"(# -*- coding: utf-8 -*-
+# A material, made by Gonio: Scripting > Open > Run Script, with the object selected, or
 #   blender --background --python THIS_FILE -- material.blend
 )";
 
@@ -45,9 +44,9 @@ if __name__ == "__main__":
 
 }  // namespace
 
-std::string blenderMaterialScript(const std::string& origin, std::string_view content, const std::string& description,
+std::string blenderMaterialScript(std::string_view content, const std::string& description,
                                   std::string_view makeMaterial) {
-  return commentLines(origin, "# ") + scriptStart + "# " + std::string(content) +
+  return scriptStart + std::string("# ") + std::string(content) +
          "\nimport math\nimport sys\n\nimport bpy\n\nGONIO = " + description + "\n" + nodeFunction + "\n\n" +
          std::string(makeMaterial) + mainFunction;
 }

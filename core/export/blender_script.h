@@ -9,11 +9,11 @@ namespace gonio::exports {
 
 /// A Python script for Blender 3.4 and later that creates a material and assigns it to the active mesh; with
 /// `blender --background --python SCRIPT -- FILE.blend` it saves the material to FILE.blend instead.
-/// @param origin first comment lines: the origin of the material. @param content comment lines after them: what the
-/// script creates. @param description Python code of the dictionary GONIO. @param makeMaterial Python code that defines
-/// make_material(), which returns the material; it can call node(tree, kinds, x, y), which adds a node of the first
-/// type in `kinds` that this version of Blender has.
-std::string blenderMaterialScript(const std::string& origin, std::string_view content, const std::string& description,
+/// @param content a comment line: what the script creates. @param description Python code of the dictionary GONIO, with
+/// all names and the origin of the material: text in comments could be code. @param makeMaterial Python code that
+/// defines make_material(), which returns the material; it can call node(tree, kinds, x, y), which adds a node of the
+/// first type in `kinds` that this version of Blender has.
+std::string blenderMaterialScript(std::string_view content, const std::string& description,
                                   std::string_view makeMaterial);
 
 }  // namespace gonio::exports

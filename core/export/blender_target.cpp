@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "core/export/blender_scene.h"
 #include "core/export/blender_script.h"
 #include "core/export/export_report.h"
+#include "core/io/json_text.h"
 
 namespace gonio::exports {
 
@@ -100,7 +100,7 @@ bool isBlack(const std::vector<Rgb>& weights) {
 
 /// JSON as Python reads it.
 std::string pythonText(const Json& json) {
-  std::string text = json.dump();
+  std::string text = io::jsonText(json);
   for (std::size_t at = 0; (at = text.find("\"alpha\":null", at)) != std::string::npos;)
     text.replace(at, std::strlen("\"alpha\":null"), "\"alpha\":None");
   for (std::size_t at = 0; (at = text.find("{\"alpha\"", at)) != std::string::npos; at += 10) text.insert(at, "\n    ");
@@ -133,12 +133,12 @@ ExportResult makeScript(const ExportSource& source, const ExportOptions& options
 }  // namespace
 
 std::string blenderScript(const ViewLobes& lobes, const std::string& name, const std::string& origin) {
-  Json json{{"name", name}, {"positions", Json::array()}, {"lobes", Json::array()}};
+  Json json{{"name", name}, {"origin", origin}, {"positions", Json::array()}, {"lobes", Json::array()}};
   for (const double theta : lobes.thetas) json["positions"].push_back(float(theta / halfPi));
   if (!isBlack(lobes.weights[0])) json["lobes"].push_back(lobeJson(nullptr, lobes.weights[0]));
   for (std::size_t j = 0; j < lobes.alphas.size(); ++j)
     if (!isBlack(lobes.weights[j + 1])) json["lobes"].push_back(lobeJson(lobes.alphas[j], lobes.weights[j + 1]));
-  return blenderMaterialScript(origin, "One Diffuse and several Glossy nodes, each weighted by the viewing angle.",
+  return blenderMaterialScript("One Diffuse and several Glossy nodes, each weighted by the viewing angle.",
                                pythonText(json), lobesProgram);
 }
 

@@ -10,7 +10,7 @@ namespace gonio::exports {
 /// NAME_blender.py: a Python script that creates the material of fitViewLobes() in Blender.
 ExportTarget blenderTarget();
 
-/// The script. @param name of the material. @param origin text of the first lines.
+/// The script. @param name of the material. @param origin of the material.
 std::string blenderScript(const ViewLobes& lobes, const std::string& name, const std::string& origin);
 
 }  // namespace gonio::exports

@@ -7,6 +7,7 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_file.h"
 #include "core/materials/material_formats.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -30,11 +31,11 @@ std::string editsText(const editing::EditList& edits) {
 
 }  // namespace
 
-ExportSource exportSource(std::string name, const materials::Material& base, std::shared_ptr<const Brdf> shown,
+ExportSource exportSource(const std::string& name, const materials::Material& base, std::shared_ptr<const Brdf> shown,
                           const editing::EditList& edits) {
-  ExportSource source{.name = std::move(name), .brdf = std::move(shown)};
-  source.origin = source.name + ", exported by Gonio " GONIO_VERSION ". Source: " + base.name + " (" +
-                  base.source.format + "), SHA-256 " + base.source.sha256 + ". Edits: " + editsText(edits);
+  ExportSource source{.name = plainText(name), .brdf = std::move(shown)};
+  source.origin = plainText(source.name + ", exported by Gonio " GONIO_VERSION ". Source: " + base.name + " (" +
+                            base.source.format + "), SHA-256 " + base.source.sha256 + ". Edits: " + editsText(edits));
   if (const RglBrdf* rgl = base.brdf ? base.brdf->asRgl() : nullptr) {
     source.rgl = std::shared_ptr<const RglBrdf>(base.brdf, rgl);
     source.rglFile = base.source.format != materials::formatOf(materials::FormatId::rgl).name
@@ -46,7 +47,7 @@ ExportSource exportSource(std::string name, const materials::Material& base, std
 
 std::string proposedName(const std::string& material, const editing::EditList& edits) {
   std::string name;
-  for (const char c : editing::editedName(material, edits))
+  for (const char c : plainText(editing::editedName(material, edits)))
     if (c != ',') name += c == ' ' ? '_' : c;
   return name;
 }

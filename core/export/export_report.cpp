@@ -27,16 +27,6 @@ std::string originText(const ExportSource& source, double snr) {
   return source.origin + accuracy;
 }
 
-std::string commentLines(const std::string& text, std::string_view mark) {
-  std::string lines(mark);
-  for (const char c : text) {
-    if (c == '\r') continue;
-    lines += c;
-    if (c == '\n') lines += mark;
-  }
-  return lines + "\n";
-}
-
 ExportPart textPart(std::string_view suffix, std::string_view text) {
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
   return {std::string(suffix), {bytes, bytes + text.size()}};

@@ -19,9 +19,6 @@ void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const R
 /// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (comparison scene)."
 std::string originText(const ExportSource& source, double snr);
 
-/// The text as comment lines that begin with `mark` ("# ", "// "). Accepts "\n" and "\r\n"; ends with "\n".
-std::string commentLines(const std::string& text, std::string_view mark);
-
 /// A text file as a part of an export.
 ExportPart textPart(std::string_view suffix, std::string_view text);
 

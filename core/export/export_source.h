@@ -12,12 +12,12 @@ namespace gonio::exports {
 
 /// A material to export, and its origin.
 struct ExportSource {
-  std::string name;                              ///< for display, e.g. "chrome"
+  std::string name;                              ///< for display, e.g. "chrome"; plainText()
   std::shared_ptr<const Brdf> brdf;              ///< with edits, as displayed
   std::shared_ptr<const RglBrdf> rgl = nullptr;  ///< the material without edits if it is an RGL file, else null
   std::vector<std::byte> rglFile = {};  ///< the bytes of that file; for a blend of RGL files, those of an equivalent
                                         ///< file
-  std::string origin = {};              ///< source, hash, edits and version of Gonio, for descriptions in the files
+  std::string origin = {};  ///< source, hash, edits and version of Gonio, for descriptions in the files; plainText()
 };
 
 /// Warnings for the user: whether the material reflects more light than it receives, with the viewer's angle of the

@@ -67,7 +67,7 @@ const ExportTarget* findExportTarget(std::string_view id);
 /// Makes an export. Its warnings include exportWarnings() and one for an SNR below 10 dB.
 ExportResult makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
                         const TaskControl& control = {});
-/// Adds the files of a scene. Precondition: target.scene is not null.
+/// Adds the files of a scene. Precondition: target.scene is not null. @throws Error as checkSceneName().
 void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The files of an export for writeExport().
 std::vector<ExportFile> filesOf(const ExportResult& made, const std::filesystem::path& name);

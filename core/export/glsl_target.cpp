@@ -7,6 +7,7 @@
 #include "core/export/export_report.h"
 #include "core/export/lobes_export.h"
 #include "core/export/surface_target.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -59,6 +60,12 @@ vec3 gonioBrdf(vec3 wi, vec3 wo) {
 }
 )";
 
+/// One line. A backslash at its end would continue the comment.
+std::string glslComment(const std::string& text) {
+  const std::string line = "// " + plainText(text);
+  return line + (line.ends_with('\\') ? ".\n" : "\n");
+}
+
 std::string glslVector(const Rgb& colour) { return "vec3(" + colourText(colour) + ")"; }
 
 /// const vec3 NAME[n] = vec3[n](...);
@@ -83,7 +90,7 @@ std::string glslFunction(const ReciprocalLobes& fitted, const std::string& origi
   ReciprocalLobes lobes = fitted;
   // An array has one element at least.
   if (lobes.lobes.empty()) lobes.lobes.push_back({});
-  return commentLines(origin, "// ") + (glslUsage + 1) + "const vec3 gonioDiffuse = " + glslVector(lobes.diffuse) +
+  return glslComment(origin) + (glslUsage + 1) + "const vec3 gonioDiffuse = " + glslVector(lobes.diffuse) +
          ";\nconst vec2 gonioGrain = vec2(" + decimalText(std::cos(lobes.rotation)) + ", " +
          decimalText(std::sin(lobes.rotation)) + ");  // x axis of the lobes (brushing direction)\n" +
          "const int gonioLobeCount = " + std::to_string(lobes.lobes.size()) + ";\n" +

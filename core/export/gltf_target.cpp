@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "core/export/gltf_model.h"
 #include "core/export/surface_target.h"
 #include "core/io/base64.h"
+#include "core/io/json_text.h"
 
 namespace gonio::exports {
 
@@ -137,7 +137,7 @@ std::string gltfDocument(const SurfaceValues& values, const std::string& name, c
   document["nodes"] = {{{"name", name}, {"mesh", 0}}};
   document["materials"] = GltfJson::array({material});
   GltfSphere(values.anisotropy > 0).addTo(document);
-  return document.dump(1, ' ', false, GltfJson::error_handler_t::replace) + "\n";
+  return io::jsonText(document, 1) + "\n";
 }
 
 ExportTarget gltfTarget() {

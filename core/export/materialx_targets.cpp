@@ -3,12 +3,12 @@
 #include "core/export/materialx_targets.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/export/export_report.h"
 #include "core/export/lobes_export.h"
 #include "core/export/materialx_models.h"
 #include "core/export/surface_target.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -22,14 +22,17 @@ constexpr std::size_t mtlxLobeCounts[] = {1, 2, 4};
 /// Names of elements are letters, digits and _, and do not begin with a digit.
 std::string elementName(const std::string& name) {
   std::string result = "material_";
-  for (const char c : name) result += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  for (const char c : name) {
+    const bool isName = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    result += isName ? c : '_';
+  }
   return result;
 }
 
-/// XML comments hold neither two hyphens nor control characters.
-std::string xmlComment(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (static_cast<unsigned char>(text[i]) < 0x20 || (text[i] == '-' && i > 0 && text[i - 1] == '-')) text[i] = ' ';
+/// XML comments do not contain two hyphens.
+std::string xmlComment(const std::string& origin) {
+  std::string text = plainText(origin);
+  for (std::size_t at = 0; (at = text.find("--", at)) != std::string::npos;) text[at + 1] = ' ';
   return "  <!-- " + text + " -->\n";
 }
 

@@ -3,6 +3,7 @@
 #include "core/export/mitsuba_scene.h"
 
 #include "core/export/surface_target.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -16,6 +17,8 @@ std::string xyz(const char* type, const char* name, const Direction& v) {
   return std::string("<") + type + " name=\"" + name + "\" x=\"" + decimalText(v.x) + "\" y=\"" + decimalText(v.y) +
          "\" z=\"" + decimalText(v.z) + "\"/>\n";
 }
+
+std::string fileLine(const std::string& file) { return valueLine("string", "filename", xmlText(file)); }
 
 std::string mitsubaSensor(const OrbitCamera& view) {
   const CameraFrame camera = cameraFrame(view);
@@ -38,7 +41,7 @@ std::string mitsubaSensor(const OrbitCamera& view) {
 
 /// Mitsuba's picture has +z where Gonio's has -z.
 std::string mitsubaEnvironment(const Scene& scene, const std::string& file) {
-  return "  <emitter type=\"envmap\">\n    " + valueLine("string", "filename", withoutSpecialCharacters(file)) +
+  return "  <emitter type=\"envmap\">\n    " + fileLine(file) +
          "    <transform name=\"to_world\"><rotate y=\"1\" angle=\"" +
          decimalText(180 - degrees(scene.environmentRotation)) + "\"/></transform>\n  </emitter>\n";
 }
@@ -75,7 +78,7 @@ std::string mitsubaRectangle(const Rectangle& rectangle) {
 std::string mitsubaShape(const SceneObject& object, const std::string& mesh) {
   if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return mitsubaSphere(*sphere);
   if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) return mitsubaRectangle(*rectangle);
-  return "  <shape type=\"ply\">\n    " + valueLine("string", "filename", withoutSpecialCharacters(mesh));
+  return "  <shape type=\"ply\">\n    " + fileLine(mesh);
 }
 
 std::string mitsubaSurface(const SceneObject& object) {
@@ -93,8 +96,7 @@ std::string mitsubaText(const Scene& scene, const SceneFileNames& files) {
   std::string text = "<scene version=\"3.0.0\">\n  <integrator type=\"path\">" +
                      valueLine("boolean", "hide_emitters", hides ? "true" : "false") + "  </integrator>\n";
   text += mitsubaSensor(scene.camera);
-  text += "  <bsdf type=\"measured\" id=\"material\">" +
-          valueLine("string", "filename", withoutSpecialCharacters(files.material)) + "  </bsdf>\n";
+  text += "  <bsdf type=\"measured\" id=\"material\">" + fileLine(files.material) + "  </bsdf>\n";
   if (scene.environment) text += mitsubaEnvironment(scene, files.environment);
   text += mitsubaLights(scene);
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
@@ -105,9 +107,11 @@ std::string mitsubaText(const Scene& scene, const SceneFileNames& files) {
 }  // namespace
 
 const SceneFormat& mitsubaSceneFormat() {
+  // A $ begins a parameter. Recent versions read \$ as $, others as both characters.
   static const SceneFormat format{.textSuffix = "_scene.xml",
                                   .environmentSuffix = "_environment.exr",
                                   .materialSuffix = "_rgb.bsdf",
+                                  .excludedCharacters = "$",
                                   .text = mitsubaText,
                                   .environment = [](const Scene& scene) { return scene.environment->image(); }};
   return format;

@@ -22,6 +22,16 @@ Direction octahedralDirection(double x, double y) {
 
 std::string bracketed(const std::string& values) { return " [ " + values + " ]"; }
 
+/// A string, in which a backslash precedes quotes and backslashes.
+std::string pbrtString(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
 /// pbrt's cameras are left-handed: the first line mirrors the camera alone.
 std::string pbrtCamera(const OrbitCamera& view) {
   const CameraFrame camera = cameraFrame(view);
@@ -37,8 +47,9 @@ std::string pbrtCamera(const OrbitCamera& view) {
 std::string pbrtFilm(const std::string& name) {
   const std::string pixels = bracketed(std::to_string(scenePixels));
   return "Film \"rgb\" \"integer xresolution\"" + pixels + " \"integer yresolution\"" + pixels +
-         " \"string filename\" \"" + name + "_pbrt.exr\"\nPixelFilter \"box\"\nSampler \"independent\" \"integer " +
-         "pixelsamples\"" + bracketed(std::to_string(scenePictureSamples)) + "\nIntegrator \"path\"\n\nWorldBegin\n";
+         " \"string filename\" " + pbrtString(name + "_pbrt.exr") +
+         "\nPixelFilter \"box\"\nSampler \"independent\" \"integer " + "pixelsamples\"" +
+         bracketed(std::to_string(scenePictureSamples)) + "\nIntegrator \"path\"\n\nWorldBegin\n";
 }
 
 std::string pbrtLights(const Scene& scene) {
@@ -63,7 +74,7 @@ std::string pbrtShape(const SceneObject& object, const std::string& mesh) {
       for (const double u : {-1.0, 1.0}) corners += (corners.empty() ? "" : "  ") + spaced(rectangle->at(u, v));
     return "  Shape \"bilinearmesh\" \"point3 P\"" + bracketed(corners) + "\n";
   }
-  return "  Shape \"plymesh\" \"string filename\" \"" + withoutSpecialCharacters(mesh) + "\"\n";
+  return "  Shape \"plymesh\" \"string filename\" " + pbrtString(mesh) + "\n";
 }
 
 std::string pbrtSurface(const SceneObject& object) {
@@ -76,12 +87,11 @@ std::string pbrtSurface(const SceneObject& object) {
 }
 
 std::string pbrtText(const Scene& scene, const SceneFileNames& files) {
-  std::string text = pbrtCamera(scene.camera) + pbrtFilm(withoutSpecialCharacters(files.name));
-  if (scene.environment)
-    text += "LightSource \"infinite\" \"string filename\" \"" + withoutSpecialCharacters(files.environment) + "\"\n";
+  std::string text = pbrtCamera(scene.camera) + pbrtFilm(files.name);
+  if (scene.environment) text += "LightSource \"infinite\" \"string filename\" " + pbrtString(files.environment) + "\n";
   text += pbrtLights(scene);
-  text += "MakeNamedMaterial \"material\" \"string type\" \"measured\" \"string filename\" \"" +
-          withoutSpecialCharacters(files.material) + "\"\n";
+  text += "MakeNamedMaterial \"material\" \"string type\" \"measured\" \"string filename\" " +
+          pbrtString(files.material) + "\n";
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     text += "AttributeBegin\n" + pbrtSurface(scene.objects[i]) + pbrtShape(scene.objects[i], files.meshes[i]) +
             "AttributeEnd\n";

@@ -3,12 +3,12 @@
 #include "core/export/principled_target.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/export/blender_scene.h"
 #include "core/export/blender_script.h"
 #include "core/export/principled_model.h"
 #include "core/export/surface_target.h"
+#include "core/io/json_text.h"
 
 namespace gonio::exports {
 
@@ -80,6 +80,7 @@ def make_material():
 std::string principledScript(const SurfaceValues& v, const std::string& name, const std::string& origin) {
   const nlohmann::ordered_json json{
       {"name", name},
+      {"origin", origin},
       {"base_color", {float(v.baseColour.x), float(v.baseColour.y), float(v.baseColour.z)}},
       {"metallic", float(v.metalness)},
       {"roughness", float(v.roughness)},
@@ -89,9 +90,7 @@ std::string principledScript(const SurfaceValues& v, const std::string& name, co
       {"anisotropic_rotation", float(v.rotation / (2 * pi))},
       {"clearcoat", float(v.coat)},
       {"clearcoat_roughness", float(v.coatRoughness)}};
-  return blenderMaterialScript(origin, "A Principled BSDF.",
-                               json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
-                               principledProgram);
+  return blenderMaterialScript("A Principled BSDF.", io::jsonText(json, 4), principledProgram);
 }
 
 ExportTarget principledTarget() {

@@ -6,6 +6,8 @@
 #include "core/export/surface_target.h"
 #include "core/io/exr_codec.h"
 #include "core/io/ply_file.h"
+#include "core/support/error.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
@@ -35,7 +37,16 @@ std::vector<std::string> sceneSuffixes(const SceneFormat& format, const Scene& s
   return suffixes;
 }
 
+void checkSceneName(const SceneFormat& format, const std::string& name) {
+  const std::string reason = ": the renderer would not find the files of the scene";
+  if (plainText(name) != name)
+    throw Error(plainText(name) + ": found control characters or invalid UTF-8, expected a name without them" + reason);
+  if (const auto at = name.find_first_of(format.excludedCharacters); at != std::string::npos)
+    throw Error(name + ": found " + name[at] + ", expected a name without it" + reason);
+}
+
 std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene, const std::string& name) {
+  checkSceneName(format, name);
   const std::vector<std::string> meshSuffixes = meshSuffixesOf(scene);
   SceneFileNames names{.name = name, .material = name + std::string(format.materialSuffix)};
   if (scene.environment) names.environment = name + std::string(format.environmentSuffix);
@@ -46,12 +57,6 @@ std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene
   for (std::size_t i = 0; i < meshSuffixes.size(); ++i)
     if (const TriangleMesh* mesh = meshOf(scene.objects[i])) parts.push_back({meshSuffixes[i], io::encodePly(*mesh)});
   return parts;
-}
-
-std::string withoutSpecialCharacters(std::string name) {
-  for (char& c : name)
-    if (c == '"' || c == '<' || c == '>' || c == '&' || c == '\\' || static_cast<unsigned char>(c) < 0x20) c = '_';
-  return name;
 }
 
 std::string spaced(const Direction& v) { return colourText(v, " "); }

@@ -8,6 +8,7 @@
 #include "core/export/export_report.h"
 #include "core/export/material_form.h"
 #include "core/export/surface_target.h"
+#include "core/io/csv_text.h"
 #include "core/io/merl_file.h"
 #include "core/io/utia_file.h"
 
@@ -82,7 +83,7 @@ constexpr int lightPolarStep = 15, lightPolarEnd = 75, lightAzimuthStep = 30, vi
 ExportResult makeCsv(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
   const bool isotropic = source.brdf->isIsotropic();
   std::string text =
-      commentLines(source.origin, "# ") +
+      io::csvComment(source.origin) +
       "# BRDF values, linear sRGB in 1/sr without the cosine. Angles in degrees: polar from the normal, azimuth from "
       "the tangent; i: to the light, o: to the viewer.\ntheta_i,phi_i,theta_o,phi_o,red,green,blue\n";
   for (int thetaI = 0; thetaI <= lightPolarEnd; thetaI += lightPolarStep)

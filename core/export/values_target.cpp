@@ -10,6 +10,7 @@
 #include "core/export/export_report.h"
 #include "core/export/materialx_models.h"
 #include "core/export/surface_target.h"
+#include "core/io/csv_text.h"
 
 namespace gonio::exports {
 
@@ -114,7 +115,7 @@ ExportResult makeValues(const ExportSource& source, const ExportOptions& options
     worst.warnings.push_back(
         "the material is anisotropic: the values for Unreal and Unity are means over all azimuths");
   worst.parts.push_back(
-      textPart(valuesSuffix, commentLines(originText(source, worst.snr), "# ") + "program,input,value,srgb\n" + rows));
+      textPart(valuesSuffix, io::csvComment(originText(source, worst.snr)) + "program,input,value,srgb\n" + rows));
   return worst;
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "core/support/error.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -42,7 +43,7 @@ cairo_status_t collect(void* target, const unsigned char* data, unsigned length)
 }
 
 void selectFont(cairo_t* cairo, const std::string& font, double size, bool bold) {
-  cairo_select_font_face(cairo, font.c_str(), CAIRO_FONT_SLANT_NORMAL,
+  cairo_select_font_face(cairo, plainText(font).c_str(), CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, size * millimetresPerPoint);
 }

@@ -9,6 +9,7 @@
 #include "core/figures/figure_number.h"
 #include "core/rendering/error_maps.h"
 #include "core/rendering/false_colour.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -69,7 +70,7 @@ class FigurePainter {
     drawing_.width = layout_.width;
     drawing_.height = layout_.height;
     drawing_.font = description.font;
-    drawing_.title = description.title;
+    drawing_.title = plainText(description.title);
   }
 
   FigureDrawing paint() {

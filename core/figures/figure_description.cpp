@@ -14,6 +14,7 @@
 #include "core/rendering/scene_file.h"
 #include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -133,7 +134,7 @@ void eachPath(FigureDescription& description, const Change& change) {
 }  // namespace
 
 std::string FigureRepresentation::shownLabel() const {
-  if (!label.empty()) return label;
+  if (!label.empty()) return plainText(label);
   return representation.family == study::RepresentationFamily::fit ? representation.label : representation.fullLabel();
 }
 
@@ -219,7 +220,7 @@ std::string figureDescriptionText(const FigureDescription& description, const fs
     const fs::path relative = absolute.lexically_relative(folder);
     name = relative.empty() || *relative.begin() == ".." ? absolute.string() : relative.generic_string();
   });
-  return toJson(written).dump(2) + "\n";
+  return io::exactJsonText(toJson(written), 2) + "\n";
 }
 
 std::vector<std::string> figureSources(const FigureDescription& description) {

@@ -57,7 +57,8 @@ struct FrameItem {
 
 using DrawingItem = std::variant<PictureItem, TextItem, FrameItem>;
 
-/// A white page with its items in drawing order. All file formats are written from this.
+/// A white page with its items in drawing order. All file formats are written from this. Texts and title are
+/// plainText().
 struct FigureDrawing {
   double width = 0, height = 0;  ///< mm
   std::string font, title;       ///< font family; title for the file's metadata

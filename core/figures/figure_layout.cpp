@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -18,18 +19,11 @@ constexpr double barHeight = 2, minBarWidth = 12, noteGap = 3, maxBarWidth = 30;
 constexpr double oneColumnFont = 7, twoColumnsFont = 8;                           ///< pt
 constexpr std::string_view referenceLabel = "Reference";
 
-/// Bytes of the UTF-8 character that begins at a place.
-std::size_t characterLength(std::string_view text, std::size_t at) {
-  std::size_t end = at + 1;
-  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
-  return end - at;
-}
-
 /// Parts between which a line may be broken; each has the space that follows it.
 std::vector<std::string> partsOf(std::string_view text) {
   std::vector<std::string> parts(1);
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = characterLength(text, at);
+    const std::size_t length = firstCharacter(text.substr(at)).bytes;
     parts.back() += text.substr(at, length);
     if (length == 1 && (text[at] == ' ' || text[at] == '-' || text[at] == '_')) parts.emplace_back();
     at += length;
@@ -117,7 +111,7 @@ LabelLayout LayoutBuilder::label(const std::vector<std::string>& lines, double l
 
 void LayoutBuilder::placeTitle() {
   if (description_.title.empty()) return;
-  layout_.title = label(lines(description_.title, layout_.width, true), 0, layout_.width, top_);
+  layout_.title = label(lines(plainText(description_.title), layout_.width, true), 0, layout_.width, top_);
   top_ = layout_.title->place.bottom() + rowGap;
 }
 
@@ -224,7 +218,7 @@ std::vector<std::string> brokenLines(const std::string& text, double maxWidth, d
     }
     if (!lines.back().empty()) lines.emplace_back();
     for (std::size_t at = 0; at < part.size();) {
-      const std::size_t length = characterLength(part, at);
+      const std::size_t length = firstCharacter(std::string_view(part).substr(at)).bytes;
       const std::string character = part.substr(at, length);
       if (!lines.back().empty() && !fits(lines.back() + character)) lines.emplace_back();
       lines.back() += character;

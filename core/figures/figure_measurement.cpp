@@ -10,6 +10,7 @@
 #include "core/figures/figure_number.h"
 #include "core/rendering/error_maps.h"
 #include "core/study/accuracy_study.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -163,7 +164,7 @@ FigureMeasurement measureFigure(const FigureDescription& description, const Task
 
 std::string rowLabel(const FigureDescription& description, const FigureMeasurement& measurement, std::size_t row) {
   const std::string& label = description.materials[row].label;
-  return label.empty() ? measurement.rows[row].name : label;
+  return plainText(label.empty() ? measurement.rows[row].name : label);
 }
 
 double errorMaximum(const FigureDescription& description, const FigureMeasurement& measurement) {

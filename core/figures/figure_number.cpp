@@ -98,7 +98,7 @@ const FigureNumber& figureNumber(std::string_view id) {
   throw Error("found the quantity '" + std::string(id) + "', expected one of " + known);
 }
 
-std::string plainText(const FigureNumber& number, double value) {
+std::string tableText(const FigureNumber& number, double value) {
   return number.unit == "B" && std::isfinite(value) ? std::to_string(std::llround(value)) : digitsOf(value);
 }
 
@@ -112,7 +112,7 @@ std::string valueText(const FigureNumber& number, double value) {
   if (number.isError || !std::isfinite(value) || value == 0) return digitsOf(value) + unit;
   // A value that rounds to 1000 has the next prefix.
   constexpr double rounding = 0.9995;
-  if (number.unit == "B" && value < 1000) return plainText(number, value) + unit;
+  if (number.unit == "B" && value < 1000) return tableText(number, value) + unit;
   const auto prefix = std::ranges::find_if(prefixes, [&](const Prefix& one) { return value >= rounding * one.factor; });
   const Prefix used = prefix == std::end(prefixes) ? prefixes[std::size(prefixes) - 1] : *prefix;
   return digitsOf(value / used.factor) + " " + used.letter + number.unit;

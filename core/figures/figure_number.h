@@ -39,6 +39,6 @@ const FigureNumber& figureNumber(std::string_view id);
 std::string valueText(const FigureNumber& number, double value);
 /// The value with three significant digits, without SI prefix and unit, for tables with the unit in the header: "38.2",
 /// "1.25e-08". Bytes and values from 1000 on are whole numbers.
-std::string plainText(const FigureNumber& number, double value);
+std::string tableText(const FigureNumber& number, double value);
 
 }  // namespace gonio::figures

@@ -7,6 +7,7 @@
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_number.h"
 #include "core/rendering/render_picture.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::figures {
 
@@ -16,7 +17,7 @@ namespace {
 std::string latexNumber(const FigureNumber& number, double value) {
   if (std::isinf(value)) return value > 0 ? "$\\infty$" : "$-\\infty$";
   if (std::isnan(value)) return "--";
-  const std::string text = plainText(number, value);
+  const std::string text = tableText(number, value);
   const std::size_t exponent = text.find('e');
   if (exponent == std::string::npos) return value < 0 ? "$" + text + "$" : text;
   return "$" + text.substr(0, exponent) + "\\times10^{" + std::to_string(std::stoi(text.substr(exponent + 1))) + "}$";
@@ -63,7 +64,7 @@ plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeas
 }
 
 std::string figureLatex(const FigureDescription& description, const FigureMeasurement& measurement) {
-  std::string text = "% Pictures: " + figurePicturesText(description.pictures) +
+  std::string text = "% Pictures: " + plainText(figurePicturesText(description.pictures)) +
                      "\n% Needs \\usepackage{booktabs}\n\\begin{tabular}{ll" +
                      std::string(description.numbers.size(), 'r') + "}\n\\toprule\nMaterial & Representation";
   for (const std::string& id : description.numbers) text += " & " + latexText(figureNumber(id).title());
@@ -79,7 +80,7 @@ std::string figureLatex(const FigureDescription& description, const FigureMeasur
 
 std::string latexText(std::string_view text) {
   std::string result;
-  for (const char c : text) switch (c) {
+  for (const char c : plainText(text)) switch (c) {
       case '\\':
         result += "\\textbackslash{}";
         break;
@@ -88,6 +89,27 @@ std::string latexText(std::string_view text) {
         break;
       case '^':
         result += "\\textasciicircum{}";
+        break;
+      case '<':
+        result += "\\textless{}";
+        break;
+      case '>':
+        result += "\\textgreater{}";
+        break;
+      case '|':
+        result += "\\textbar{}";
+        break;
+      case '"':
+      case '`':
+        result += "\\symbol{" + std::to_string(int(c)) + "}";
+        break;
+      case '\'':
+      case ',':
+      case '-':
+        result += (result.ends_with(c) ? "{}" : "") + std::string(1, c);
+        break;
+      case '[':
+        result += result.find_first_not_of(' ') == std::string::npos ? "{[}" : "[";
         break;
       case '&':
       case '%':
@@ -99,7 +121,7 @@ std::string latexText(std::string_view text) {
         result += '\\';
         [[fallthrough]];
       default:
-        result += c == '\n' || c == '\r' ? ' ' : c;
+        result += c;
     }
   return result;
 }

@@ -20,7 +20,8 @@ plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeas
 /// in bold.
 std::string figureLatex(const FigureDescription& description, const FigureMeasurement& measurement);
 
-/// Text with LaTeX special characters escaped.
+/// plainText() with the special characters of LaTeX escaped, also those that form ligatures ("--" is a dash) or, at the
+/// begin of a cell, an option of the command before it ("[").
 std::string latexText(std::string_view text);
 
 /// A description of the pictures, such as "sphere-studio, 256 x 256, 64 samples", with the environment if it is

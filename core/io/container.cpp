@@ -46,7 +46,7 @@ ContainerWriter::ContainerWriter(const ContainerFormat& format) {
 
 void ContainerWriter::description(const nlohmann::json& json) {
   // Names of files, unlike JSON, may contain bytes that are not UTF-8.
-  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string text = jsonText(json);
   number(std::uint32_t(text.size()));
   append(std::as_bytes(std::span(text)));
 }

@@ -10,6 +10,7 @@
 #include "core/io/text_lines.h"
 #include "core/support/error.h"
 #include "core/support/lower_case.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::io {
 
@@ -35,11 +36,70 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
+/// Whether a text, without the apostrophes before it, begins a formula of a spreadsheet (also in wide characters) or a
+/// comment.
+bool isSpecial(std::string_view text) {
+  const auto begin = text.find_first_not_of(" '");
+  if (begin == std::string_view::npos) return false;
+  for (const std::string_view sign : {"#", "=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20"})
+    if (text.substr(begin).starts_with(sign)) return true;
+  return false;
+}
+
+/// Whether an apostrophe precedes a part of a text: one after a separator that spreadsheets would take as a cell of its
+/// own, with a formula or quotes.
+bool needsApostrophe(std::string_view text, std::size_t at, std::string_view separators) {
+  if (at == 0 || separators.find(text[at - 1]) == std::string_view::npos) return false;
+  const std::string_view part = text.substr(at);
+  return isSpecial(part) || trimmed(part, " '").starts_with('"');
+}
+
+std::string withApostrophes(std::string_view text, std::string_view separators) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (needsApostrophe(text, i, separators)) result += '\'';
+    result += text[i];
+  }
+  return result;
+}
+
+/// A field without the apostrophes that csvField() adds.
+std::string withoutApostrophes(std::string_view field) {
+  std::string result;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (field[i] != '\'' || !(i == 0 ? isSpecial(field) : needsApostrophe(field, i, ";"))) result += field[i];
+  return result;
+}
+
+struct QuotedField {
+  std::string text;
+  std::size_t end;  ///< position of the separator after it, or of the end of the line
+};
+
+/// The quoted field (RFC 4180) at a position of a line, if there is one.
+std::optional<QuotedField> quotedField(std::string_view line, std::size_t begin, char separator) {
+  std::size_t at = line.find_first_not_of(' ', begin);
+  if (at == std::string_view::npos || line[at] != '"') return std::nullopt;
+  std::string text;
+  for (++at; at < line.size() && (line[at] != '"' || line.substr(at).starts_with("\"\"")); ++at) {
+    if (line[at] == '"') ++at;
+    text += line[at];
+  }
+  const std::size_t end = std::min(line.find_first_not_of(' ', at + 1), line.size());
+  if (at == line.size() || (end < line.size() && line[end] != separator)) return std::nullopt;
+  return QuotedField{std::string(trimmed(text, " \t")), end};
+}
+
 std::vector<std::string> split(std::string_view line, char separator) {
   std::vector<std::string> fields;
   for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(separator, begin), line.size());
-    fields.emplace_back(trimmed(line.substr(begin, end - begin)));
+    std::size_t end = std::min(line.find(separator, begin), line.size());
+    std::string field(trimmed(line.substr(begin, end - begin)));
+    if (std::optional<QuotedField> quoted = quotedField(line, begin, separator)) {
+      field = std::move(quoted->text);
+      end = quoted->end;
+    }
+    fields.push_back(withoutApostrophes(field));
     begin = end + 1;
   }
   return fields;
@@ -154,6 +214,16 @@ CsvText readCsvText(std::string_view text, std::span<const std::string_view> nam
   if (csv.names.empty()) throw Error("found no header line with column names");
   return csv;
 }
+
+std::string csvField(std::string_view text) {
+  const std::string plain = plainText(text), field = (isSpecial(plain) ? "'" : "") + withApostrophes(plain, ";");
+  if (field.find_first_of(",;\"") == std::string::npos) return field;
+  std::string quoted = "\"";
+  for (const char c : field) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csvComment(std::string_view text) { return "# " + withApostrophes(plainText(text), ",;") + "\n"; }
 
 std::string readText(const std::filesystem::path& path) {
   const std::vector<std::byte> bytes = FileSource(path).readAll(maxBytes);

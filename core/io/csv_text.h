@@ -14,8 +14,8 @@ namespace gonio::io {
 
 /// CSV with a header line of column names. Ignores a byte order mark, empty lines, and spaces and quotes around fields;
 /// line ends may be "\n", "\r\n" or "\r". Lines that begin with # are comments. The separator is a comma, or if the
-/// header has none, a semicolon (numbers may then have a decimal comma) or a tab. Quoted fields must not contain the
-/// separator.
+/// header has none, a semicolon (numbers may then have a decimal comma) or a tab. A quoted field may contain it, and
+/// quotes as "", but not a line end. Fields that csvField() protects from spreadsheets are read as they were.
 struct CsvText {
   struct Row {
     std::size_t line = 0;  ///< from 1
@@ -46,6 +46,16 @@ struct CsvText {
 /// at the end of a row are ignored), a name occurs twice, or there are no names.
 CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader = {},
                     std::size_t firstLine = 1);
+
+/// A text as a field, read back by readCsvText() without the spaces around it: plainText(), in quotes if it contains a
+/// separator or a quote (RFC 4180). An apostrophe precedes a text that spreadsheets would calculate, because it
+/// begins with = + - or @, and one that would be a comment; also after a semicolon, at which some spreadsheets split
+/// lines. Not for numbers.
+std::string csvField(std::string_view text);
+
+/// A comment line with its line end: "# " and plainText(). An apostrophe precedes each part after a comma or a
+/// semicolon that spreadsheets, which know no comments, would calculate or read as the begin of a quoted field.
+std::string csvComment(std::string_view text);
 
 /// The text of a file, for parsers of tables. @throws Error if it cannot be read or has more than 16 MiB; it does not
 /// name the file.

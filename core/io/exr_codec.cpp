@@ -17,6 +17,7 @@
 
 #include "core/io/exr_header_check.h"
 #include "core/support/error.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::io {
 
@@ -112,7 +113,7 @@ Image decode(std::span<const std::byte> bytes) {
 std::vector<std::byte> encode(const Image& image, const std::map<std::string, std::string>& attributes) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(text));
+  for (const auto& [name, text] : attributes) header.insert(name, Imf::StringAttribute(plainText(text)));
   Imf::FrameBuffer frame;
   const Imath::Box2i window = header.dataWindow();
   // OpenEXR's slices are not const, though writing only reads them.

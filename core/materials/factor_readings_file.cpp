@@ -46,7 +46,7 @@ acquisition::FactorCurve curveOf(const io::CsvText::Row& row, const std::string&
 }  // namespace
 
 std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& values) {
-  std::string text = "# method: " + plan.plan.method + "\nindex,curve,theta_i,phi_i,theta_o,phi_o,order";
+  std::string text = io::csvComment("method: " + plan.plan.method) + "index,curve,theta_i,phi_i,theta_o,phi_o,order";
   if (!values.rgb.empty()) text += ",r,g,b";
   if (!values.noise.empty()) text += ",noise_r,noise_g,noise_b";
   text += "\n";

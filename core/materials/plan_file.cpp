@@ -97,9 +97,9 @@ void planOrder(SamplingPlan& plan) {
 
 std::string planCsv(const SamplingPlan& plan, const std::vector<std::string>& comments) {
   std::string text;
-  if (!plan.method.empty()) text += "# " + std::string(methodLabel) + plan.method + "\n";
-  if (!plan.basisDigest.empty()) text += "# " + std::string(basisLabel) + plan.basisDigest + "\n";
-  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  if (!plan.method.empty()) text += io::csvComment(std::string(methodLabel) + plan.method);
+  if (!plan.basisDigest.empty()) text += io::csvComment(std::string(basisLabel) + plan.basisDigest);
+  for (const std::string& comment : comments) text += io::csvComment(comment);
   text += "index,theta_i,phi_i,theta_o,phi_o,theta_h,theta_d,phi_d,order\n";
   for (const PlannedSample& sample : plan.samples) {
     const auto& [wi, wo] = sample.directions;

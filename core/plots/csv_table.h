@@ -15,8 +15,8 @@ struct CsvColumn {
 };
 
 /// A table for other programs. The CSV text has comment lines that begin with "# ", a line of titles, then one line per
-/// row. Numbers have a decimal point and the fewest digits that read back to the same double; line ends are "\n",
-/// quoting as in RFC 4180.
+/// row. Numbers have a decimal point and the fewest digits that read back to the same double; line ends are "\n";
+/// texts are written by io::csvField().
 struct CsvTable {
   std::vector<std::string> comments;
   std::vector<CsvColumn> columns;  ///< all with the same number of rows

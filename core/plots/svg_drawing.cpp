@@ -8,6 +8,7 @@
 
 #include "core/io/base64.h"
 #include "core/math/types.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::plots {
 
@@ -18,23 +19,6 @@ std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", value);
   return text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 std::string pointsText(std::span<const glm::dvec2> points) {
@@ -121,7 +105,7 @@ SvgDrawing::SvgDrawing(double width, double height, const SvgPage& page) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
       w + unit + "\" height=\"" + h + unit + "\" viewBox=\"0 0 " + w + " " + h + "\" font-family=\"" +
-      escaped(page.fontFamily) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+      xmlText(page.fontFamily) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
 void SvgDrawing::line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke) {
@@ -152,7 +136,7 @@ void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::s
   if (title.empty())
     body_ += "/>\n";
   else
-    body_ += "><title>" + escaped(title) + "</title></" + (marker == Marker::circle ? "circle" : "polygon") + ">\n";
+    body_ += "><title>" + xmlText(title) + "</title></" + (marker == Marker::circle ? "circle" : "polygon") + ">\n";
 }
 
 void SvgDrawing::picture(const glm::dvec2& topLeft, const glm::dvec2& bottomRight, std::span<const std::byte> png,
@@ -171,7 +155,7 @@ void SvgDrawing::text(const glm::dvec2& at, std::string_view words, const TextSt
   if (style.bold) body_ += " font-weight=\"bold\"";
   if (style.halo) body_ += " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
   if (style.upward) body_ += " transform=\"rotate(-90 " + number(at.x) + " " + number(at.y) + ")\"";
-  body_ += ">" + escaped(words) + "</text>\n";
+  body_ += ">" + xmlText(words) + "</text>\n";
 }
 
 }  // namespace gonio::plots

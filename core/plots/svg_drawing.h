@@ -47,7 +47,7 @@ struct SvgPage {
 };
 
 /// Writes a drawing as SVG 1.1, in the page's unit, with the origin at the top left and y down, on white. Colours are
-/// CSS colours.
+/// CSS colours. Texts are written by xmlText().
 class SvgDrawing {
  public:
   SvgDrawing(double width, double height, const SvgPage& page = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
+#include "core/support/plain_text.h"
 
 namespace gonio {
 
@@ -20,6 +21,7 @@ std::string describeJson(const nlohmann::json& value) {
   if (value.is_null()) return "null";
   std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (text.size() > maxDescribed) text = text.substr(0, maxDescribed) + "...";
+  text = plainText(text);  // also of a character that is cut
   if (value.is_string()) return "the string " + text;
   return value.is_number() ? "the number " + text : text;
 }

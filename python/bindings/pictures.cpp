@@ -191,6 +191,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     std::vector<std::filesystem::path> sources;
     if (const auto& source = material.base().source.path; std::filesystem::exists(source)) sources.push_back(source);
     exports::checkTargets(target.paths(name, scene ? &*scene : nullptr), sources, overwrite);
+    if (scene) exports::checkSceneName(*target.scene, name.filename().string());
     exports::ExportResult result = exports::makeExport(target, material.exported(), options, control);
     if (scene) exports::addScene(result, target, *scene, name);
     files = exports::filesOf(result, name);

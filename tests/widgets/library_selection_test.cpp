@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/widgets/library_test_support.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_chips.h"
 #include "widgets/library/library_menu.h"
 #include "widgets/library/quick_look.h"
@@ -153,7 +154,7 @@ class LibrarySelectionTest : public QObject {
     QCOMPARE(model.note("a").rating, 5);
     view.setSortMode(5);
     QCOMPARE(idsOf(view), QStringList({"a", "c", "b"}));
-    QVERIFY(model.index(0).data(Qt::ToolTipRole).toString().contains("Rating"));
+    QVERIFY(model.index(0).data(richToolTipRole).toString().contains("Rating"));
     QTest::keyClick(view.list(), Qt::Key_0);
     QCOMPARE(model.note("c").rating, 0);
     QStringList asked;

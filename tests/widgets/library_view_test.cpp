@@ -10,6 +10,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/widgets/library_test_support.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_chips.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/thumbnail_colour.h"
@@ -27,12 +28,13 @@ class LibraryViewTest : public QObject {
     QCOMPARE(model.pending(), QStringList({"a", "b", "c"}));
     QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     model.setThumbnail("b", makeThumbnail(10, 0.1));
-    model.setFailure("c", "c.bsdf: too short");
+    model.setFailure("c", "c.bsdf: too short", "cannot be read");
     model.setThumbnail("gone", makeThumbnail(0, 0));
     QCOMPARE(changed.count(), 2);
     QCOMPARE(model.pending(), QStringList{"a"});
     QVERIFY(!model.index(1).data(Qt::DecorationRole).isNull());
-    QVERIFY(model.index(2).data(Qt::ToolTipRole).toString().contains("too short"));
+    QVERIFY(model.index(2).data(richToolTipRole).toString().contains("too short"));
+    QCOMPARE(model.index(2).data(LibraryModel::FailureBadgeRole).toString(), QString("cannot be read"));
   }
 
   void searchSortAndOpenByKeyboard() {

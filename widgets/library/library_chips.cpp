@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "widgets/inputs/flow_layout.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::widgets {
 
@@ -52,6 +53,7 @@ LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget
   layout->setSpacing(3);
   connect(&model, &QAbstractItemModel::modelReset, this, &LibraryChips::rebuild);
   connect(&model, &LibraryModel::notesChanged, this, &LibraryChips::followTags);
+  connect(&model, &LibraryModel::notesReplaced, this, &LibraryChips::followTags);
   rebuild();
 }
 
@@ -99,7 +101,7 @@ void LibraryChips::followTags() {
 
 QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip) {
   auto* chip = new Chip;
-  chip->setText(text);
+  chip->setText(menuText(text));
   chip->setToolTip(toolTip);
   chip->setFocusPolicy(Qt::StrongFocus);
   layout()->addWidget(chip);
@@ -133,7 +135,7 @@ void LibraryChips::clear() {
 
 QToolButton* LibraryChips::chip(const QString& text) const {
   const auto found = std::ranges::find_if(
-      m_chips, [&](const QToolButton* one) { return one->text().compare(text, Qt::CaseInsensitive) == 0; });
+      m_chips, [&](const QToolButton* one) { return one->text().compare(menuText(text), Qt::CaseInsensitive) == 0; });
   return found == m_chips.end() ? nullptr : *found;
 }
 

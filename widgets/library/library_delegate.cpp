@@ -151,7 +151,8 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   painter->setPen(text);
   painter->setFont(option.font);
   painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
-  paintBadge(*painter, option, picture, failed ? tr("cannot be read") : index.data(LibraryModel::BadgeRole).toString());
+  paintBadge(*painter, option, picture,
+             index.data(failed ? LibraryModel::FailureBadgeRole : LibraryModel::BadgeRole).toString());
   if (index.data(LibraryModel::FavouriteRole).toBool()) paintStar(*painter, option, picture);
   if (const int rating = index.data(LibraryModel::RatingRole).toInt(); rating > 0)
     paintRating(*painter, option, picture, rating);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/library/thumbnail_colour.h"
 
@@ -93,10 +94,11 @@ void LibraryModel::setThumbnail(const QString& id, const LibraryThumbnail& thumb
   Q_EMIT dataChanged(index(row), index(row));
 }
 
-void LibraryModel::setFailure(const QString& id, const QString& reason) {
+void LibraryModel::setFailure(const QString& id, const QString& reason, const QString& badge) {
   const int row = find(id);
   if (row < 0) return;
   m_entries[std::size_t(row)].failure = reason;
+  m_entries[std::size_t(row)].failureBadge = badge;
   Q_EMIT dataChanged(index(row), index(row));
 }
 
@@ -114,6 +116,7 @@ const LibraryThumbnail* LibraryModel::thumbnail(const QString& id) const {
 void LibraryModel::setNotes(LibraryNotes notes) {
   m_notes = std::move(notes);
   if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1));
+  Q_EMIT notesReplaced();
 }
 
 void LibraryModel::setNote(const QString& id, const LibraryNote& note) {
@@ -187,7 +190,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.item.name;
     case Qt::DecorationRole:
       return entry.pixmap.isNull() ? QVariant() : entry.pixmap;
-    case Qt::ToolTipRole:
+    case richToolTipRole:
       return toolTip(entry);
     case Qt::AccessibleDescriptionRole:
       return entry.item.toolTip;
@@ -205,6 +208,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.thumbnail ? entry.thumbnail->roughness : 1e9;
     case FailureRole:
       return entry.failure;
+    case FailureBadgeRole:
+      return entry.failureBadge;
     case FavouriteRole:
       return m_notes.value(entry.item.id).favourite;
     case RatingRole:

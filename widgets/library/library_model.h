@@ -47,6 +47,7 @@ class LibraryModel : public QAbstractListModel {
     RoughnessRole,
     DissimilarityRole,
     FailureRole,
+    FailureBadgeRole,
     BadgeRole,
     BadgeMeaningRole,
     HeadingRole,
@@ -66,8 +67,8 @@ class LibraryModel : public QAbstractListModel {
   void beginListing();
   bool isListing() const { return m_listing; }
   void setThumbnail(const QString& id, const LibraryThumbnail& thumbnail);
-  /// Why a material has no picture; shown in its tool tip.
-  void setFailure(const QString& id, const QString& reason);
+  /// Why a material has no picture: the reason is shown in its tooltip, `badge` on its tile.
+  void setFailure(const QString& id, const QString& reason, const QString& badge = {});
   /// Sets the thumbnail with which DissimilarityRole compares; empty: no order.
   void setReference(const std::optional<LibraryThumbnail>& thumbnail);
   /// Null if there is none yet.
@@ -97,6 +98,8 @@ class LibraryModel : public QAbstractListModel {
  Q_SIGNALS:
   /// The changed notes; an empty note was removed.
   void notesChanged(const gonio::widgets::LibraryNotes& notes);
+  /// All notes, by setNotes().
+  void notesReplaced();
 
  private:
   struct Entry {
@@ -104,7 +107,7 @@ class LibraryModel : public QAbstractListModel {
     std::optional<LibraryThumbnail> thumbnail;
     Rgb lab{0};  ///< of the thumbnail
     QPixmap pixmap;
-    QString failure;
+    QString failure, failureBadge;
   };
   struct Heading {
     QString title;

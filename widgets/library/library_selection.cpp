@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_menu.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/quick_look.h"
@@ -131,7 +132,7 @@ void LibrarySelection::showLook() {
   if (!index.isValid()) return m_look->hide();
   const QString id = index.data(LibraryModel::IdRole).toString();
   const LibraryThumbnail* thumbnail = m_model.thumbnail(id);
-  m_look->showMaterial(id, index.data(Qt::ToolTipRole).toString(), thumbnail ? thumbnail->image : QImage());
+  m_look->showMaterial(id, index.data(richToolTipRole).toString(), thumbnail ? thumbnail->image : QImage());
   Q_EMIT largePictureRequested(id);
 }
 

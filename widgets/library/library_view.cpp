@@ -20,6 +20,7 @@
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_order.h"
 #include "widgets/library/library_selection.h"
+#include "widgets/panels/elided_label.h"
 
 namespace gonio::widgets {
 
@@ -33,7 +34,7 @@ LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
       m_model(model),
       m_proxy(new LibraryOrder(model, this)),
       m_delegate(new LibraryDelegate(this)),
-      m_title(new QLabel(this)),
+      m_title(new ElidedLabel(this)),
       m_search(new QLineEdit(this)),
       m_chips(new LibraryChips(*model, this)),
       m_filter(new QToolButton(this)),

@@ -21,6 +21,7 @@ MessageBar::MessageBar(QWidget* parent)
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::AlternateBase);
   m_text->setWordWrap(true);
+  m_text->setMinimumWidth(1);  // a long name must not widen the window
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_close->setIcon(glyphIcon(Glyph::close));
   m_close->setAutoRaise(true);
@@ -59,8 +60,18 @@ void MessageBar::present(const QString& text, bool proposal) {
 }
 
 void MessageBar::showMessage(const QString& text) {
-  const bool more = !isHidden() && !isProposal();
-  present(more ? m_text->text() + '\n' + text : text, false);
+  constexpr qsizetype maxMessages = 5;  // the bar takes its height from the preview
+  if (isHidden() || isProposal()) m_shown.clear();
+  m_shown.removeAll(text);
+  m_shown << text;
+  if (m_shown.size() > maxMessages) m_shown.removeFirst();
+  present(m_shown.join('\n'), false);
+}
+
+void MessageBar::withdraw(const QString& text) {
+  if (isHidden() || isProposal() || m_shown.removeAll(text) == 0) return;
+  m_text->setText(m_shown.join('\n'));
+  setVisible(!m_shown.isEmpty());
 }
 
 void MessageBar::showProposal(const QString& text) { present(text, true); }

@@ -17,8 +17,10 @@ class MessageBar : public QFrame {
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  /// Adds a message below those still shown.
+  /// Shows a message below the last ones, which stay until the bar is hidden. A repeated message is shown once.
   void showMessage(const QString& text);
+  /// Removes a message that is no longer true, if it is still shown.
+  void withdraw(const QString& text);
   void showProposal(const QString& text);
   bool isProposal() const;
 
@@ -30,6 +32,7 @@ class MessageBar : public QFrame {
   void present(const QString& text, bool proposal);
   void dismiss();
 
+  QStringList m_shown;
   QLabel* m_text;
   QPushButton* m_apply;
   QPushButton* m_discard;

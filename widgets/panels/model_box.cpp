@@ -5,6 +5,7 @@
 #include <QStandardItemModel>
 #include <algorithm>
 
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -53,7 +54,7 @@ void ModelBox::fill() {
     for (const models::Model* one : models::allModels()) {
       if (one->spec().family != family) continue;
       addItem(toQString(one->spec().name));
-      setItemData(count() - 1, modelToolTip(one->spec()), Qt::ToolTipRole);
+      setItemData(count() - 1, modelToolTip(one->spec()), richToolTipRole);
       m_entries.push_back(one);
     }
   }
@@ -63,7 +64,7 @@ void ModelBox::fill() {
 void ModelBox::setModel(const models::Model* model) {
   const auto found = std::find(m_entries.begin(), m_entries.end(), model);
   setCurrentIndex(model && found != m_entries.end() ? int(found - m_entries.begin()) : -1);
-  setToolTip(model ? modelToolTip(model->spec()) : QString());
+  setRichToolTip(*this, model ? modelToolTip(model->spec()) : QString());
 }
 
 }  // namespace gonio::widgets

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr int columns = 3;
+constexpr int badgesPerRow = 3;
 
 bool isDark(const QPalette& palette) { return palette.color(QPalette::Window).lightness() < 128; }
 
@@ -105,7 +105,7 @@ void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>
   while (m_badges.size() < checks.size()) {
     auto* badge = new PlausibilityBadge(this);
     const int place = int(m_badges.size());
-    m_grid->addWidget(badge, place / columns, place % columns);
+    m_grid->addWidget(badge, place / badgesPerRow, place % badgesPerRow);
     m_badges.push_back(badge);
     connect(badge, &PlausibilityBadge::clicked, this, [this, badge] {
       for (PlausibilityBadge* other : m_badges)

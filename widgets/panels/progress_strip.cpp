@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "widgets/inputs/menu_text.h"
 #include "widgets/panels/elided_label.h"
 
 namespace gonio::widgets {
@@ -19,7 +20,7 @@ constexpr int barSteps = 1000;
 
 ProgressStrip::ProgressStrip(QWidget* parent)
     : QWidget(parent),
-      m_text(new QLabel(this)),
+      m_text(new ElidedLabel(this)),
       m_notice(new ElidedLabel(this)),
       m_bar(new QProgressBar(this)),
       m_cancel(new QToolButton(this)),
@@ -59,6 +60,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 
 void ProgressStrip::showProgress(const QString& text, double fraction, bool canCancel, Pausing pausing) {
   m_text->setText(text);
+  m_text->setToolTip(text);
   m_bar->setValue(int(std::lround(fraction * barSteps)));
   m_bar->setAccessibleName(text);
   m_cancel->setVisible(canCancel);
@@ -82,7 +84,7 @@ void ProgressStrip::setEntries(const std::vector<Entry>& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const int id = entries[i].id;
     QAction* action = same ? actions[qsizetype(i)] : menu->addAction(QString());
-    action->setText(tr("Cancel: %1").arg(QString(entries[i].text).replace('&', QStringLiteral("&&"))));
+    action->setText(tr("Cancel: %1").arg(menuText(entries[i].text)));
     action->setData(id);
     if (!same) connect(action, &QAction::triggered, this, [this, id] { Q_EMIT entryCancelRequested(id); });
   }

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 
 #include "widgets/inputs/icons.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/parameters/slider_range.h"
 
@@ -113,7 +114,7 @@ void ParameterLine::replaceNumber(QWidget* widget) {
 
 void ParameterLine::setDescription(const QString& toolTip, const QString& accessibleName) {
   for (QWidget* widget : std::initializer_list<QWidget*>{m_label, m_slider, m_field}) {
-    widget->setToolTip(toolTip);
+    setRichToolTip(*widget, toolTip);
     widget->setAccessibleName(accessibleName);
   }
   m_reset->setToolTip(tr("Resets %1 to its fitted value (Backspace, or double-click the label)").arg(accessibleName));

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "widgets/inputs/icons.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/colour_swatch.h"
 #include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"
@@ -124,7 +125,7 @@ void ParameterRow::describe() {
   for (std::size_t c = 0; c < 3; ++c)
     if (m_channels[c]) m_channels[c]->setDescription(toolTip, name + ' ' + m_channels[c]->label()->text());
   if (m_choice) {
-    m_choice->setToolTip(toolTip);
+    setRichToolTip(*m_choice, toolTip);
     m_choice->setAccessibleName(name);
   }
 }

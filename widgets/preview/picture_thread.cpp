@@ -31,7 +31,7 @@ class PictureThread::Worker : public QObject {
 
   void initialize() {
     m_drawer.setCompileListener([this] { postToOwner([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
-    m_broken = TaskFailure::of([this] {
+    const QString failure = TaskFailure::of([this] {
       if (!m_context->create()) throw Error("the graphics driver cannot create an OpenGL context");
       makeCurrent();
       if (!m_gl.initializeOpenGLFunctions()) throw Error(openGlTooOld);
@@ -40,7 +40,8 @@ class PictureThread::Worker : public QObject {
       });
       m_drawer.initialize();
     });
-    m_works = m_broken.isEmpty();
+    m_works = failure.isEmpty();
+    if (!m_works) postToOwner([failure](PictureThread& owner) { Q_EMIT owner.unavailable(failure); });
   }
 
   void release() {
@@ -64,11 +65,7 @@ class PictureThread::Worker : public QObject {
 
   std::optional<PictureState> draw() {
     const std::shared_ptr<const PictureRequest> request = newest();
-    if (!request) return std::nullopt;
-    if (!m_works) {
-      report(m_broken, request->number);
-      return std::nullopt;
-    }
+    if (!request || !m_works) return std::nullopt;
     std::optional<PictureState> state;
     guarded(request->number, [&] {
       makeCurrent();
@@ -134,7 +131,6 @@ class PictureThread::Worker : public QObject {
   std::mutex m_mutex;
   std::shared_ptr<const PictureRequest> m_request;
   bool m_works = false;
-  QString m_broken;  ///< why it does not
 };
 
 PictureThread::PictureThread(QObject* parent) : QObject(parent) { m_thread.setObjectName("preview"); }

@@ -38,6 +38,8 @@ class PictureThread : public QObject {
  Q_SIGNALS:
   /// @param graphics renderer, vendor and version reported by OpenGL; @param software whether it runs on the CPU.
   void started(const QString& graphics, bool software);
+  /// OpenGL cannot be started; nothing will be drawn.
+  void unavailable(const QString& reason);
   void drawn(const gonio::widgets::PictureState& state);
   /// The requested picture is delayed because a shader is being compiled.
   void compiling();

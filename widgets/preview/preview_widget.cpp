@@ -47,7 +47,7 @@ PreviewWidget::~PreviewWidget() { m_thread.stop(); }
 void PreviewWidget::connectContent() {
   const auto changed = [this] {
     m_changed = std::chrono::steady_clock::now();
-    m_failure.clear();
+    m_failure = m_unavailable;
     m_firstCurrent = m_number + 1;
     showOverlay();
     requestPicture();
@@ -69,6 +69,11 @@ void PreviewWidget::connectThread() {
   connect(&m_thread, &PictureThread::started, this, [this](const QString& graphics, bool software) {
     m_graphics = graphics;
     m_content.setSoftware(software);
+  });
+  connect(&m_thread, &PictureThread::unavailable, this, [this](const QString& reason) {
+    m_unavailable =
+        tr("The preview is not available: %1. Editing, fits, plots and exports work without it.").arg(reason);
+    showFailure(m_unavailable);
   });
   connect(&m_thread, &PictureThread::drawn, this, &PreviewWidget::adopt);
   connect(&m_thread, &PictureThread::failed, this, [this](const QString& message, int number) {
@@ -154,7 +159,7 @@ void PreviewWidget::adopt(const PictureState& state) {
 void PreviewWidget::showFailure(const QString& message) {
   if (m_failure == message) return;
   m_failure = message;
-  m_overlay->setHint(message);
+  showOverlay();
   Q_EMIT failed(message);
 }
 
@@ -191,7 +196,7 @@ void PreviewWidget::showOverlay() {
   if (!m_content.isComparing()) shown.mode = CompareMode::off;
   m_overlay->setComparison(shown, {m_content.first().name(), m_content.second().name()},
                            m_flickering && m_content.isComparing());
-  if (!m_failure.isEmpty()) return;
+  if (!m_failure.isEmpty()) return m_overlay->setHint(m_failure);
   m_overlay->setHint(m_content.hasMaterial() ? QString()
                                              : tr("Open a material (Ctrl+O), drop a file here,\n"
                                                   "or double-click a material in the library."));
@@ -204,15 +209,12 @@ void PreviewWidget::showStatus(double milliseconds) {
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
   const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::maxReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
-  m_overlay->setStatus(tr("%1%2 | exposure %3 stops | %4 | %5 ms%6 | %7%8\n%9")
-                           .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
-                           .arg(QString::fromStdString(m_content.scene().name))
-                           .arg(m_settings.exposure, 0, 'f', 1)
-                           .arg(curve)
-                           .arg(milliseconds, 0, 'f', 1)
-                           .arg(shown.isTraced ? tr(" per sample, on the CPU") : QString())
-                           .arg(samplesText(shown.samples), shown.isFiltered ? tr(", noise filtered") : QString(),
-                                effectsText(m_content.plan(), followed)));
+  m_overlay->setStatus(
+      tr("%1%2 | exposure %3 stops | %4 | %5 ms%6 | %7%8\n%9")
+          .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name), QString::fromStdString(m_content.scene().name),
+               QString::number(m_settings.exposure, 'f', 1), curve, QString::number(milliseconds, 'f', 1),
+               shown.isTraced ? tr(" per sample, on the CPU") : QString(), samplesText(shown.samples),
+               shown.isFiltered ? tr(", noise filtered") : QString(), effectsText(m_content.plan(), followed)));
 }
 
 }  // namespace gonio::widgets

@@ -94,7 +94,9 @@ class PreviewWidget : public QWidget {
   std::chrono::steady_clock::time_point m_changed;
   DisplaySettings m_settings;
   bool m_flickering = false, m_filtersNoise = true;
-  QString m_failure, m_graphics;
+  QString m_failure;
+  QString m_unavailable;  ///< why nothing can be drawn; empty: OpenGL works, or was not started
+  QString m_graphics;
   PreviewOverlay* m_overlay;
   PreviewInput* m_input;
 };

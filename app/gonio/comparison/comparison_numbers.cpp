@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/metrics/brdf_metrics.h"
+#include "core/plots/csv_table.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -17,8 +18,6 @@ namespace {
 struct ComparisonNumbersText {
   Q_DECLARE_TR_FUNCTIONS(ComparisonNumbers)
 };
-
-QString quoted(const QString& text) { return '"' + QString(text).replace('"', QStringLiteral("\"\"")) + '"'; }
 
 }  // namespace
 
@@ -61,7 +60,8 @@ std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     const metrics::MetricRecord& record = records[i];
     lines.push_back({widgets::toQString(record.name), widgets::toQString(record.unit),
-                     widgets::metricToolTip(record.formula, record.reference), numbers ? numbers->errors[i] : none});
+                     widgets::toQString(record.formula), numbers ? numbers->errors[i] : none,
+                     widgets::metricToolTip(record.formula, record.reference)});
   }
   return lines;
 }
@@ -73,13 +73,16 @@ QString comparisonValue(double value) {
 }
 
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference) {
-  QString text =
-      ComparisonNumbersText::tr("# %1 against %2, scene %3").arg(test, reference, comparisonSceneName) + '\n';
-  text += QStringLiteral("quantity,value,unit\n");
-  for (const ComparisonLine& line : comparisonLines(&numbers))
-    text +=
-        QStringLiteral("%1,%2,%3\n").arg(quoted(line.name), QString::number(line.value, 'g', 17), quoted(line.unit));
-  return text;
+  const QString compared =
+      ComparisonNumbersText::tr("%1 against %2, scene %3").arg(test, reference, comparisonSceneName);
+  plots::CsvTable table{.comments = {compared.toStdString()},
+                        .columns = {{"quantity", {}}, {"value", {}}, {"unit", {}}}};
+  for (const ComparisonLine& line : comparisonLines(&numbers)) {
+    table.columns[0].texts.push_back(line.name.toStdString());
+    table.columns[1].values.push_back(line.value);
+    table.columns[2].texts.push_back(line.unit.toStdString());
+  }
+  return QString::fromStdString(plots::toCsv(table));
 }
 
 }  // namespace gonio::app

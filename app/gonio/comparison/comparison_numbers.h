@@ -35,8 +35,9 @@ ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const Com
 
 /// One line of a table of the numbers.
 struct ComparisonLine {
-  QString name, unit, explanation;
+  QString name, unit, meaning;
   double value;
+  QString formulaHtml = {};  ///< of a metric, with its source
 };
 /// All numbers with their names; the values are NaN if `numbers` is null.
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers);

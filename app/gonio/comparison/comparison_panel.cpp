@@ -11,6 +11,7 @@
 #include <QTableWidget>
 
 #include "app/gonio/comparison/comparison_controller.h"
+#include "widgets/inputs/plain_text_style.h"
 
 namespace gonio::app {
 
@@ -116,10 +117,13 @@ void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const ComparisonLine& line = lines[std::size_t(row)];
     const QString value = numbers ? comparisonValue(line.value) : isVisible() ? tr("measuring...") : QString();
-    const QString cells[] = {line.name, value, line.unit, line.explanation.section('\n', 0, 0)};
+    const QString cells[] = {line.name, value, line.unit, line.meaning};
     for (int column = 0; column < columnCount; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
-      item->setToolTip(line.explanation);
+      if (line.formulaHtml.isEmpty())
+        item->setToolTip(line.meaning);
+      else
+        item->setData(widgets::richToolTipRole, line.formulaHtml);
       if (column == valueColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       // Grey: these are not the numbers of what is shown now.
       if (column == valueColumn && !m_current) item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));

@@ -3,12 +3,13 @@
 #include "app/gonio/document/commands.h"
 
 #include "core/editing/edit_list.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
 
 ReplaceEditsCommand::ReplaceEditsCommand(Document& document, EditState after, const QString& text, int interaction)
     : m_document(document), m_interaction(interaction), m_before(document.state()), m_after(std::move(after)) {
-  setText(text);
+  setText(widgets::oneLine(text));  // Qt takes a second line for the text of the menu
 }
 
 bool ReplaceEditsCommand::mergeWith(const QUndoCommand* other) {
@@ -34,7 +35,7 @@ void ReplaceEditsCommand::append(const editing::Edit& edit) {
 
 ReplaceMaterialCommand::ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text)
     : m_document(document), m_before(document.content()), m_after{std::move(after), {}, {}, {}} {
-  setText(text);
+  setText(widgets::oneLine(text));
 }
 
 void ReplaceMaterialCommand::show(const Document::Content& content) {

@@ -4,6 +4,8 @@
 
 #include <QMimeData>
 
+#include "core/io/json_text.h"
+
 namespace gonio::app {
 
 namespace {
@@ -31,7 +33,7 @@ models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, c
 }
 
 QMimeData* toClipboard(const editing::EditDocument& document) {
-  const std::string text = editing::toJson(document).dump(2);
+  const std::string text = io::jsonText(editing::toJson(document), 2);
   auto* data = new QMimeData;
   data->setData(mimeType, QByteArray::fromStdString(text));
   data->setText(QString::fromStdString(text));

@@ -17,6 +17,7 @@
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_settings.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -24,7 +25,7 @@ namespace gonio::app {
 
 BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent)
     : QDialog(parent), m_controller(controller), m_settings(settings), m_ids(ids), m_names(distinctNames(ids)) {
-  setWindowTitle(ids.size() == 1 ? tr("Export %1").arg(materialName(ids.front()))
+  setWindowTitle(ids.size() == 1 ? tr("Export %1").arg(widgets::titleText(materialName(ids.front())))
                                  : tr("Export %1 Materials").arg(ids.size()));
   build();
   chooseTarget(settings.value(export_settings::target).toString().toStdString());

@@ -88,6 +88,7 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
   writeInBackground(request, [subject, request, trial](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString();
     exports::checkTargets(request.target->paths(name, request.scene.get()), subject.files, true);
+    if (request.scene) exports::checkSceneName(*request.target->scene, name.filename().string());
     exports::ExportResult made =
         trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
     if (request.scene) exports::addScene(made, *request.target, *request.scene, name);

@@ -24,6 +24,7 @@ QDoubleSpinBox* exportSnrField() {
 QLabel* exportText() {
   auto* label = new QLabel;
   label->setWordWrap(true);
+  label->setMinimumWidth(1);  // a long name must not widen the dialog
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;

@@ -163,7 +163,7 @@ void FigureDialog::restore() {
 void FigureDialog::remember() {
   const FigureDescription figure = description();
   if (figure.materials.empty() || figure.representations.empty()) return;
-  m_parts.settings.setValue(descriptionKey, QString::fromStdString(toJson(figure).dump()));
+  m_parts.settings.setValue(descriptionKey, QString::fromStdString(io::jsonText(toJson(figure))));
 }
 
 void FigureDialog::keyPressEvent(QKeyEvent* event) {

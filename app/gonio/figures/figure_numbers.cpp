@@ -14,6 +14,7 @@
 #include "core/figures/figure_number.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/metrics/image_errors.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -63,7 +64,7 @@ FigureNumbersList::FigureNumbersList(QWidget* parent) : QWidget(parent), m_list(
   m_list->setMinimumHeight((shownNumbers + 1) * fontMetrics().lineSpacing());
   for (const figures::FigureNumber& number : figures::figureNumbers()) {
     auto* item = new QListWidgetItem(textOf(number), m_list);
-    item->setToolTip(toolTipOf(number));
+    item->setData(widgets::richToolTipRole, toolTipOf(number));
   }
   m_order->setWordWrap(true);
   m_order->setForegroundRole(QPalette::PlaceholderText);

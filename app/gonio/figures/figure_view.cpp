@@ -167,7 +167,8 @@ void FigureView::refresh() {
   m_measure->setEnabled(busy || m_missing > 0);
   m_bar->setVisible(busy);
   m_bar->setValue(int((task ? task->fraction : m_controller->progress().value_or(0)) * barSteps));
-  m_status->setText(task ? tr("%1: %2 of %3 cells are measured.").arg(task->title).arg(m_cells - m_missing).arg(m_cells)
+  m_status->setText(task ? tr("%1: %2 of %3 cells are measured.")
+                               .arg(task->title, QString::number(m_cells - m_missing), QString::number(m_cells))
                     : measuring ? tr("Measuring: %1 of %2 cells are done.").arg(m_cells - m_missing).arg(m_cells)
                                 : restText());
   m_status->setToolTip(m_failure);

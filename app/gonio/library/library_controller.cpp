@@ -24,7 +24,7 @@ const QString thumbnailKey = QStringLiteral("thumbnail"), similarityKey = QStrin
 struct Made {
   QString id;
   widgets::LibraryThumbnail thumbnail;
-  QString failure;
+  QString failure, badge;
 };
 
 /// The first of the pictures: as many as take a tenth of a second. One at a time would wait for a frame of the preview
@@ -35,12 +35,16 @@ std::vector<Made> madeInABatch(const LibraryController::ThumbnailFactory& make, 
   const auto start = std::chrono::steady_clock::now();
   std::vector<Made> batch;
   for (const QString& id : ids) {
-    Made& made = batch.emplace_back(Made{id, {}, {}});
+    Made& made = batch.emplace_back(Made{id, {}, {}, {}});
     try {
       made.thumbnail = make(id, control);
     } catch (const Cancelled&) {
       throw;
+    } catch (const TooSlow& error) {
+      made.badge = LibraryController::tr("too slow");
+      made.failure = QString::fromStdString(error.what());
     } catch (const std::exception& error) {
+      made.badge = LibraryController::tr("cannot be read");
       made.failure = QString::fromStdString(error.what());
     }
     if (std::chrono::steady_clock::now() - start > batchTime) break;
@@ -249,7 +253,7 @@ void LibraryController::makeNext() {
           if (made.failure.isEmpty())
             m_model.setThumbnail(made.id, made.thumbnail);
           else
-            m_model.setFailure(made.id, made.failure);
+            m_model.setFailure(made.id, made.failure, made.badge);
         }
         makeNext();
       });

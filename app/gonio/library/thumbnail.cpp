@@ -55,7 +55,7 @@ auto withinTime(std::chrono::milliseconds limit, const TaskControl& control, con
   } catch (const Cancelled&) {
     control.throwIfStopped();
     if (!isLate) throw;
-    throw Error("no thumbnail: it takes longer than " + numberText(double(limit.count()) / 1000) + " s to render");
+    throw TooSlow("no thumbnail: it takes longer than " + numberText(double(limit.count()) / 1000) + " s to render");
   }
 }
 

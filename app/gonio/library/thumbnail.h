@@ -10,10 +10,16 @@
 
 namespace gonio::app {
 
+/// A thumbnail that would take longer than it may.
+class TooSlow : public Error {
+ public:
+  using Error::Error;
+};
+
 /// The thumbnail of a material: a sphere in the studio environment on a transparent background. A bundled material has
 /// a built-in one (bundledThumbnail()). Others are rendered from the native form and cached in `cacheFolder`, by the
 /// hash of the material's content and the version of the renderer. @param limit on the time, so that one material does
-/// not hold up a whole library. @throws Error, also after `limit`; Cancelled.
+/// not hold up a whole library. @throws Error; TooSlow; Cancelled.
 widgets::LibraryThumbnail materialThumbnail(const QString& id, const QString& cacheFolder, const TaskControl& control,
                                             std::chrono::milliseconds limit = std::chrono::seconds(30));
 

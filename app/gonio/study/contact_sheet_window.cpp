@@ -15,6 +15,7 @@
 #include "app/gonio/library/sphere_picture.h"
 #include "core/rendering/error_maps.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/inputs/open_file_dialog.h"
 
 namespace gonio::app {
@@ -51,7 +52,7 @@ ContactSheetWindow::ContactSheetWindow(BackgroundTasks& tasks, SheetSource sourc
   m_renderKey = key + "pictures";
   m_mapsKey = key + "maps";
   m_pairKey = key + "pair";
-  setWindowTitle(tr("Contact Sheet: %1").arg(m_source.name));
+  setWindowTitle(tr("Contact Sheet: %1").arg(widgets::titleText(m_source.name)));
   m_tiles.push_back({m_source.name, sourceKind(*m_source.material), {}, {}});
   for (const SheetEntry& entry : m_source.entries) m_tiles.push_back({entry.name, entry.numbers, {}, {}});
   build();

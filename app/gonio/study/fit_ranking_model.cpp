@@ -10,6 +10,7 @@
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/sphere_picture.h"
 #include "core/plots/csv_table.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/model_box.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
@@ -176,9 +177,9 @@ QVariant FitRankingModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::UserRole) return sortKey(row, column);
   if (role == Qt::CheckStateRole && column == PlotColumn) return row.plotted ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::DecorationRole && column == NameColumn) return row.thumbnail;
-  if (role == Qt::ToolTipRole)
-    return column == WarningsColumn ? warningsText(row.ranked.fit)
-                                    : widgets::modelToolTip(row.ranked.fit.model->spec());
+  if (role == Qt::ToolTipRole && column == WarningsColumn) return warningsText(row.ranked.fit);
+  if (role == widgets::richToolTipRole && column != WarningsColumn)
+    return widgets::modelToolTip(row.ranked.fit.model->spec());
   if (role == Qt::FontRole && row.ranked.fit.model == m_current) {
     QFont bold;
     bold.setBold(true);
@@ -203,12 +204,14 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
                               tr("Warnings")};
     return titles[section];
   }
+  if (role == widgets::richToolTipRole && section == ErrorColumn)
+    return tr("<p>%1: %2. Smaller is better.</p>")
+        .arg(widgets::toQString(record.name), widgets::formulaHtml(record.formula));
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("The model, rendered with its fitted parameters"),
         tr("Ticked fits are shown in the plots in addition to the one in use"),
-        tr("<p>%1: %2. Smaller is better.</p>")
-            .arg(widgets::toQString(record.name), widgets::formulaHtml(record.formula)),
+        QString(),  // rich
         tr("Rendered SNR of the image in the comparison scene (bundled scene \"sphere\"). Larger is better."),
         tr("Number of values that the fit determines"),
         tr("Time of the fit, seconds"),

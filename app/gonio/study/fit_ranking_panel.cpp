@@ -14,6 +14,7 @@
 #include <QTreeView>
 
 #include "app/gonio/study/sheet_sources.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
@@ -42,7 +43,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   label->setBuddy(m_metric);
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
     m_metric->addItem(widgets::toQString(record.name));
-    m_metric->setItemData(m_metric->count() - 1, widgets::formulaHtml(record.formula), Qt::ToolTipRole);
+    m_metric->setItemData(m_metric->count() - 1, widgets::formulaHtml(record.formula), widgets::richToolTipRole);
   }
   m_metric->setToolTip(tr("Metric of the errors in the table; fits minimise the log error"));
   connect(m_metric, &QComboBox::activated, this,

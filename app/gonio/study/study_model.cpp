@@ -12,6 +12,7 @@
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/sphere_picture.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -173,7 +174,7 @@ QVariant StudyModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) return row.studied ? text(row.studied->record, column) : QStringLiteral("-");
   if (role == Qt::UserRole) return sortKey(row, column);
   if (role == Qt::DecorationRole && column == NameColumn) return row.icon;
-  if (role == Qt::ToolTipRole) return toolTip(index.row());
+  if (role == widgets::richToolTipRole) return toolTip(index.row());
   if (role == Qt::ForegroundRole && !row.studied) return QPalette().brush(QPalette::PlaceholderText);
   if (role == Qt::FontRole && index.row() == m_shown) {
     QFont bold;
@@ -195,12 +196,14 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
         tr("Encoding [s]")};
     return titles[section];
   }
+  if (role == widgets::richToolTipRole && section == ErrorColumn)
+    return tr("<p>%1: %2. Smaller is better.</p>")
+        .arg(widgets::toQString(metric.name), widgets::formulaHtml(metric.formula));
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("Representation at one budget, with its rendered image"),
         tr("Rendered SNR of the image in the comparison scene (bundled scene \"sphere\"). Larger is better."),
-        tr("<p>%1: %2. Smaller is better.</p>")
-            .arg(widgets::toQString(metric.name), widgets::formulaHtml(metric.formula)),
+        QString(),  // rich
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),
         tr("Time of one frame in the reference renderer on the CPU, not in the preview"),
         tr("Size of the file; of a table: its size in memory; of a fit: the size of its parameters. Dictionaries are "

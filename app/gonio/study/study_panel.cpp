@@ -15,6 +15,7 @@
 #include "app/gonio/study/study_view.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/inputs/open_file_dialog.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -61,7 +62,7 @@ QWidget* StudyPanel::buildChoice() {
   m_quality->addItem(tr("rendered SNR"));
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
     m_quality->addItem(widgets::toQString(record.name));
-    m_quality->setItemData(m_quality->count() - 1, widgets::formulaHtml(record.formula), Qt::ToolTipRole);
+    m_quality->setItemData(m_quality->count() - 1, widgets::formulaHtml(record.formula), widgets::richToolTipRole);
   }
   m_quality->setToolTip(tr("Metric of the vertical axis of the plot and of the errors in the table"));
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));

@@ -158,7 +158,7 @@ void StudySummaryWindow::start(std::size_t material) {
   };
   const QString name = QString::fromStdString(m_model.materials()[material]);
   m_tasks.run<bool>(
-      {tr("Measuring %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size()), m_key},
+      {tr("Measuring %1 (%2 of %3)").arg(name, QString::number(material + 1), QString::number(m_ids.size())), m_key},
       [id = m_ids[qsizetype(material)], options, missing = m_model.missing(material)](const TaskControl& control) {
         const materials::Material read = libraryMaterial(id, control);
         study::runStudy({read.tabulated(control), read.brdf}, missing, options, control);

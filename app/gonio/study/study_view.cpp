@@ -10,6 +10,7 @@
 #include <QTreeView>
 #include <algorithm>
 
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/sorted_table.h"
 #include "widgets/study/study_scatter.h"
 
@@ -57,7 +58,7 @@ void StudyView::connectParts() {
     if (point < 0)
       QToolTip::hideText();
     else
-      QToolTip::showText(at, m_model.toolTip(rowOf(point)), m_scatter);
+      widgets::showRichToolTip(at, m_model.toolTip(rowOf(point)), m_scatter);
   });
 }
 

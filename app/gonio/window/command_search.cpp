@@ -15,11 +15,15 @@
 #include <algorithm>
 #include <iterator>
 
+#include "widgets/inputs/menu_text.h"
+
 namespace gonio::app {
 
 namespace {
 
-QString plainText(const QAction* action) { return action->text().remove('&').remove(QStringLiteral("...")); }
+QString plainText(const QAction* action) {
+  return widgets::withoutKeyMarks(action->text()).remove(QStringLiteral("..."));
+}
 
 void collect(const QMenu* menu, const QString& prefix, QList<NamedAction>& found) {
   for (QAction* action : menu->actions()) {

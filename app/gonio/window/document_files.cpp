@@ -11,7 +11,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <memory>
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
@@ -45,20 +44,6 @@ QString exportFolder(const materials::Material& material) {
   const QString folder = widgets::dialogFolder(exportPurpose);
   const QFileInfo source(QString::fromStdString(material.source.path.string()));
   return folder == QDir::homePath() && source.isFile() ? source.absolutePath() : folder;
-}
-
-/// With the text as it is: Qt would take words of a file that look like HTML for HTML.
-std::unique_ptr<QMessageBox> plainBox(QMessageBox::Icon icon, const QString& title, const QString& text,
-                                      QMessageBox::StandardButtons buttons, QWidget* window) {
-  auto box = std::make_unique<QMessageBox>(icon, title, QString(), buttons, window);
-  box->setTextFormat(Qt::PlainText);
-  box->setText(text);
-  return box;
-}
-
-QMessageBox::StandardButton ask(const QString& title, const QString& text, QMessageBox::StandardButtons buttons,
-                                QWidget* window) {
-  return QMessageBox::StandardButton(plainBox(QMessageBox::Question, title, text, buttons, window)->exec());
 }
 
 constexpr auto saveButtons = QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel;
@@ -120,8 +105,8 @@ void DocumentFiles::askAndOpen() {
 
 bool DocumentFiles::mayDiscard() {
   if (!m_parts.document.isModified()) return true;
-  const auto answer =
-      ask(tr("Unsaved changes"), tr("Save changes to %1?").arg(m_parts.document.name()), saveButtons, m_window);
+  const auto answer = QMessageBox::question(m_window, tr("Unsaved changes"),
+                                            tr("Save changes to %1?").arg(m_parts.document.name()), saveButtons);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
@@ -145,9 +130,8 @@ bool DocumentFiles::mayStopExports() {
 
 void DocumentFiles::askAboutUnsavedChanges(const QString& replacement) {
   const QString name = m_parts.document.name();
-  QMessageBox* box =
-      plainBox(QMessageBox::Question, tr("Unsaved changes"), tr("Save changes to %1?").arg(name), saveButtons, m_window)
-          .release();
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"), tr("Save changes to %1?").arg(name),
+                              saveButtons, m_window);
   box->setInformativeText(tr("%1 is about to be opened in its place.").arg(replacement));
   box->setAttribute(Qt::WA_DeleteOnClose);
   connect(box, &QDialog::finished, this, [this](int answer) {
@@ -157,9 +141,8 @@ void DocumentFiles::askAboutUnsavedChanges(const QString& replacement) {
 }
 
 void DocumentFiles::askAboutChangedSource(const QString& text) {
-  QMessageBox* box =
-      plainBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window)
-          .release();
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
   box->setInformativeText(
       tr("The edits were made for the previous values. Applied to the changed file, they may look different, or take "
          "effect twice if the file already contains them."));
@@ -182,17 +165,16 @@ bool DocumentFiles::save() {
 
 bool DocumentFiles::saveAgain(const QString& path) {
   if (m_parts.controller.hasChangedOnDisk(path)) {
-    const auto box =
-        plainBox(QMessageBox::Warning, tr("The document has changed on disk"),
-                 tr("Another program or window has changed %1 since it was opened or last saved here.").arg(path),
-                 QMessageBox::Cancel, m_window);
-    box->setInformativeText(tr("If you replace the file, the changes made there are lost."));
-    const QPushButton* replace = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    QPushButton* elsewhere = box->addButton(tr("Save &As..."), QMessageBox::AcceptRole);
-    box->setDefaultButton(elsewhere);
-    box->exec();
-    if (box->clickedButton() == elsewhere) return saveAs();
-    if (box->clickedButton() != replace) return false;
+    QMessageBox box(QMessageBox::Warning, tr("The document has changed on disk"),
+                    tr("Another program or window has changed %1 since it was opened or last saved here.").arg(path),
+                    QMessageBox::Cancel, m_window);
+    box.setInformativeText(tr("If you replace the file, the changes made there are lost."));
+    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    QPushButton* elsewhere = box.addButton(tr("Save &As..."), QMessageBox::AcceptRole);
+    box.setDefaultButton(elsewhere);
+    box.exec();
+    if (box.clickedButton() == elsewhere) return saveAs();
+    if (box.clickedButton() != replace) return false;
   }
   return m_parts.controller.save(path, viewToJson(m_parts.preview));
 }
@@ -227,8 +209,7 @@ void DocumentFiles::saveInLibrary() {
       folder.filePath(name.replace(QRegularExpression(QStringLiteral(R"([/\\:*?"<>|])")), "-") + documentSuffix());
   const bool isOwn = path == m_parts.document.path();
   if (!isOwn && QFileInfo::exists(path) &&
-      ask(tr("Save in Library"), tr("Replace %1?").arg(name), QMessageBox::Yes | QMessageBox::No, m_window) !=
-          QMessageBox::Yes)
+      QMessageBox::question(m_window, tr("Save in Library"), tr("Replace %1?").arg(name)) != QMessageBox::Yes)
     return;
   folder.mkpath(QStringLiteral("."));
   if (isOwn ? saveAgain(path) : saveTo(path)) m_parts.library.addOwn(path);
@@ -259,8 +240,9 @@ void DocumentFiles::exportBrdf() {
     }
   const QString target = withSuffix(path, suffixOf(form));
   if (m_parts.exports.refuses(target)) return;
-  if (QFileInfo::exists(target) && ask(tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName()),
-                                       QMessageBox::Yes | QMessageBox::No, m_window) != QMessageBox::Yes)
+  if (QFileInfo::exists(target) &&
+      QMessageBox::question(m_window, tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName())) !=
+          QMessageBox::Yes)
     return;
   m_parts.exports.writeMaterial(target, form);
 }
@@ -286,10 +268,11 @@ QList<RecoverableWork> DocumentFiles::askForRecovery() {
   QList<RecoverableWork> wanted;
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
     const QString time = QLocale().toString(QFileInfo(work.autosavePath).lastModified(), QLocale::ShortFormat);
-    const auto answer = ask(tr("Recover unsaved work"),
-                            tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?")
-                                .arg(nameOfWork(work), time),
-                            QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    const auto answer =
+        QMessageBox::question(m_window, tr("Recover unsaved work"),
+                              tr("Gonio did not exit cleanly. Recover the unsaved changes to %1 (autosaved at %2)?")
+                                  .arg(nameOfWork(work), time),
+                              QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
     if (answer == QMessageBox::Yes) wanted << work;
   }

@@ -12,6 +12,7 @@
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/window/preferences.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/preview/preview_widget.h"
@@ -42,11 +43,22 @@ void EditMenu::apply(const Preferences& preferences) {
 
 void EditMenu::addHistory(QAction* showHistory) {
   History& history = m_document.history();
-  QAction* undo = history.createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = history.createRedoAction(this, tr("&Redo"));
+  // Qt's own actions take '&' in the name of an edit for the mark of a key.
+  QAction* undo = addAction(tr("&Undo"), QKeySequence::Undo, &history, &QUndoStack::undo);
+  QAction* redo = addAction(tr("&Redo"), &history, &QUndoStack::redo);
   redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  addActions({undo, redo, showHistory});
+  const auto show = [=, &history] {
+    undo->setText(tr("&Undo %1").arg(widgets::menuText(history.undoText())).trimmed());
+    redo->setText(tr("&Redo %1").arg(widgets::menuText(history.redoText())).trimmed());
+    undo->setEnabled(history.canUndo());
+    redo->setEnabled(history.canRedo());
+  };
+  for (const auto signal : {&QUndoStack::canUndoChanged, &QUndoStack::canRedoChanged})
+    connect(&history, signal, this, show);
+  for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged})
+    connect(&history, signal, this, show);
+  show();
+  addAction(showHistory);
 }
 
 void EditMenu::addEdits() {

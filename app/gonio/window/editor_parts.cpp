@@ -216,7 +216,7 @@ void EditorParts::takeOldFavourites() {
     note.favourite = true;
     library.model().setNote(id, note);
   }
-  settings.remove(favouritesKey);
+  if (libraryStore.failure().isEmpty()) settings.remove(favouritesKey);
 }
 
 void EditorParts::saveSettings() {

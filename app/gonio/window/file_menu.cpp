@@ -11,6 +11,7 @@
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/preview/preview_content.h"
 
 namespace gonio::app {
@@ -74,7 +75,8 @@ void FileMenu::addSaving() {
 void FileMenu::fillRecent(QMenu* menu) {
   menu->clear();
   for (const QString& path : m_files.recent().paths()) {
-    QAction* action = menu->addAction(path.section('/', -1), this, [this, path] { m_files.open(path); });
+    QAction* action =
+        menu->addAction(widgets::menuText(path.section('/', -1)), this, [this, path] { m_files.open(path); });
     action->setToolTip(path);
     action->setEnabled(RecentFiles::exists(path));
   }

@@ -8,6 +8,7 @@
 
 #include "app/gonio/scene/environment_controller.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/preview/preview_content.h"
 
 namespace gonio::app {
@@ -46,7 +47,7 @@ void LightMenu::showRecent() {
   const QStringList paths = m_environment.recent();
   const QString current = m_environment.isFromScene() ? QString() : m_environment.name();
   for (const QString& path : paths) {
-    QAction* action = new QAction(QString(path.section('/', -1)).replace('&', QStringLiteral("&&")), this);
+    QAction* action = new QAction(widgets::menuText(path.section('/', -1)), this);
     action->setToolTip(path);
     action->setCheckable(true);
     action->setChecked(path == current);

@@ -13,8 +13,10 @@
 #include <QScreen>
 #include <QStatusBar>
 #include <QStyle>
+#include <QTimer>
 #include <QUndoView>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
@@ -46,6 +48,7 @@
 #include "app/gonio/window/tab_keys.h"
 #include "app/gonio/window/undo_keys.h"
 #include "app/gonio/window/view_menu.h"
+#include "widgets/inputs/menu_text.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
@@ -88,6 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
   m_docks->setDefault();
   m_docks->restore(m_parts.settings);
   m_parts.restoreSettings();
+  connectNotes();
   showTitle();
 }
 
@@ -172,12 +176,6 @@ void MainWindow::connectDocument() {
   connect(&m_parts.document, &Document::materialChanged, m_messages, &QWidget::hide);
   connect(&m_parts.controller, &DocumentController::saved, this,
           [this](const QString& path) { m_status->showNotice(tr("Saved %1").arg(path)); });
-  const auto tellLostNotes = [this] {
-    if (const QString& failure = m_parts.libraryStore.failure(); !failure.isEmpty())
-      m_status->showNotice(tr("Favourites, ratings and tags cannot be saved: %1").arg(failure));
-  };
-  tellLostNotes();
-  connect(&m_parts.library.model(), &widgets::LibraryModel::notesChanged, this, tellLostNotes);
   const auto written = [this](const QString& path) { m_status->showNotice(tr("Wrote %1").arg(path)); };
   const auto cancelled = [this](const QString& path) {
     m_status->showNotice(tr("Cancelled: %1 was not written").arg(path));
@@ -189,6 +187,29 @@ void MainWindow::connectDocument() {
   connect(&m_parts.plots, &PlotsPanel::exported, this, written);
   connect(&m_parts.study, &StudyPanel::exported, this, written);
   connect(&m_parts.acquisition, &AcquisitionPanel::exported, this, written);
+}
+
+/// Notes of the library that could not be read or saved are tried again, and the user is informed.
+void MainWindow::connectNotes() {
+  constexpr int retryMilliseconds = 5000;
+  connect(&m_parts.library.model(), &widgets::LibraryModel::notesChanged, this, &MainWindow::showLostNotes);
+  auto* retry = new QTimer(this);
+  connect(retry, &QTimer::timeout, this, [this] {
+    if (m_parts.libraryStore.retry()) m_parts.library.model().setNotes(m_parts.libraryStore.read());
+    showLostNotes();
+  });
+  retry->start(retryMilliseconds);
+  showLostNotes();
+}
+
+void MainWindow::showLostNotes() {
+  const QString& failure = m_parts.libraryStore.failure();
+  const QString text =
+      failure.isEmpty() ? QString() : tr("Favourites, ratings and tags cannot be read or saved now: %1").arg(failure);
+  const QString before = std::exchange(m_lostNotes, text);
+  if (text == before) return;  // a dismissed message does not come back with each change of a note
+  m_messages->withdraw(before);
+  if (!text.isEmpty()) m_messages->showMessage(text);
 }
 
 void MainWindow::connectMessages() {
@@ -293,7 +314,7 @@ void MainWindow::showFailure(const QString& title, const QString& text) {
 }
 
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] - Gonio").arg(m_parts.document.name()));
+  setWindowTitle(tr("%1[*] - Gonio").arg(widgets::titleText(m_parts.document.name())));
   setWindowModified(m_parts.document.isModified());
 }
 
@@ -308,11 +329,10 @@ void MainWindow::quit() {
     }
   bool discards = false;
   if (!unsaved.isEmpty()) {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), QString(),
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    names.size() == 1 ? tr("Save changes to this document before quitting?")
+                                      : tr("Save changes to these %1 documents before quitting?").arg(names.size()),
                     QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel, unsaved.first());
-    box.setTextFormat(Qt::PlainText);
-    box.setText(names.size() == 1 ? tr("Save changes to this document before quitting?")
-                                  : tr("Save changes to these %1 documents before quitting?").arg(names.size()));
     box.setInformativeText(names.join('\n'));
     const int answer = box.exec();
     if (answer != QMessageBox::SaveAll && answer != QMessageBox::Discard) return;

@@ -44,6 +44,8 @@ class MainWindow : public QMainWindow {
   void addDocks();
   void addMenus();
   void connectDocument();
+  void connectNotes();
+  void showLostNotes();
   void connectMessages();
   void connectRequests();
   void openContactSheet(const SheetSource& source);
@@ -57,6 +59,7 @@ class MainWindow : public QMainWindow {
   DockLayout* m_docks;
   StatusLine* m_status = nullptr;
   widgets::MessageBar* m_messages;
+  QString m_lostNotes;  ///< last message about notes that cannot be read or saved
 };
 
 }  // namespace gonio::app

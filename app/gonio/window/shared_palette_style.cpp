@@ -10,19 +10,19 @@ namespace gonio::app {
 void SharedPaletteStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                        const QWidget* widget) const {
   sharePalette(option);
-  QProxyStyle::drawPrimitive(element, option, painter, widget);
+  PlainTextStyle::drawPrimitive(element, option, painter, widget);
 }
 
 void SharedPaletteStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                                      const QWidget* widget) const {
   sharePalette(option);
-  QProxyStyle::drawControl(element, option, painter, widget);
+  PlainTextStyle::drawControl(element, option, painter, widget);
 }
 
 void SharedPaletteStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                             QPainter* painter, const QWidget* widget) const {
   sharePalette(option);
-  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  PlainTextStyle::drawComplexControl(control, option, painter, widget);
 }
 
 /// Replaces the palette by an equal one. An option cannot be copied, since only the style that reads it knows its type.

@@ -4,8 +4,9 @@
 
 #include <QList>
 #include <QPalette>
-#include <QProxyStyle>
 #include <QStyleFactory>
+
+#include "widgets/inputs/plain_text_style.h"
 
 namespace gonio::app {
 
@@ -14,10 +15,10 @@ namespace gonio::app {
 /// Qt gives each widget a palette object of its own once the application has set a palette, and Fusion caches what it
 /// draws by palette object. Without this style, each widget of each dialog has images of its own in the cache, whose
 /// names Qt 6.4 keeps forever.
-class SharedPaletteStyle : public QProxyStyle {
+class SharedPaletteStyle : public widgets::PlainTextStyle {
  public:
   /// @param base drawn with; owned
-  explicit SharedPaletteStyle(QStyle* base = QStyleFactory::create(QStringLiteral("Fusion"))) : QProxyStyle(base) {}
+  explicit SharedPaletteStyle(QStyle* base = QStyleFactory::create(QStringLiteral("Fusion"))) : PlainTextStyle(base) {}
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget = nullptr) const override;

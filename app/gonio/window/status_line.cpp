@@ -72,8 +72,9 @@ void StatusLine::showProgress() {
     m_progress->clear();
   std::vector<widgets::ProgressStrip::Entry> entries;
   for (const BackgroundTasks::Info& task : m_tasks.shown())
-    entries.push_back({task.id, task.waiting ? tr("%1, waiting").arg(task.title)
-                                             : tr("%1, %2 %").arg(task.title).arg(100 * task.fraction, 0, 'f', 0)});
+    entries.push_back({task.id, task.waiting
+                                    ? tr("%1, waiting").arg(task.title)
+                                    : tr("%1, %2 %").arg(task.title, QString::number(100 * task.fraction, 'f', 0))});
   m_progress->setEntries(entries);
 }
 

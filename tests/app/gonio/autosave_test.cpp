@@ -83,7 +83,7 @@ class AutosaveTest : public QObject {
     autosave.setDocumentPath(folder.filePath("mine.gonio"));
     const QString copy = autosave.currentCopy();
     document.sourcePath = "library:\xff";  // not UTF-8, so it is not JSON either
-    autosave.update();
+    QVERIFY(!autosave.update());
     QCOMPARE(autosave.currentCopy(), copy);
     QCOMPARE(editing::readDocument(copy.toStdString()).sourcePath, work().sourcePath);
     QCOMPARE(QDir(folder.filePath("data")).entryList({"*.record"}, QDir::Files).size(), qsizetype(1));

@@ -275,7 +275,7 @@ class ComparisonTest : public QObject {
     QCOMPARE(lines.size(), 2 + 3 + qsizetype(metrics::allBrdfMetrics().size()));
     QVERIFY(lines[0].startsWith("# Edited against Measured"));
     QCOMPARE(lines[1], "quantity,value,unit");
-    QCOMPARE(lines[2], "\"Rendered SNR\",12.5,\"dB\"");
+    QCOMPARE(lines[2], "Rendered SNR,12.5,dB");
   }
 };
 

@@ -26,6 +26,7 @@
 #include "widgets/figures/entry_list.h"
 #include "widgets/figures/figure_page.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/material_drag.h"
 
 namespace figure_dialog_test {
@@ -123,7 +124,8 @@ class FigureDialogTest : public QObject {
     for (int row = 0; row < list.count(); ++row)
       if (list.item(row)->flags() & Qt::ItemIsEnabled) tick(row, true);
     QCOMPARE(dialog->description().numbers.size(), FigureDescription::maxNumbers);
-    for (int row = 0; row < list.count(); ++row) QVERIFY(!list.item(row)->toolTip().isEmpty());
+    for (int row = 0; row < list.count(); ++row)
+      QVERIFY(!list.item(row)->data(widgets::richToolTipRole).toString().isEmpty());
   }
 
   /// The dialog returns a description unchanged, also numbers with more digits than a field shows.

@@ -11,6 +11,7 @@
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/window/main_window.h"
+#include "app/gonio/window/theme.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
@@ -85,6 +86,7 @@ class LeavingDocumentsTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
+    applyTheme(*qApp, Theme::system);
     const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
   }

@@ -43,7 +43,7 @@ class ThumbnailTest : public QObject {
     std::string failure;
     try {
       (void)materialThumbnail(path, folder.filePath("cache"), {}, std::chrono::milliseconds(1));
-    } catch (const Error& error) {
+    } catch (const TooSlow& error) {
       failure = error.what();
     }
     QCOMPARE(failure, "no thumbnail: it takes longer than 0.001 s to render");

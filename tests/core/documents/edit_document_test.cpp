@@ -132,6 +132,9 @@ class EditDocumentTest : public QObject {
     QCOMPARE(stored(outside).second, outside);
     QCOMPARE(stored("library:sgd/chrome").second, fs::path("library:sgd/chrome"));
     QCOMPARE(stored("../x.binary").second, outside.parent_path() / "x.binary");
+    // A file that the system cannot look for, such as one on a drive that has failed.
+    const fs::path unknown = folder / std::string(5000, 'x');
+    QCOMPARE(stored(unknown).first, unknown.string());
   }
 
   void errorsNameKeyFoundAndExpected() {

@@ -92,7 +92,7 @@ class SceneFilesTest : public QObject {
     const auto parts = exports::sceneParts(exports::mitsubaSceneFormat(), scene, "a \"b\" & c");
     const QStringList values = xmlValues(textOf(parts[0]));
     for (const char* value :
-         {"31.5127", "0, 0, 4", "0, 0, 3", "150", "a _b_ _ c_rgb.bsdf", "a _b_ _ c_environment.exr"})
+         {"31.5127", "0, 0, 4", "0, 0, 3", "150", "a \"b\" & c_rgb.bsdf", "a \"b\" & c_environment.exr"})
       QVERIFY2(values.contains(value), value);
     const Image image = io::decodeExr(parts[1].bytes);
     QCOMPARE(image.width, scene.environment->image().width);

@@ -178,6 +178,8 @@ class SurfaceFilesTest : public QObject {
     QCOMPARE(text.count('('), text.count(')'));
     for (const QString& line : text.split('\n').mid(0, 2)) QVERIFY(line.startsWith("// "));
     QVERIFY(QString::fromStdString(exports::glslFunction({}, "")).contains("gonioLobeCount = 1"));
+    // A backslash would continue the comment.
+    QVERIFY(exports::glslFunction({}, "a\\").starts_with("// a\\.\n// GLSL"));
   }
 
   /// Files of measured formats, read again, are what the export says that they show.

@@ -5,7 +5,10 @@
 #include <QTest>
 #include <array>
 
+#include "core/support/plain_text.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/hostile_names.h"
+#include "tests/support/spreadsheet.h"
 #include "tests/support/test_program.h"
 
 namespace csv_text_test {
@@ -44,6 +47,55 @@ class CsvTextTest : public QObject {
     QCOMPARE(named.number(named.rows[0], named.requiredColumn("x")), 2.0);
     QVERIFY(contains(errorOf([] { io::readCsvText("1\n", names); }), "line 1: found 1 columns, expected 2: x, y"));
     QCOMPARE(io::readCsvText("1,2\n").names, (Strings{"1", "2"}));
+  }
+
+  void quotedFieldsContainSeparators() {
+    const io::CsvText csv = io::readCsvText("name,value\n\"a,\"\"b\"\"\" ,\" 5 \"\n\"\",1\n'=x,'y\nfive\" x,\"6\n");
+    QCOMPARE(csv.rows[0].fields, (Strings{"a,\"b\"", "5"}));
+    QCOMPARE(csv.rows[1].fields, (Strings{"", "1"}));
+    QCOMPARE(csv.rows[2].fields, (Strings{"=x", "'y"}));
+    QCOMPARE(csv.rows[3].fields, (Strings{"five\" x", "6"}));
+  }
+
+  /// As itself by Gonio, without a formula by spreadsheets.
+  void fieldsAreReadBack() {
+    auto hostile = hostileNames();
+    for (const char* text :
+         {"'=1", "''=1", "'a'", " =1", "\"=1\"", "#1 gold", "a;b", "a;'=b", "a; =1", "a;\"=1\"", "\uff1d1", "-"})
+      hostile.push_back({text, text});
+    for (const HostileName& name : hostile) {
+      const std::string field = io::csvField(name.text), plain = plainText(name.text);
+      const io::CsvText csv = io::readCsvText("name,value\n" + field + ",1\n");
+      QVERIFY2(csv.rows.size() == 1, name.id);
+      QCOMPARE(QString::fromStdString(csv.rows[0].fields[0]).trimmed(), QString::fromStdString(plain).trimmed());
+      const SpreadsheetRows rows = spreadsheetRows("1," + field + ",1\n");
+      QVERIFY2(rows.size() == 1 && rows[0].size() == 3 && !hasCalculatedCell(rows), field.c_str());
+      std::string cell = rows[0][1], expected = plain;
+      for (std::string* text : {&cell, &expected}) std::erase(*text, '\'');
+      QCOMPARE(cell, expected);
+      const SpreadsheetRows others = spreadsheetRows("1," + field + ",1\n2\n", ';');
+      QVERIFY2(others.size() == 2 && !hasCalculatedCell(others), field.c_str());
+    }
+  }
+
+  void harmlessFieldsAreUnchanged() {
+    for (const char* text : {"chrome", "it's 5 a - b", "1/sr", ""}) QCOMPARE(io::csvField(text), std::string(text));
+    QCOMPARE(io::csvField("a, \"b\""), std::string("\"a, \"\"b\"\"\""));
+  }
+
+  /// One line, and no cell of it begins a formula or a quoted field.
+  void commentsAreText() {
+    auto hostile = hostileNames();
+    for (const char* text : {"a, =1", "a,\"=1\"", "a;@b", "a,\"b", "a, \"b"}) hostile.push_back({text, text});
+    for (const HostileName& name : hostile) {
+      const std::string comment = io::csvComment(name.text);
+      for (const char separator : {',', ';', '\t'}) {
+        const SpreadsheetRows rows = spreadsheetRows(comment + "1,2;3\t4\n", separator);
+        QVERIFY2(rows.size() == 2 && !hasCalculatedCell(rows), comment.c_str());
+      }
+      QCOMPARE(io::readCsvText(comment + "name\n").comments.size(), std::size_t(1));
+    }
+    QCOMPARE(io::csvComment("a, b: c = 1, -2"), std::string("# a, b: c = 1,' -2\n"));
   }
 
   void errorsStateLineAndColumn() {

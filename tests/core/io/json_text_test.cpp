@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/json_text.h"
 
+#include <QJsonDocument>
 #include <QTest>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/hostile_names.h"
 #include "tests/support/test_program.h"
 
 namespace json_text_test {
@@ -43,6 +45,21 @@ class JsonTextTest : public QObject {
     QVERIFY(contains(test::errorOf([&] { io::parseJson(std::string(250'000, '[')); }), "nested"));
     QVERIFY(contains(test::errorOf([&] { io::parseJson("[1, {}, " + nested(objects, 64) + "]"); }), "nested"));
     QVERIFY(io::parseJson("[1, [], " + nested(objects, 63) + ", {}]").size() == 4);
+  }
+
+  void textsAreReadBack() {
+    for (const test::HostileName& name : test::hostileNames()) {
+      const nlohmann::ordered_json json{{"edits", {{{"name", name.text}}}}};
+      const QJsonDocument read = QJsonDocument::fromJson(QByteArray::fromStdString(io::jsonText(json)));
+      QVERIFY2(read.isObject(), name.id);
+      const QString error =
+          QString::fromStdString(test::errorOf([&] { QCOMPARE(io::exactJsonText(json), io::jsonText(json)); }));
+      if (name.id == std::string("invalid"))
+        QCOMPARE(error.left(40), QString("edits[0].name: found the string \"latin \uFFFD"));
+      else
+        QCOMPARE(read["edits"][0]["name"].toString(), QString::fromStdString(name.text));
+    }
+    QCOMPARE(io::jsonText(nlohmann::json{{"b", 1}, {"a", 2}}, 1), std::string("{\n \"a\": 2,\n \"b\": 1\n}"));
   }
 
   void otherTextIsRefused() {
