@@ -32,12 +32,8 @@ int compare(const CompareArguments& options, const Tool& tool) {
   options.picture.renderOptions();  // reports a wrong size before the work
   const materials::Material a = openMaterial(options.reference, tool.control("reading the first material"));
   const materials::Material b = openMaterial(options.test, tool.control("reading the second material"));
-  const auto table = a.tabulated(tool.control("tabulating"));
-  // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
-  const std::shared_ptr<const Brdf> other =
-      b.brdf->isIsotropic() ? b.brdf : b.tabulated(tool.control("averaging the second material over azimuths"));
-  const std::vector<double> errors = metrics::brdfErrors(*table, *other);
-  const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
+  const std::vector<double> errors = metrics::brdfErrors(*a.brdf, *b.brdf);
+  const double brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf, *b.brdf);
   const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(),
                                       tool.control("rendering the first material"));
   const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second material"));

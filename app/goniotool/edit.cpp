@@ -204,7 +204,7 @@ int edit(const EditArguments& options, const Tool& tool) {
 
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto base = fitting::fitBase(material.brdf, material.tabulated(tool.control("tabulating")));
-  const fitting::FitResult fitted = fitting::fit(*base, model, {}, tool.control("fitting"));
+  const fitting::FitResult fitted = fitting::fit(base, model, {}, tool.control("fitting"));
   tool.throwIfStopped();
   editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
@@ -212,7 +212,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
   std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
-  const std::size_t capped = write(material, base, edit, options, tool);
+  const std::size_t capped = write(material, base.fitted, edit, options, tool);
   printEdit(edit, fitted, clamped, capped, options, tool);
   return 0;
 }

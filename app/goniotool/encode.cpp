@@ -8,6 +8,7 @@
 #include "app/goniotool/bases.h"
 #include "app/goniotool/encode_components.h"
 #include "app/goniotool/encode_patches.h"
+#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -83,8 +84,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   const std::vector<std::byte> bytes = materials::encodeCode(encoded.code, dictionary->id, precision);
   // Of what the file holds: with the values as they are rounded.
   const auto decoded = decode(dictionary->ensemble, materials::readCode(io::MemorySource(bytes)).code);
-  const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
-  const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
   if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
   Json candidates = Json::array(), dictionaries = Json::array();
   std::string text;
@@ -103,6 +103,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
             {"bytes", bytes.size()},     {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
             {"candidates", candidates},  {"errors", errorsJson(errors)},  {"brdfSnr", decibelsJson(snr)},
             {"seconds", encoded.seconds}};
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
@@ -110,7 +111,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
             " bytes, transform " + nameOf(encoded.code.transform) +
             (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + numbers + ", BRDF SNR " +
             number(snr) + " dB" + (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " +
-            number(encoded.seconds) + " s\n" + text + errorsText(errors));
+            number(encoded.seconds) + " s\n" + text + errorsText(errors) + tableText);
   return 0;
 }
 

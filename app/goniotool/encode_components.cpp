@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "core/brdf/weighted_sum.h"
@@ -27,18 +28,18 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
       dictionary::encode(basis, *table, options.components, tool.control("encoding"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto decoded = dictionary::decode(basis, code.inHalfPrecision(), tool.control("decoding"));
-  const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
-  const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
   const std::size_t bytes = dictionary::ComponentCode::halfBytes(code.components());
   Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
             {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) {
     materials::writeMaterial(*decoded, options.out);
     json["out"] = options.out;
   }
   print(tool, json,
         std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
-            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors));
+            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText);
   return 0;
 }
 

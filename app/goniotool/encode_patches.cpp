@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "core/brdf/weighted_sum.h"
@@ -37,8 +38,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
       dictionary::encode(patches, *table, options.coefficients, tool.control("encoding"));
   const double seconds = secondsSince(start);
   const auto decoded = dictionary::decode(patches, code);
-  const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
-  const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
   const std::size_t bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size();
   Json json{{"method", "k-svd"},
             {"materials", training.names.size()},
@@ -49,6 +49,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
             {"errors", errorsJson(errors)},
             {"brdfSnr", decibelsJson(snr)},
             {"seconds", seconds}};
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) {
     materials::writeMaterial(*decoded, options.out);
     json["out"] = options.out;
@@ -57,7 +58,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
         std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
             " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +
             " coefficients per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " + number(snr) + " dB, " +
-            number(seconds) + " s\n" + errorsText(errors));
+            number(seconds) + " s\n" + errorsText(errors) + tableText);
   return 0;
 }
 

@@ -121,7 +121,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
-  const FactorQuality quality = factorQuality(material, *table, *brdf, options.samples, tool);
+  const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
   std::vector<std::string> tables;
   for (const std::string& path : {options.out, options.decode})
     if (!path.empty() && !isFactorsFile(path)) tables.push_back(path);
@@ -142,7 +142,9 @@ int factor(const FactorArguments& options, const Tool& tool) {
             {"residuals", result.residuals},
             {"seconds", result.seconds}};
   addQuality(json, quality);
+  std::string tableText;
   if (!materials::isPdv(options.material)) {
+    tableText = addTableQuality(json, *material.brdf, *table);
     json["weights"] = options.asPublished ? pdvWeightNames[0] : std::string_view(options.weights);
     json["joint"] = options.joint;
     json["deviations"] = options.asPublished ? nodesOfLibrary : options.deviations.c_str();
@@ -153,7 +155,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
         std::to_string(f.terms()) + (f.terms() == 1 ? " term, " : " terms, ") +
             std::to_string(materials::pdvFileBytes(f)) + " bytes, relative residual " +
             (result.residuals.empty() ? "unknown" : number(result.residuals.back())) + ", " +
-            qualityText(quality, result.seconds));
+            qualityText(quality, result.seconds) + tableText);
   return 0;
 }
 

@@ -29,7 +29,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   const factorization::ComparedModel model =
       baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const FactorQuality quality = factorQuality(material, *table, *model.brdf, options.samples, tool);
+  const FactorQuality quality = factorQuality(material, *model.brdf, options.samples, tool);
   if (!options.out.empty())
     materials::writeMaterial(*bakeTable(*model.brdf, table->grid(), tool.control("decoding")), options.out);
   Json json{{"method", options.method},
@@ -38,10 +38,11 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
             {"bytes", model.bytes},
             {"seconds", seconds}};
   addQuality(json, quality);
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         options.method + " (" + std::string(baseline.name) + "), " + std::to_string(model.bytes) + " bytes, " +
-            qualityText(quality, seconds));
+            qualityText(quality, seconds) + tableText);
   return 0;
 }
 

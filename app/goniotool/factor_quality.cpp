@@ -8,11 +8,20 @@
 
 namespace gonio::tool {
 
-FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
-                            int samples, const Tool& tool) {
-  FactorQuality quality{.errors = metrics::brdfErrors(table, factors),
-                        .brdfSnr = metrics::brdfSignalToNoiseRatio(table, factors),
-                        .evaluationNs = study::measureEvaluation(factors).median};
+BrdfQuality brdfQuality(const Brdf& measurement, const Brdf& test) {
+  return {metrics::brdfErrors(measurement, test), metrics::brdfSignalToNoiseRatio(measurement, test)};
+}
+
+std::string addTableQuality(Json& json, const Brdf& measurement, const TabulatedBrdf& table) {
+  if (measurement.asTable() == &table) return {};
+  const BrdfQuality quality = brdfQuality(measurement, table);
+  json["table"] = {{"errors", errorsJson(quality.errors)}, {"brdfSnr", decibelsJson(quality.brdfSnr)}};
+  return "the table that the method works on: BRDF SNR " + number(quality.brdfSnr) + " dB against the material\n";
+}
+
+FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool) {
+  FactorQuality quality{brdfQuality(*material.brdf, factors)};
+  quality.evaluationNs = study::measureEvaluation(factors).median;
   RenderOptions picture = smallComparisonPicture();
   picture.samples = samples;
   const RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));

@@ -10,18 +10,26 @@
 
 namespace gonio::tool {
 
-/// Errors of a factorisation, computed in the same way for all methods of `goniotool factor`.
-struct FactorQuality {
+/// Errors against a measurement.
+struct BrdfQuality {
   std::vector<double> errors;  ///< in the order of metrics::allBrdfMetrics()
   double brdfSnr = 0;          ///< dB
-  double renderedSnr = 0;      ///< dB, in pictures of the size of smallComparisonPicture()
+};
+BrdfQuality brdfQuality(const Brdf& measurement, const Brdf& test);
+
+/// The errors of the table that a method works on, under the key `table`, if the measurement is not this table itself.
+/// @return a line of text, or "".
+std::string addTableQuality(Json& json, const Brdf& measurement, const TabulatedBrdf& table);
+
+/// Errors of a factorisation, computed in the same way for all methods of `goniotool factor`.
+struct FactorQuality : BrdfQuality {
+  double renderedSnr = 0;  ///< dB, in pictures of the size of smallComparisonPicture()
   double evaluationNs = 0;
 };
 
-/// @param table table of the material. @param samples per pixel of the pictures. Takes a few seconds. @throws
+/// Against the material in its native form. @param samples per pixel of the pictures. Takes a few seconds. @throws
 /// Cancelled.
-FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
-                            int samples, const Tool& tool);
+FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool);
 
 /// Adds errors, brdfSnr, renderedSnr and evaluationNs.
 void addQuality(Json& json, const FactorQuality& quality);

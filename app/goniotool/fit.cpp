@@ -43,13 +43,12 @@ std::string text(const fitting::FitResult& result) {
 }
 
 /// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
-fitting::FitResult fitModel(const FitArguments& options, const materials::Material& material, const Brdf& base,
-                            const models::Model& model, const Tool& tool, Json& trials) {
+fitting::FitResult fitModel(const FitArguments& options, const fitting::FitBase& base, const models::Model& model,
+                            const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(base, model, options.fitOptions(), control);
-  const std::vector<study::GammaTrial> tried =
-      study::selectGamma(base, *material.brdf, model, options.fitOptions(),
-                         {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
+  const std::vector<study::GammaTrial> tried = study::selectGamma(
+      base, model, options.fitOptions(), {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
   for (const study::GammaTrial& trial : tried)
     trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
   tool.throwIfStopped();  // there may be no trial
@@ -60,8 +59,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
   Json trials = Json::array();
-  const fitting::FitResult result =
-      fitModel(options, material, *fitting::fitBase(material.brdf, table), model, tool, trials);
+  const fitting::FitResult result = fitModel(options, fitting::fitBase(material.brdf, table), model, tool, trials);
   tool.throwIfStopped();
   const auto fitted = model.instantiate(result.parameters);
   if (!options.out.empty())

@@ -118,8 +118,7 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   std::function<void()> writePrediction;
   if (!options.predict.empty()) writePrediction = preparePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
-    const auto table = material->tabulated(tool.control("tabulating"));
-    const FactorQuality quality = factorQuality(*material, *table, *predicted, smallComparisonPicture().samples, tool);
+    const FactorQuality quality = factorQuality(*material, *predicted, smallComparisonPicture().samples, tool);
     addQuality(json, quality);
     text += "prediction: BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) +
             " dB\n" + errorsText(quality.errors);

@@ -46,7 +46,7 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
                                     ? neural::fitNeural(*table, options.training, tool.control("training"))
                                     : publishedWeights(options.weights, options.row);
   const NeuralBrdf brdf(fit.weights);
-  const FactorQuality quality = factorQuality(material, *table, brdf, options.samples, tool);
+  const FactorQuality quality = factorQuality(material, brdf, options.samples, tool);
   if (materials::hasSuffixOf(materials::FormatId::neural, options.out))
     materials::writeNeural(fit.weights, options.out);
   else if (!options.out.empty())
@@ -56,10 +56,12 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
             {"losses", fit.losses},
             {"seconds", fit.seconds}};
   addQuality(json, quality);
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(fit.weights.size()) + " weights, " + std::to_string(materials::neuralFileBytes) + " bytes, " +
-            (fit.losses.empty() ? "" : "loss " + number(fit.losses.back()) + ", ") + qualityText(quality, fit.seconds));
+            (fit.losses.empty() ? "" : "loss " + number(fit.losses.back()) + ", ") + qualityText(quality, fit.seconds) +
+            tableText);
   return 0;
 }
 

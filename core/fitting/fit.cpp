@@ -133,4 +133,12 @@ FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& op
   return result;
 }
 
+FitResult fit(const FitBase& base, const models::Model& model, const FitOptions& options, const TaskControl& control,
+              const models::ParameterValues& choices) {
+  const auto start = Clock::now();
+  FitResult result = fit(FitData(*base.fitted, *base.measurement, options), model, control, choices);
+  result.seconds = secondsSince(start);
+  return result;
+}
+
 }  // namespace gonio::fitting

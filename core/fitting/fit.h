@@ -25,7 +25,7 @@ struct FitOptions {
 struct FitResult {
   const models::Model* model = nullptr;
   models::ParameterValues parameters;  ///< always inside the hard ranges
-  std::vector<double> errors;          ///< over all used cells, in the order of metrics::allBrdfMetrics()
+  std::vector<double> errors;          ///< against the measurement, in the order of metrics::allBrdfMetrics()
   double seconds = 0;
   std::size_t usedCells = 0;     ///< number of cells in the comparison
   std::size_t invalidCells = 0;  ///< excluded: below the horizon or not measured
@@ -50,10 +50,17 @@ struct FitResult {
 FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options = {},
               const TaskControl& control = {}, const models::ParameterValues& choices = {});
 
-/// The BRDF to pass to fit(): a material's native form if it is anisotropic, else its table.
-inline std::shared_ptr<const Brdf> fitBase(const std::shared_ptr<const Brdf>& own,
-                                           const std::shared_ptr<const TabulatedBrdf>& table) {
-  return own->isIsotropic() ? table : own;
+/// What a material is fitted to, and what the errors of its fits are measured against.
+struct FitBase {
+  std::shared_ptr<const Brdf> fitted;       ///< the native form if it is anisotropic, else the table
+  std::shared_ptr<const Brdf> measurement;  ///< the native form
+};
+inline FitBase fitBase(const std::shared_ptr<const Brdf>& own, const std::shared_ptr<const TabulatedBrdf>& table) {
+  if (own->isIsotropic()) return {table, own};
+  return {own, own};
 }
+/// The same with the errors against the measurement.
+FitResult fit(const FitBase& base, const models::Model& model, const FitOptions& options = {},
+              const TaskControl& control = {}, const models::ParameterValues& choices = {});
 
 }  // namespace gonio::fitting

@@ -24,28 +24,35 @@ std::shared_ptr<const TabulatedBrdf> tableOf(const Brdf& base) {
   return base.asTable() || !base.isIsotropic() ? nullptr : bakeTable(base);
 }
 
+/// The measurement at the nodes at which models are compared with it: each is read for every model. Null where the data
+/// of the fit hold them, or where there is no such table.
+std::shared_ptr<const TabulatedBrdf> nodesOf(const Brdf& measurement) {
+  if (measurement.asTable() || !measurement.isIsotropic() || measurement.isReciprocal()) return nullptr;
+  return bakeTable(measurement, {.reciprocal = false});
+}
+
 }  // namespace
 
-FitData::FitData(const Brdf& base, const FitOptions& options)
-    : base_(base), options_(options), baked_(tableOf(base)), table_(baked_ ? baked_.get() : base.asTable()) {
+FitData::FitData(const Brdf& base, const Brdf& measurement, const FitOptions& options)
+    : base_(base),
+      measurement_(measurement),
+      nodes_(nodesOf(measurement)),
+      options_(options),
+      baked_(tableOf(base)),
+      table_(baked_ ? baked_.get() : base.asTable()) {
   if (table_) {
     selection_ = selectCells(*table_, options.maxPolarAngle);
     warnings_ = measurementWarnings(*table_, selection_);
   } else {
-    allCells_ = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
-    warnings_ = measurementWarnings(allCells_, azimuths_.negative);
+    const FitCells cells = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
+    warnings_ = measurementWarnings(cells, azimuths_.negative);
   }
 }
 
 std::vector<double> FitData::errors(const Brdf& fitted) const {
-  if (table_) return metrics::brdfErrors(*table_, fitted, options_.maxPolarAngle, options_.gamma);
-  std::vector<Rgb> values;
-  std::vector<double> measures;
-  for (std::size_t i = 0; i < allCells_.size(); ++i) {
-    values.emplace_back(allCells_.values[0][i], allCells_.values[1][i], allCells_.values[2][i]);
-    measures.push_back(allCells_.rootWeight[i] * allCells_.rootWeight[i]);
-  }
-  return metrics::brdfErrors(allCells_.pairs, values, measures, fitted, options_.gamma);
+  const bool isInTable = table_ && measurement_.isIsotropic() && measurement_.isReciprocal();
+  const Brdf& reference = nodes_ ? *nodes_ : isInTable ? static_cast<const Brdf&>(*table_) : measurement_;
+  return metrics::brdfErrors(reference, fitted, options_.maxPolarAngle, options_.gamma);
 }
 
 FitTarget FitData::makeTarget(Part part, double costTolerance) const {

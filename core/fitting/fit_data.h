@@ -16,7 +16,9 @@ class FitData {
   /// `base` must outlive this object. Uses the cells of a table (about 0.1 s for a MERL table), or cells over all
   /// azimuths of both directions for an anisotropic BRDF (azimuthCells(), about 0.2 s); other BRDFs are first sampled
   /// as a MERL table.
-  FitData(const Brdf& base, const FitOptions& options);
+  FitData(const Brdf& base, const FitOptions& options) : FitData(base, base, options) {}
+  /// @param measurement the BRDF that errors() refers to; must outlive this object.
+  FitData(const Brdf& base, const Brdf& measurement, const FitOptions& options);
 
   const FitOptions& options() const { return options_; }
   /// isotropic for a table, anisotropic for cells over all azimuths. Models without parameters along two axes can be
@@ -25,7 +27,7 @@ class FitData {
   std::size_t usedCells() const { return table_ ? selection_.used : azimuths_.used; }
   std::size_t invalidCells() const { return table_ ? selection_.invalid : azimuths_.invalid; }
   std::size_t grazingCells() const { return table_ ? selection_.grazing : azimuths_.grazing; }
-  /// Errors over all used cells, in the order of metrics::allBrdfMetrics(). Parallel.
+  /// Errors against the measurement, in the order of metrics::allBrdfMetrics(). Parallel.
   std::vector<double> errors(const Brdf& fitted) const;
   /// Problems of the measurement, for the user; usually empty.
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -41,13 +43,13 @@ class FitData {
   enum class Part { search, fine, coarse };
   FitTarget makeTarget(Part part, double costTolerance) const;
 
-  const Brdf& base_;
+  const Brdf &base_, &measurement_;
+  std::shared_ptr<const TabulatedBrdf> nodes_;  ///< of a measurement that is not reciprocal, over the whole circle
   FitOptions options_;
   std::shared_ptr<const TabulatedBrdf> baked_;  ///< if the base is isotropic but not a table
   const TabulatedBrdf* table_;                  ///< null for anisotropic data
   CellSelection selection_;                     ///< for a table
   AzimuthCellCounts azimuths_;                  ///< for anisotropic data
-  FitCells allCells_;                           ///< for anisotropic data
   std::vector<std::string> warnings_;
   mutable std::optional<FitTarget> search_, fine_, coarse_;
 };

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/brdf/mirrored_nodes.h"
+#include "core/brdf/tabulated_brdf.h"
+#include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/metrics/decibels.h"
@@ -22,11 +26,49 @@ namespace gonio::metrics {
 
 namespace {
 
-/// The reference's cells of one block that pass a filter.
+/// The directions at which two BRDFs are compared: the nodes of a grid.
+class Nodes {
+ public:
+  Nodes(const Brdf& reference, const Brdf& test)
+      : grid_(gridOf(reference, test)),
+        directions_(grid_),
+        isIsotropic_(reference.isIsotropic() && test.isIsotropic()) {}
+
+  const HalfDifferenceGrid& grid() const { return grid_; }
+  bool isIsotropic() const { return isIsotropic_; }
+
+  /// With both cosines at least 0. Where a BRDF is anisotropic, each node has an azimuth of its own; all are spread
+  /// evenly over the circle.
+  DirectionPair pair(std::size_t node) const {
+    DirectionPair pair = directions_.at(node).pair;
+    pair.wi.z = std::max(0.0, pair.wi.z);
+    pair.wo.z = std::max(0.0, pair.wo.z);
+    if (isIsotropic_) return pair;
+    const double turns = double(node) * (std::numbers::phi - 1);
+    return AzimuthRotation(2 * pi * (turns - std::floor(turns)))(pair);
+  }
+
+ private:
+  static HalfDifferenceGrid gridOf(const Brdf& reference, const Brdf& test) {
+    const TabulatedBrdf* table = reference.asTable() ? reference.asTable() : test.asTable();
+    HalfDifferenceGrid grid = table ? table->grid() : HalfDifferenceGrid();
+    if (!grid.reciprocal || (reference.isReciprocal() && test.isReciprocal())) return grid;
+    grid.reciprocal = false;
+    // A table keeps its nodes; otherwise the number of nodes stays the same.
+    if (table) grid.phiDCount *= 2;
+    return grid;
+  }
+
+  HalfDifferenceGrid grid_;
+  GridDirections directions_;
+  bool isIsotropic_;
+};
+
+/// The nodes of one block at which both BRDFs have data.
 struct Cells {
   std::vector<std::size_t> indices;
   std::vector<DirectionPair> pairs;
-  std::vector<Rgb> test;
+  std::vector<Rgb> reference, test;
 };
 
 /// What is compared: pairs of directions with both values and their weights.
@@ -36,53 +78,73 @@ struct Compared {
   std::span<const double> measures;
 };
 
-/// Leaves out cells that the test, being a table as well, does not know.
-void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells) {
-  cells.test.assign(cells.pairs.size(), Rgb(0));
-  const TabulatedBrdf* table = test.asTable();
-  if (!table) {
-    evaluateNodes(test, reference.grid(), cells.indices, cells.pairs, cells.test);
-    for (Rgb& value : cells.test) value = glm::max(value, Rgb(0));
-    return;
-  }
-  const bool sameGrid = table->grid() == reference.grid();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < cells.indices.size(); ++i) {
-    const std::size_t cell = cells.indices[i];
-    bool valid = false;
-    Rgb value;
-    if (sameGrid) {
-      valid = table->valid()[cell] != 0;
-      value = Rgb(table->values()[cell]);
-    } else {
-      value = table->lookup(reference.grid().node(cell), TableLookup::trilinear, &valid);
-    }
-    if (!valid) continue;
-    cells.indices[kept] = cell;
-    cells.pairs[kept] = cells.pairs[i];
-    cells.test[kept++] = value;
-  }
-  cells.indices.resize(kept);
-  cells.pairs.resize(kept);
-  cells.test.resize(kept);
+/// The index of a node of `grid` in a table that has it: one of the same grid, or of its half circle.
+std::optional<std::size_t> nodeIn(const HalfDifferenceGrid& table, const HalfDifferenceGrid& grid, std::size_t node) {
+  if (table == grid) return node;
+  HalfDifferenceGrid whole = table;
+  whole.reciprocal = false;
+  whole.phiDCount *= 2;
+  if (!table.reciprocal || whole != grid) return std::nullopt;
+  const auto half = std::size_t(table.phiDCount);
+  return node / (2 * half) * half + node % half;
 }
 
-/// Valid cells of [begin, end) whose cosines are at least `minCosine`; below the horizon a cosine counts as 0.
-Cells cellsOfBlock(const TabulatedBrdf& reference, const GridDirections& directions, const Brdf& test,
-                   std::size_t begin, std::size_t end, double minCosine) {
+/// The values of a table at nodes, and whether they are valid.
+void lookUp(const TabulatedBrdf& table, const Nodes& nodes, std::span<const std::size_t> indices,
+            std::vector<Rgb>& values, std::vector<bool>& known) {
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    bool valid = false;
+    if (const auto node = nodeIn(table.grid(), nodes.grid(), indices[i])) {
+      valid = table.valid()[*node] != 0;
+      values[i] = Rgb(table.values()[*node]);
+    } else {
+      values[i] = table.lookup(nodes.grid().node(indices[i]), TableLookup::trilinear, &valid);
+    }
+    known[i] = valid;
+  }
+}
+
+/// The values of a BRDF at the cells. Leaves out those at which it has no data.
+void evaluateCells(const Brdf& brdf, const Nodes& nodes, Cells& cells, std::vector<Rgb> Cells::*of) {
+  std::vector<Rgb>& values = cells.*of;
+  values.assign(cells.pairs.size(), Rgb(0));
+  std::vector<bool> known(values.size(), true);
+  if (const TabulatedBrdf* table = brdf.asTable()) {
+    lookUp(*table, nodes, cells.indices, values, known);
+  } else {
+    if (nodes.isIsotropic())
+      evaluateNodes(brdf, nodes.grid(), cells.indices, cells.pairs, values);
+    else
+      brdf.evaluate(cells.pairs, values);
+    for (std::size_t i = 0; i < values.size(); ++i) known[i] = values[i] != Rgb(0) || brdf.hasData(cells.pairs[i]);
+  }
+  if (std::ranges::all_of(known, std::identity())) return;
+  const auto keep = [&](auto& list) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (known[i]) list[kept++] = list[i];
+    list.resize(kept);
+  };
+  keep(cells.indices);
+  keep(cells.pairs);
+  keep(cells.reference);
+  keep(cells.test);
+}
+
+/// The cells of [begin, end) whose cosines are at least `minCosine`; below the horizon a cosine counts as 0.
+Cells cellsOfBlock(const Brdf& reference, const Brdf& test, const Nodes& nodes, std::size_t begin, std::size_t end,
+                   double minCosine) {
   Cells cells;
   cells.indices.reserve(end - begin);
   cells.pairs.reserve(end - begin);
-  for (std::size_t cell = begin; cell < end; ++cell) {
-    if (!reference.valid()[cell]) continue;
-    DirectionPair pair = directions.at(cell).pair;
+  for (std::size_t node = begin; node < end; ++node) {
+    const DirectionPair pair = nodes.pair(node);
     if (pair.wi.z < minCosine || pair.wo.z < minCosine) continue;
-    pair.wi.z = std::max(0.0, pair.wi.z);
-    pair.wo.z = std::max(0.0, pair.wo.z);
-    cells.indices.push_back(cell);
+    cells.indices.push_back(node);
     cells.pairs.push_back(pair);
   }
-  evaluateTest(reference, test, cells);
+  evaluateCells(reference, nodes, cells, &Cells::reference);
+  evaluateCells(test, nodes, cells, &Cells::test);
   return cells;
 }
 
@@ -199,19 +261,17 @@ class BlockSums {
   std::array<std::optional<OfPairs>, 3> factors_, weights_;
 };
 
-Sums sumsOfBlock(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Cells& cells, double gamma) {
-  std::vector<Rgb> values(cells.indices.size());
+Sums sumsOfBlock(std::span<const BrdfMetric> wanted, const HalfDifferenceGrid& grid, const Cells& cells, double gamma) {
   std::vector<double> measures(cells.indices.size());
-  const auto rowLength = std::size_t(reference.grid().phiDCount);
+  const auto rowLength = std::size_t(grid.phiDCount);
   std::size_t row = std::size_t(-1);
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < measures.size(); ++i) {
     const std::size_t cell = cells.indices[i];
-    values[i] = Rgb(reference.values()[cell]);
     // The same for all phi_d.
-    measures[i] = cell / rowLength == row ? measures[i - 1] : reference.grid().cellMeasure(cell);
+    measures[i] = cell / rowLength == row ? measures[i - 1] : grid.cellMeasure(cell);
     row = cell / rowLength;
   }
-  return BlockSums({cells.pairs, values, cells.test, measures}, gamma).sum(wanted);
+  return BlockSums({cells.pairs, cells.reference, cells.test, measures}, gamma).sum(wanted);
 }
 
 std::vector<double> errorsOf(std::span<const Sums> blocks) {
@@ -229,55 +289,39 @@ std::vector<double> errorsOf(std::span<const Sums> blocks) {
 }
 
 /// In the order of metricRecords(); 0 for metrics that are not wanted.
-std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Brdf& test,
+std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const Brdf& reference, const Brdf& test,
                              double maxPolarAngle, double gamma) {
-  const std::size_t count = reference.grid().size();
+  const Nodes nodes(reference, test);
+  const std::size_t count = nodes.grid().size();
   const double minCosine = smallestCosine(maxPolarAngle);
-  const GridDirections directions(reference.grid());
   std::vector<Sums> blocks((count + block - 1) / block);
   parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
-    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, minCosine);
-    blocks[begin / block] = sumsOfBlock(wanted, reference, cells, gamma);
+    const Cells cells = cellsOfBlock(reference, test, nodes, begin, end, minCosine);
+    blocks[begin / block] = sumsOfBlock(wanted, nodes.grid(), cells, gamma);
   });
   return errorsOf(blocks);
 }
 
 }  // namespace
 
-double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle,
-                 double gamma) {
+double brdfError(BrdfMetric metric, const Brdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
   return errorsBy(std::span(&metric, 1), reference, test, maxPolarAngle, gamma)[static_cast<std::size_t>(metric)];
 }
 
-std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
+std::vector<double> brdfErrors(const Brdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
   return errorsBy(allBrdfMetrics(), reference, test, maxPolarAngle, gamma);
 }
 
-std::vector<double> brdfErrors(std::span<const DirectionPair> pairs, std::span<const Rgb> values,
-                               std::span<const double> measures, const Brdf& test, double gamma) {
-  std::vector<Sums> blocks((pairs.size() + block - 1) / block);
-  parallelForBlocks(pairs.size(), block, [&](std::size_t begin, std::size_t end) {
-    const std::size_t count = end - begin;
-    std::vector<Rgb> tested(count);
-    test.evaluate(pairs.subspan(begin, count), tested);
-    const Compared compared{pairs.subspan(begin, count), values.subspan(begin, count), tested,
-                            measures.subspan(begin, count)};
-    blocks[begin / block] = BlockSums(compared, gamma).sum(allBrdfMetrics());
-  });
-  return errorsOf(blocks);
-}
-
-double brdfSignalToNoiseRatio(const TabulatedBrdf& reference, const Brdf& test) {
-  const std::size_t count = reference.grid().size();
-  const GridDirections directions(reference.grid());
+double brdfSignalToNoiseRatio(const Brdf& reference, const Brdf& test) {
+  const Nodes nodes(reference, test);
+  const std::size_t count = nodes.grid().size();
   std::vector<glm::dvec2> blocks((count + block - 1) / block, glm::dvec2(0));
   parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
     // Tables hold cells a little below the horizon as well: their cosine is 0.
-    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, -1);
+    const Cells cells = cellsOfBlock(reference, test, nodes, begin, end, 0);
     for (std::size_t i = 0; i < cells.indices.size(); ++i) {
       const double cosines = cells.pairs[i].wi.z * cells.pairs[i].wo.z;
-      const Rgb signal = Rgb(reference.values()[cells.indices[i]]) * cosines;
-      const Rgb noise = signal - cells.test[i] * cosines;
+      const Rgb signal = cells.reference[i] * cosines, noise = signal - cells.test[i] * cosines;
       blocks[begin / block] += glm::dvec2(glm::dot(signal, signal), glm::dot(noise, noise));
     }
   });

@@ -2,35 +2,35 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "core/brdf/tabulated_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/metrics/brdf_metric.h"
 
 namespace gonio::metrics {
 
-/// Default of `maxPolarAngle`, rad. Metrics use the cells that are valid in the reference, and in the test if it is a
-/// table, with both polar angles up to this limit, weighted by HalfDifferenceGrid::cellMeasure().
+/// The metrics compare two BRDFs of any form, each evaluated in this form. The directions are the nodes of a
+/// half-difference grid: that of the reference if it is a table, else that of the test, else that of MERL files. Unless
+/// both BRDFs are reciprocal, phi_d covers the whole circle, i.e. both orders of the directions and both sides of the
+/// plane of incidence: with the step of the table, else with 180 steps. If one of them is anisotropic, both directions
+/// of each node are rotated about the normal by an angle of its own, 2 pi n / golden ratio for node n. Tables with
+/// these nodes are read there, other tables are interpolated. Nodes at which one of the two has no data are left out.
+/// The weights are HalfDifferenceGrid::cellMeasure(). A BRDF differs from itself by exactly 0.
+
+/// Default of `maxPolarAngle`, rad: both polar angles are at most this.
 inline constexpr double defaultMaxPolarAngle = 85 * 3.14159265358979323846 / 180;
 
-/// The error <|d|^p> or its square root, as MetricRecord defines; 0 for equal values and if no cell is used. Negative
+/// The error <|d|^p> or its square root, as MetricRecord defines; 0 for equal values and if no node is used. Negative
 /// BRDF values count as 0. Parallel, deterministic.
-/// @param test evaluated at the nodes of the reference's grid.
 /// @param gamma g of BrdfMetric::gamma: values are raised to 1/g.
-double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test,
+double brdfError(BrdfMetric metric, const Brdf& reference, const Brdf& test,
                  double maxPolarAngle = defaultMaxPolarAngle, double gamma = defaultGamma);
 /// All metrics in one pass, in the order of allBrdfMetrics(). About 0.2 s for a MERL table and a fast `test`.
-std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test,
-                               double maxPolarAngle = defaultMaxPolarAngle, double gamma = defaultGamma);
-
-/// All metrics over pairs of directions at or above the horizon, for materials without a half-difference table.
-/// @param values of the reference, 1/sr. @param measures weights of the pairs, not normalised.
-std::vector<double> brdfErrors(std::span<const DirectionPair> pairs, std::span<const Rgb> values,
-                               std::span<const double> measures, const Brdf& test, double gamma = defaultGamma);
+std::vector<double> brdfErrors(const Brdf& reference, const Brdf& test, double maxPolarAngle = defaultMaxPolarAngle,
+                               double gamma = defaultGamma);
 
 /// BRDF SNR, dB: 10 log10(sum |r|^2 / sum |r - t|^2) with r, t = rho cos theta_i cos theta_o of reference and test,
-/// over the reference's valid cells. Special cases as decibels().
-double brdfSignalToNoiseRatio(const TabulatedBrdf& reference, const Brdf& test);
+/// over all nodes above the horizon, with negative values as they are. Special cases as decibels().
+double brdfSignalToNoiseRatio(const Brdf& reference, const Brdf& test);
 
 }  // namespace gonio::metrics

@@ -33,7 +33,7 @@ double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf,
 }
 
 MeasuredRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
-                               const TabulatedBrdf& table, const RenderedComparison& comparison,
+                               const Brdf& measurement, const RenderedComparison& comparison,
                                const StudyOptions& options, const TaskControl& stop) {
   MeasuredRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
@@ -49,10 +49,10 @@ MeasuredRepresentation measure(const Representation& representation, const Built
   studied.picture = std::move(picture.image);
   stop.throwIfStopped();
   const fitting::FitOptions& fit = options.build.fit;
-  record.errors = built.fit
-                      ? built.fit->errors
-                      : metrics::brdfErrors(table, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf,
-                                            fit.maxPolarAngle, fit.gamma);
+  record.errors =
+      built.fit ? built.fit->errors
+                : metrics::brdfErrors(measurement, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf,
+                                      fit.maxPolarAngle, fit.gamma);
   stop.throwIfStopped();
   return studied;
 }
@@ -72,8 +72,8 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
       const double begin = referenceShare + double(records.size()) * fraction;
       const BuiltRepresentation built =
           builder.build(representation, control.between(begin, begin + buildShare * fraction));
-      const MeasuredRepresentation studied =
-          measure(representation, built, *subject.table, comparison, options, {.stop = control.stop, .progress = {}});
+      const MeasuredRepresentation studied = measure(representation, built, *subject.reference, comparison, options,
+                                                     {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);
       if (options.measured) options.measured(studied);
       control.report(begin + fraction);

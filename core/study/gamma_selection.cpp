@@ -15,12 +15,12 @@ constexpr int gammaCount = int((metrics::maxGamma - metrics::minGamma) / gammaSt
 
 }  // namespace
 
-std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, const models::Model& model,
+std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::Model& model,
                                     const fitting::FitOptions& options, const RenderOptions& picture,
                                     const TaskControl& control) {
   std::vector<GammaTrial> trials;
   try {
-    const RenderedComparison comparison(reference, picture, {control.stop, {}});
+    const RenderedComparison comparison(*base.measurement, picture, {control.stop, {}});
     for (int i = 0; i < gammaCount; ++i) {
       fitting::FitOptions gammaOptions = options;
       gammaOptions.metric = metrics::BrdfMetric::gamma;

@@ -20,11 +20,10 @@ struct GammaTrial {
 /// for several gammas (1 to 3 in steps of 1/4) and selects the one with the best picture; here the highest rendered
 /// SNR, the first among equals. Nine fits and pictures.
 /// @param options metric and gamma are ignored.
-/// @param base BRDF to fit, as for fitting::fit().
-/// @param reference BRDF of the reference picture: the base, or the material that it samples.
+/// @param base as for fitting::fit(); the reference picture is that of the measurement.
 /// @return the best trial first, the others in the order of gamma. A stop request returns the completed trials,
 /// possibly none; selectGamma() never throws Cancelled.
-std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, const models::Model& model,
+std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::Model& model,
                                     const fitting::FitOptions& options = {},
                                     const RenderOptions& picture = smallComparisonPicture(),
                                     const TaskControl& control = {});

@@ -145,7 +145,7 @@ BuiltRepresentation RepresentationBuilder::table(const Representation& represent
 BuiltRepresentation RepresentationBuilder::fit(const Representation& representation, const TaskControl& control) {
   if (!fitData_) {
     fitBase_ = fitting::fitBase(subject_.reference, subject_.table);
-    fitData_.emplace(*fitBase_, options_.fit);
+    fitData_.emplace(*fitBase_.fitted, *fitBase_.measurement, options_.fit);
   }
   const models::Model& model = models::findModel(representation.id);
   const fitting::FitResult result = fitting::fit(*fitData_, model, control);

@@ -82,7 +82,7 @@ class RepresentationBuilder {
   StudySubject subject_;
   BuildOptions options_;
   std::map<std::string, int> maxTerms_;  ///< per form, by the id
-  std::shared_ptr<const Brdf> fitBase_;  ///< base of fitData_
+  fitting::FitBase fitBase_;             ///< of fitData_
   std::optional<fitting::FitData> fitData_;
   std::map<std::string, factorization::PdvFactorization> factorizations_;
   std::shared_ptr<const TabulatedBrdf> codedTable_;  ///< the table on the dictionary's grid

@@ -96,7 +96,7 @@ py::dict fit(const PyMaterial& material, const std::string& id, const std::strin
   const auto options = fitOptions(metric, gamma, maxPolarAngle);
   return describe(resultOf(progress, [&](const TaskControl& control) {
     const auto base = fitting::fitBase(material.brdf(), material.table(control.between(0, 0.3)));
-    return fitting::fit(*base, model, options, control.between(0.3, 1));
+    return fitting::fit(base, model, options, control.between(0.3, 1));
   }));
 }
 

@@ -71,11 +71,8 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
   };
   Result result = resultOf(progress, [&](const TaskControl& control) {
     Result made;
-    const auto table = a.table(control.between(0, 0.1));
-    // A table is isotropic, so an anisotropic material is compared by its mean over the azimuths.
-    const std::shared_ptr<const Brdf> other = b.brdf()->isIsotropic() ? b.brdf() : b.table({control.stop, {}});
-    made.errors = metrics::brdfErrors(*table, *other, maxPolarAngle);
-    made.brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
+    made.errors = metrics::brdfErrors(*a.brdf(), *b.brdf(), maxPolarAngle);
+    made.brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf(), *b.brdf());
     const RenderedComparison comparison(*a.brdf(), {.width = size, .height = size, .samples = samples, .lobe = {}},
                                         control.between(0.2, 0.6));
     ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));

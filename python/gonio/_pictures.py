@@ -108,7 +108,7 @@ def compare(reference: Material, other: Material, max_polar_angle: float = math.
 
     Args:
         reference: The reference.
-        other: The material to compare with the reference. If it is anisotropic, the metrics use its mean over the azimuths.
+        other: The material to compare with the reference.
         max_polar_angle: Maximum polar angle of both directions in rad; `errors` leave out cells beyond it.
         size: Width and height of the images in pixels.
         samples: Samples per pixel of the images.

@@ -4,6 +4,7 @@
 
 #include "core/brdf/sampling_lobe.h"
 #include "core/brdf/statistics.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/plausibility.h"
 #include "tests/benchmarks/materials.h"
@@ -18,6 +19,14 @@ void brdfErrorsOfModel(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(metrics::brdfErrors(*table, *brdf));
 }
 BENCHMARK(brdfErrorsOfModel)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// A measured file in its native form, in both orders of the directions.
+void brdfErrorsOfRgl(benchmark::State& state) {
+  const auto model = benchmarks::plastic();
+  const auto measured = materials::readMaterial("library:rgl/satin_purple").brdf;
+  for (auto _ : state) benchmark::DoNotOptimize(metrics::brdfErrors(*measured, *model));
+}
+BENCHMARK(brdfErrorsOfRgl)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void brdfErrorsOfTable(benchmark::State& state) {
   const auto table = benchmarks::plasticTable();

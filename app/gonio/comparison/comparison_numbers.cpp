@@ -24,9 +24,9 @@ struct ComparisonNumbersText {
 ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subject, const TaskControl& control) {
   auto reference = std::make_shared<ComparisonReference>();
   reference->subject = subject;
-  reference->table = widgets::subjectTable(subject, {control.stop, {}});
-  reference->picture = std::make_unique<const RenderedComparison>(
-      *widgets::subjectBrdf(subject), smallComparisonPicture(), TaskControl{control.stop, {}});
+  reference->brdf = widgets::subjectBrdf(subject);
+  reference->picture = std::make_unique<const RenderedComparison>(*reference->brdf, smallComparisonPicture(),
+                                                                  TaskControl{control.stop, {}});
   return reference;
 }
 
@@ -38,9 +38,9 @@ ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const Com
   ComparisonNumbers numbers;
   numbers.renderedSnr = reference.picture->signalToNoiseRatio(picture);
   numbers.renderedPsnr = reference.picture->peakSignalToNoiseRatio(picture);
-  numbers.errors = metrics::brdfErrors(*reference.table, *brdf);
+  numbers.errors = metrics::brdfErrors(*reference.brdf, *brdf);
   control.throwIfStopped();
-  numbers.brdfSnr = metrics::brdfSignalToNoiseRatio(*reference.table, *brdf);
+  numbers.brdfSnr = metrics::brdfSignalToNoiseRatio(*reference.brdf, *brdf);
   return numbers;
 }
 
@@ -54,7 +54,8 @@ std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
       {ComparisonNumbersText::tr("Rendered PSNR"), ComparisonNumbersText::tr("dB"), scene,
        numbers ? numbers->renderedPsnr : none},
       {ComparisonNumbersText::tr("BRDF SNR"), ComparisonNumbersText::tr("dB"),
-       ComparisonNumbersText::tr("SNR of BRDF values times both cosines, over the valid cells of the reference"),
+       ComparisonNumbersText::tr(
+           "SNR of BRDF values times both cosines, over all directions at which both materials have data"),
        numbers ? numbers->brdfSnr : none}};
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < records.size(); ++i) {

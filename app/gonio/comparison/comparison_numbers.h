@@ -12,15 +12,15 @@
 
 namespace gonio::app {
 
-/// The prepared reference of a comparison: its table and its picture. Made once and used for all steps of an edit.
+/// The prepared reference of a comparison: its BRDF and its picture. Made once and used for all steps of an edit.
 struct ComparisonReference {
   widgets::PreviewSubject subject;
-  std::shared_ptr<const TabulatedBrdf> table;
+  std::shared_ptr<const Brdf> brdf;
   std::unique_ptr<const RenderedComparison> picture;
 };
 using ComparisonReferencePtr = std::shared_ptr<const ComparisonReference>;
 
-/// Prepares a reference, in about a second. A subject that is not a table is sampled first. @throws Cancelled.
+/// Prepares a reference, in about a second. @throws Cancelled.
 ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subject, const TaskControl& control = {});
 
 struct ComparisonNumbers {

@@ -128,7 +128,7 @@ void DocumentController::openChangedSource(ChangedSource choice) {
   replace(shortName(next.path), m_known, [=, this] { install(next); });
 }
 
-void DocumentController::openInMemory(LoadedMaterialPtr material, const QString& text) {
+void DocumentController::openInMemory(const LoadedMaterialPtr& material, const QString& text) {
   const QString name = QString::fromStdString(material->material.name);
   replace(name, std::nullopt, [=, this] { m_document.replaceMaterial(material, text); });
 }
@@ -174,7 +174,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1").arg(name), fitKey},
       [material, &model, choices](const TaskControl& control) {
-        return fitting::fit(*material->fitBase(control), model, {}, control, choices);
+        return fitting::fit(material->fitBase(control), model, {}, control, choices);
       },
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
@@ -262,7 +262,7 @@ void DocumentController::paste(const editing::EditList& edits) {
           if (auto* curves = std::get_if<editing::FactorEdit>(&edit.content))
             *curves = carriedOver(*curves, *material->table(control), control);
         for (const models::Model* model : missing) {
-          carried.fits.push_back(fitting::fit(*material->fitBase(control), *model, {}, control));
+          carried.fits.push_back(fitting::fit(material->fitBase(control), *model, {}, control));
           if (carried.fits.back().cancelled) throw Cancelled();
         }
         return carried;

@@ -33,7 +33,7 @@ class DocumentController : public QObject {
   QString opening() const { return m_opening; }
   /// Opens a material in memory, such as a blend, in one undo step (Document::replaceMaterial()). Unsaved changes of
   /// the open document are asked about first, because they would not be saved with the new one: unsavedChanges().
-  void openInMemory(LoadedMaterialPtr material, const QString& text);
+  void openInMemory(const LoadedMaterialPtr& material, const QString& text);
   /// Answers unsavedChanges(): replaces the open document, or keeps it.
   void replaceUnsaved(bool replace);
   /// Answers sourceChanged(). `withEdits` opens the document and marks it as unsaved; `withoutEdits` opens its source

@@ -27,8 +27,9 @@ std::shared_ptr<const TabulatedBrdf> LoadedMaterial::table(const TaskControl& co
   return m_sampled->table;
 }
 
-std::shared_ptr<const Brdf> LoadedMaterial::fitBase(const TaskControl& control) const {
-  return base->isIsotropic() ? table(control) : base;
+fitting::FitBase LoadedMaterial::fitBase(const TaskControl& control) const {
+  if (base->isIsotropic()) return {table(control), base};
+  return {base, base};
 }
 
 std::size_t LoadedMaterial::bytes() const {

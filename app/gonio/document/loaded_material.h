@@ -10,6 +10,7 @@
 #include "core/brdf/statistics.h"
 #include "core/brdf/tabulated_lobe.h"
 #include "core/documents/blend_source.h"
+#include "core/fitting/fit.h"
 #include "core/materials/material.h"
 
 namespace gonio::app {
@@ -36,9 +37,10 @@ struct LoadedMaterial {
   /// (up to a second, for an anisotropic measurement a few seconds; concurrent calls wait). Not for the GUI thread.
   /// @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
-  /// The BRDF to which models are fitted: the base if it is anisotropic, else table(). Not for the GUI thread.
+  /// What models are fitted to: the base if it is anisotropic, else table(); errors refer to the base. Not for the GUI
+  /// thread.
   /// @throws Cancelled.
-  std::shared_ptr<const Brdf> fitBase(const TaskControl& control = {}) const;
+  fitting::FitBase fitBase(const TaskControl& control = {}) const;
   /// Memory of the existing tables.
   std::size_t bytes() const;
 

@@ -90,8 +90,8 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
   code.lobe = std::make_shared<const TabulatedLobe>(*code.table);
-  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table(control), *code.table);
-  code.snr = metrics::brdfSignalToNoiseRatio(*material->table(control), *code.table);
+  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->base, *code.table);
+  code.snr = metrics::brdfSignalToNoiseRatio(*material->base, *code.table);
   code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;
   return code;
 }

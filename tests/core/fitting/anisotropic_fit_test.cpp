@@ -107,6 +107,20 @@ class AnisotropicFitTest : public QObject {
     QVERIFY(direct.parameters == table.parameters && direct.errors == table.errors);
   }
 
+  /// Errors are against the measurement in both orders of the directions, not against the table that is fitted.
+  void errorsReferToTheMeasurement() {
+    const auto brdf = std::make_shared<const test::FunctionBrdf>(
+        [](const Direction& wi, const Direction& wo) { return Rgb(0.2) + Rgb(0.1 * (wi.z - wo.z)); }, true, false);
+    const std::shared_ptr<const TabulatedBrdf> table = bakeTable(*brdf);  // constant: the mean of both orders
+    const FitResult result = fit(fitBase(brdf, table), models::lambert());
+    const auto fitted = models::lambert().instantiate(result.parameters);
+    QVERIFY(metrics::brdfErrors(*table, *fitted)[0] < 1e-6);
+    const std::vector<double> expected = metrics::brdfErrors(*brdf, *fitted);
+    QVERIFY(expected[0] > 0.01);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      QVERIFY(std::abs(result.errors[i] - expected[i]) < 1e-5 * expected[i]);
+  }
+
   /// The cells and their weights are a quadrature over pairs of directions: means over both hemispheres in closed form.
   void cellsCoverBothHemispheresEvenly() {
     const auto mean = [](double maxPolarAngle, const std::function<double(const DirectionPair&)>& function) {

@@ -5,8 +5,13 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "core/brdf/utia_brdf.h"
+#include "core/coordinates/azimuth_rotation.h"
+#include "core/materials/material.h"
 #include "core/math/parallel.h"
+#include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -202,6 +207,99 @@ class BrdfMetricsTest : public QObject {
   }
 
   /// A tenth of the value is 20 dB, whatever the cosines.
+  /// Whatever a material is made of, it differs from itself by nothing.
+  void anyFormEqualsItself_data() {
+    QTest::addColumn<std::shared_ptr<const Brdf>>("brdf");
+    for (const char* id : {"rgl/satin_purple", "rgl/chm_mint", "merl-copy/chrome", "sgd/brass"})
+      QTest::newRow(id) << materials::readMaterial(std::string("library:") + id).brdf;
+    for (const char* id : {"ward", "ggx", "lambert"}) {
+      const models::Model& model = models::findModel(id);
+      models::ParameterValues parameters = models::defaultParameters(model.spec());
+      if (const auto width = model.spec().find("roughness-x")) parameters.values[*width] *= 3;
+      QTest::newRow(id) << std::shared_ptr<const Brdf>(model.instantiate(parameters));
+    }
+    std::vector<glm::vec3> values;
+    for (std::size_t i = 0; i < UtiaBrdf::directionCount * UtiaBrdf::directionCount; ++i)
+      values.emplace_back(0.1f * float(i % 7), 0.2f * float(i % 3), 0.5f);
+    QTest::newRow("utia") << std::shared_ptr<const Brdf>(std::make_shared<UtiaBrdf>(values));
+    QTest::newRow("whole circle") << std::shared_ptr<const Brdf>(
+        std::make_shared<TabulatedBrdf>(constantTable(0.2, {9, 9, 36, false})));
+  }
+  void anyFormEqualsItself() {
+    QFETCH(std::shared_ptr<const Brdf>, brdf);
+    for (const double error : brdfErrors(*brdf, *brdf)) QCOMPARE(error, 0.0);
+    QVERIFY(std::isinf(brdfSignalToNoiseRatio(*brdf, *brdf)));
+  }
+
+  /// Light and viewer exchanged: a table that holds the mean of both orders is wrong by the other half at each.
+  void bothOrdersCount() {
+    const TabulatedBrdf mean = constantTable(0.3, {9, 9, 18});
+    const test::FunctionBrdf oneSided(
+        [](const Direction& wi, const Direction& wo) {
+          return Rgb(wi.z > wo.z ? 0.4 : wi.z < wo.z ? 0.2 : 0.3);
+        },
+        true, false);
+    const double error = brdfError(BrdfMetric::meanAbsolute, mean, oneSided);
+    QVERIFY(error > 0.08 && error < 0.1);  // 0.1 but where both angles are equal
+    QCOMPARE(brdfError(BrdfMetric::meanAbsolute, oneSided, mean), error);
+  }
+
+  /// A separate loop over the nodes that the header names, and random directions with their weights.
+  void nativeFormsAreComparedAtTheStatedDirections_data() {
+    QTest::addColumn<bool>("anisotropic");
+    QTest::newRow("not reciprocal") << false;
+    QTest::newRow("anisotropic") << true;
+  }
+  void nativeFormsAreComparedAtTheStatedDirections() {
+    QFETCH(bool, anisotropic);
+    const auto lobe = [&](const Direction& wi, const Direction& wo) {
+      const Direction h = glm::normalize(wi + wo);
+      const double grain = anisotropic ? 1 + h.x * h.x / (h.x * h.x + h.y * h.y + 1e-9) : 1;
+      return Rgb(0.1, 0.2, 0.3) + Rgb(grain * std::pow(h.z, 20) * (1 + 0.5 * wi.z - 0.2 * wo.x * wi.x));
+    };
+    const test::FunctionBrdf reference(lobe, !anisotropic, false);
+    const test::FunctionBrdf fit([](const Direction& wi, const Direction& wo) {
+      return Rgb(0.2) + Rgb(1.2 * std::pow(glm::normalize(wi + wo).z, 15));
+    });
+    const HalfDifferenceGrid grid{.phiDCount = 180, .reciprocal = false};
+    double signal = 0, noise = 0, sum = 0, weights = 0;
+    std::vector<double> measures, squares;
+    for (std::size_t node = 0; node < grid.size(); ++node) {
+      if (!grid.nodeAboveHorizon(node)) continue;
+      DirectionPair pair = grid.directions(node);
+      if (anisotropic) {
+        const double turns = double(node) / ((1 + std::sqrt(5.0)) / 2);
+        pair = AzimuthRotation(2 * pi * (turns - std::floor(turns)))(pair);
+      }
+      const Rgb r = reference.evaluate(pair.wi, pair.wo), t = fit.evaluate(pair.wi, pair.wo);
+      const double cosines = std::max(0.0, pair.wi.z) * std::max(0.0, pair.wo.z);
+      signal += cosines * cosines * glm::dot(r, r);
+      noise += cosines * cosines * glm::dot(r - t, r - t);
+      if (!grid.nodeWithin(node, defaultMaxPolarAngle)) continue;
+      measures.push_back(grid.cellMeasure(node));
+      squares.push_back(glm::dot(r - t, r - t) / 3);
+      sum += measures.back() * squares.back();
+      weights += measures.back();
+    }
+    const double rms = std::sqrt(sum / weights);
+    QVERIFY(std::abs(brdfSignalToNoiseRatio(reference, fit) - 10 * std::log10(signal / noise)) < 0.01);
+    const double error = brdfError(BrdfMetric::rms, reference, fit);
+    QVERIFY2(std::abs(error - rms) < 1e-6 * rms, qPrintable(QString("%1 %2").arg(error).arg(rms)));
+    // Nodes that are drawn by their weights have this mean.
+    std::mt19937_64 random(3);
+    std::discrete_distribution<std::size_t> draw(measures.begin(), measures.end());
+    double mean = 0, square = 0;
+    constexpr int count = 100'000;
+    for (int i = 0; i < count; ++i) {
+      const double value = squares[draw(random)];
+      mean += value / count;
+      square += value * value / count;
+    }
+    const double standardError = std::sqrt((square - mean * mean) / count);
+    QVERIFY2(std::abs(mean - error * error) < 3 * standardError,
+             qPrintable(QString("%1 %2 +- %3").arg(mean).arg(error * error).arg(standardError)));
+  }
+
   void brdfSnrOfScaledValues() {
     const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), 0.3, 0.3));
     Values values(table->values().begin(), table->values().end());

@@ -30,7 +30,7 @@ class GammaSelectionTest : public QObject {
   void takesTheGammaOfTheBestPicture() {
     const auto table = metal();
     const models::Model& model = models::findModel("blinn-phong");
-    const std::vector<GammaTrial> trials = selectGamma(*table, *table, model, {}, thumbnail);
+    const std::vector<GammaTrial> trials = selectGamma({table, table}, model, {}, thumbnail);
     QCOMPARE(trials.size(), std::size_t(9));
     const RenderedComparison comparison(*table, thumbnail);
     std::set<double> gammas;
@@ -51,7 +51,7 @@ class GammaSelectionTest : public QObject {
 
   void blackReferenceTakesTheFirst() {
     const auto black = bakeTable(*test::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
-    const std::vector<GammaTrial> trials = selectGamma(*black, *black, models::lambert(), {}, thumbnail);
+    const std::vector<GammaTrial> trials = selectGamma({black, black}, models::lambert(), {}, thumbnail);
     QCOMPARE(trials.size(), std::size_t(9));
     QCOMPARE(trials.front().gamma, 1.0);
     QVERIFY(std::isnan(trials.front().renderedSnr));
@@ -66,7 +66,7 @@ class GammaSelectionTest : public QObject {
       const TaskControl control{source.get_token(), [&](double) {
                                   if (++done == wanted) source.request_stop();
                                 }};
-      QCOMPARE(selectGamma(*table, *table, models::lambert(), {}, thumbnail, control).size(), wanted);
+      QCOMPARE(selectGamma({table, table}, models::lambert(), {}, thumbnail, control).size(), wanted);
     }
   }
 };

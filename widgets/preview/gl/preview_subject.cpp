@@ -31,20 +31,6 @@ BrdfPointer brdfOf(const EditedMaterial& shown) { return editing::applyEdits(sho
 BrdfPointer brdfOf(const StandaloneModel& shown) { return shown.model->instantiate(shown.parameters); }
 BrdfPointer brdfOf(const PreviewBlend& shown) { return shown.interpolation->brdf(shown.weights); }
 
-using TablePointer = std::shared_ptr<const TabulatedBrdf>;
-TablePointer tableOf(const BrdfPointer& brdf) { return {brdf, brdf->asTable()}; }
-TablePointer tableOf(std::monostate, const TaskControl&) { return nullptr; }
-TablePointer tableOf(const EditedMaterial& shown, const TaskControl& control) {
-  if (shown.base->asTable()) return editing::bakeEdits(tableOf(shown.base), shown.edits, control);
-  return bakeTable(*brdfOf(shown), {}, control);
-}
-TablePointer tableOf(const StandaloneModel& shown, const TaskControl& control) {
-  return bakeTable(*brdfOf(shown), shown.grid, control);
-}
-TablePointer tableOf(const PreviewBlend& shown, const TaskControl& control) {
-  return shown.interpolation->table(shown.weights, control);
-}
-
 }  // namespace
 
 BrdfPointer PreviewSubject::base() const {
@@ -71,10 +57,6 @@ bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
 
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject) {
   return std::visit([](const auto& shown) { return brdfOf(shown); }, subject.shown);
-}
-
-std::shared_ptr<const TabulatedBrdf> subjectTable(const PreviewSubject& subject, const TaskControl& control) {
-  return std::visit([&](const auto& shown) { return tableOf(shown, control); }, subject.shown);
 }
 
 }  // namespace gonio::widgets

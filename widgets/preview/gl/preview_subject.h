@@ -65,8 +65,4 @@ bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 /// The BRDF of a subject, for core/rendering and metrics. Null if the subject is empty.
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject);
 
-/// The table of a subject: a model alone is sampled on its grid, a blend is computed by the interpolation. Null if the
-/// subject is empty. @throws Cancelled.
-std::shared_ptr<const TabulatedBrdf> subjectTable(const PreviewSubject& subject, const TaskControl& control = {});
-
 }  // namespace gonio::widgets
