@@ -47,16 +47,11 @@ std::string nameOf(const EditDocument& material) {
   return std::filesystem::path(material.sourcePath.substr(material.sourcePath.rfind(':') + 1)).stem().string();
 }
 
-int depthOf(const BlendSource& blend) {
-  int deepest = 0;
-  for (const EditDocument& material : blend.materials)
-    if (material.blend) deepest = std::max(deepest, depthOf(*material.blend));
-  return deepest + 1;
-}
-
-std::size_t materialsIn(const BlendSource& blend) {
+/// @param depth number of blends that contain the materials.
+std::size_t samplingsOf(const BlendSource& blend, std::size_t depth = 1) {
   std::size_t count = 0;
-  for (const EditDocument& material : blend.materials) count += material.blend ? materialsIn(*material.blend) : 1;
+  for (const EditDocument& material : blend.materials)
+    count += material.blend ? samplingsOf(*material.blend, depth + 1) : depth;
   return count;
 }
 
@@ -108,12 +103,9 @@ InterpolationOptions blendOptions(const models::Model* model) {
 }
 
 void checkLimits(const BlendSource& blend) {
-  if (const int depth = depthOf(blend); depth > maxBlendsInBlends)
-    throw Error("found " + std::to_string(depth) + " nested blends, expected at most " +
-                std::to_string(maxBlendsInBlends));
-  if (const std::size_t count = materialsIn(blend); count > maxBlendMaterials)
-    throw Error("found a blend of " + std::to_string(count) + " materials, expected at most " +
-                std::to_string(maxBlendMaterials));
+  if (const std::size_t count = samplingsOf(blend); count > maxBlendSamplings)
+    throw Error("found a blend whose materials are sampled " + std::to_string(count) + " times, expected at most " +
+                std::to_string(maxBlendSamplings) + "; each counts once for every blend that contains it");
 }
 
 nlohmann::json toJson(const BlendSource& blend) {

@@ -32,11 +32,12 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
 
 /// @throws Error if an edit's values do not match its model.
 nlohmann::json toJson(const BlendSource& blend);
-/// Maximum depth of blends inside blends.
+/// Maximum depth of blends inside blends in text that is parsed; a blend that can be read is far less deep.
 inline constexpr int maxBlendsInBlends = 16;
-/// Maximum number of materials of a blend and of the blends inside it: each is read and sampled, 0.1 to 0.4 s.
-inline constexpr std::size_t maxBlendMaterials = 64;
-/// @throws Error that states which of the two limits is exceeded.
+/// Maximum number of times that the materials of a blend are sampled to read it, 0.2 to 0.4 s each: a material is
+/// sampled once for each blend that contains it, directly or in another blend.
+inline constexpr std::size_t maxBlendSamplings = 32;
+/// @throws Error that states the limit.
 void checkLimits(const BlendSource& blend);
 
 /// @param where the object's path in its document, for errors, e.g. "source.blend". @param version of the document.

@@ -262,6 +262,7 @@ class ComparisonTest : public QObject {
     const auto reference = comparisonReference(
         {widgets::StandaloneModel{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table()->grid()}});
     const ComparisonNumbers numbers = compareSubjects(widgets::measuredSubject(material->table()), *reference);
+    QVERIFY(numbers.errors == metrics::brdfErrors(*reference->brdf, *material->table()));
     QVERIFY(numbers.errors[std::size_t(metrics::BrdfMetric::rms)] < 1e-8);
     QVERIFY(numbers.brdfSnr > 100);
   }
