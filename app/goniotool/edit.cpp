@@ -4,13 +4,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
 #include "core/documents/edit_document.h"
-#include "core/export/export_origin.h"
 
 namespace gonio::tool {
 
@@ -84,65 +82,33 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
   return json;
 }
 
-/// Writes the edited material, or the description of the edit; returns how many values had to be capped.
-std::size_t write(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
-                  const editing::Edit& edit, const EditArguments& options, const Tool& tool) {
-  if (writesDocument(options)) {
-    editing::EditDocument document;
-    document.sourcePath = material.source.path.string();
-    document.sourceSha256 = material.source.sha256;
-    document.edits = {edit};
-    editing::writeDocument(document, options.out);
-    return 0;
-  }
-  std::size_t capped = 0;
-  if (isRglOrUtia(options.out)) {
-    const editing::EditList edits{edit};
-    const auto shown = editing::isIdentity(edits) ? material.brdf : editing::applyEdits(material.brdf, edits);
-    writeRglOrUtia(exports::exportSource(material.name, material, shown, edits), material, options.out,
-                   tool.control("writing"));
-    return capped;
-  }
-  const TabulatedBrdf* table = base->asTable();
-  const auto baked = table ? editing::bakeEdits(std::shared_ptr<const TabulatedBrdf>(base, table), std::span(&edit, 1),
-                                                tool.control("baking"), &capped)
-                           : editing::bakeEdits(base, std::span(&edit, 1), tool.control("baking"));
-  if (baked == base && material.table)
-    materials::writeMaterial(material, options.out);
-  else
-    materials::writeMaterial(*baked, options.out);
-  return capped;
-}
-
-/// What a table cannot hold, for people.
-std::string averagedText() {
-  return "  note: the edit is anisotropic, the table is not: it contains the mean over " +
-         std::to_string(editing::bakedAzimuths) + " azimuths\n";
+editing::EditDocument documentOf(const materials::Material& material, const editing::Edit& edit) {
+  editing::EditDocument document;
+  document.sourcePath = material.source.path.string();
+  document.sourceSha256 = material.source.sha256;
+  document.edits = {edit};
+  return document;
 }
 
 int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
                      " is a document, which contains its own edits: leave out --model, --set and --control");
-  if (isRglOrUtia(options.out)) {
-    const OpenedSource source = openForExport(options.material, tool.control("applying the edits"));
-    writeRglOrUtia(source.material, source.base, options.out, tool.control("writing"));
-  } else {
-    materials::writeMaterial(openMaterial(options.material, tool.control("applying the edits")), options.out);
-  }
-  const auto edits = editing::readDocument(options.material).edits;
-  const bool averaged = !isRglOrUtia(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
-    return editing::isAnisotropic(edit);
-  });
-  print(tool,
-        {{"edits", edits.size()}, {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0}, {"out", options.out}},
-        options.out + ": " + std::to_string(edits.size()) + " edits\n" + (averaged ? averagedText() : ""));
+  const materials::EditedMaterial material =
+      editing::openWithEdits(options.material, tool.control("applying the edits"));
+  const WrittenMaterial written = writeMaterial(material, options.out, tool);
+  Json json{{"edits", material.edits.size()},
+            {"averagedAzimuths", averagedAzimuths(*material.shown.brdf, options.out)},
+            {"out", options.out}};
+  json.update(written.json);
+  print(tool, json, options.out + ": " + std::to_string(material.edits.size()) + " edits\n" + written.text);
   return 0;
 }
 
+/// @param written with further keys for a file of the material.
 void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
-               const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const EditArguments& options,
-               const Tool& tool) {
+               const std::vector<models::ClampedParameter>& clamped, const WrittenMaterial& written,
+               const EditArguments& options, const Tool& tool) {
   const auto& change = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = change.model->spec();
   const models::ParameterValues after = change.target();
@@ -150,22 +116,18 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
-  const bool averaged = !writesDocument(options) && !isRglOrUtia(options.out) && editing::isAnisotropic(edit);
-  if (averaged) text += averagedText();
-  print(tool,
-        {{"model", spec.id},
-         {"fitted", parametersJson(spec, change.fitted)},
-         {"edited", parametersJson(spec, after)},
-         {"errors", errorsJson(fitted.errors)},
-         {"strength", edit.strength},
-         {"composition", editing::compositionIds[std::size_t(change.composition)]},
-         {"controls", parametersJson(editing::artistControls(), change.controls)},
-         {"clamped", clampedJson(clamped)},
-         {"cappedValues", capped},
-         {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0},
-         {"seconds", fitted.seconds},
-         {"out", options.out}},
-        text);
+  Json json{{"model", spec.id},
+            {"fitted", parametersJson(spec, change.fitted)},
+            {"edited", parametersJson(spec, after)},
+            {"errors", errorsJson(fitted.errors)},
+            {"strength", edit.strength},
+            {"composition", editing::compositionIds[std::size_t(change.composition)]},
+            {"controls", parametersJson(editing::artistControls(), change.controls)},
+            {"clamped", clampedJson(clamped)}};
+  json.update(written.json);
+  json["seconds"] = fitted.seconds;
+  json["out"] = options.out;
+  print(tool, json, text + written.text);
 }
 
 editing::Composition compositionOf(const EditArguments& options, const models::Model& model) {
@@ -190,10 +152,10 @@ void probeControl(const std::string& assignment, const models::Model& model) {
 int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
   if (fromDocument) {
-    checkFormSuffix(options.out);
+    materials::checkWritableSuffix(options.out);
     return replayDocument(options, tool);
   }
-  if (!writesDocument(options)) checkFormSuffix(options.out, editing::documentSuffix);
+  if (!writesDocument(options)) materials::checkWritableSuffix(options.out, editing::documentSuffix);
   if (options.model.empty()) throw UsageError("edit: --model is missing; it names the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
   // Wrong assignments are reported before the work starts.
@@ -212,8 +174,20 @@ int edit(const EditArguments& options, const Tool& tool) {
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
   std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
-  const std::size_t capped = write(material, base.fitted, edit, options, tool);
-  printEdit(edit, fitted, clamped, capped, options, tool);
+  WrittenMaterial written{.json = {{"cappedValues", 0}, {"averagedAzimuths", 0}}};
+  if (writesDocument(options)) {
+    editing::writeDocument(documentOf(material, edit), options.out);
+  } else {
+    materials::EditedMaterial edited = materials::unedited(material);
+    edited.edits = {edit};
+    std::size_t capped = 0;
+    edited.shown = materials::withEdits(material, edited.edits, tool.control("editing"), &capped);
+    WrittenMaterial file = writeMaterial(edited, options.out, tool);
+    written.json = {{"cappedValues", capped}, {"averagedAzimuths", averagedAzimuths(*edited.shown.brdf, options.out)}};
+    written.json.update(file.json);
+    written.text = file.text;
+  }
+  printEdit(edit, fitted, clamped, written, options, tool);
   return 0;
 }
 
@@ -242,7 +216,7 @@ void addEdit(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--out", options->out,
-                   nativeFormHelp("Material file to write") + ", or the edit without measured data (" +
+                   outputHelp("Material file to write") + ", or the edit without measured data (" +
                        std::string(editing::documentSuffix) + ")")
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });

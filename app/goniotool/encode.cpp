@@ -133,15 +133,18 @@ int encodeByMethod(const EncodeArguments& options, const CLI::App& command, cons
 }
 
 int decode(const EncodeArguments& options, const Tool& tool) {
-  materials::writableFormat(options.out);
+  materials::checkWritableSuffix(options.out);
   const auto dictionary = dictionaryOf(options);
   const materials::CodeFile file = materials::readCode(options.material);
   materials::checkDictionary(file, *dictionary);
-  materials::writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
-  print(tool,
-        {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
+  const WrittenMaterial written = writeMaterial(std::filesystem::path(options.material).stem().string(),
+                                                dictionary::decode(dictionary->ensemble, file.code), options.out, tool);
+  Json json{{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}};
+  json.update(written.json);
+  json["out"] = options.out;
+  print(tool, json,
         "wrote " + options.out + ", decoded from " + std::to_string(file.code.coefficients()) +
-            " coefficients per channel\n");
+            " coefficients per channel\n" + written.text);
   return 0;
 }
 

@@ -14,7 +14,7 @@
 namespace gonio::tool {
 
 int encodeComponents(const ComponentArguments& options, const Tool& tool) {
-  if (!options.out.empty()) materials::writableFormat(options.out);
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const auto file = materials::readBasis(options.basis);
   const dictionary::PrincipalComponents& basis = file->components;
   if (options.components > basis.count())
@@ -33,13 +33,16 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
   Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
             {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  std::string writtenText;
   if (!options.out.empty()) {
-    materials::writeMaterial(*decoded, options.out);
+    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
+    json["written"] = written.json;
     json["out"] = options.out;
+    writtenText = written.text;
   }
   print(tool, json,
         std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
-            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText);
+            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
   return 0;
 }
 

@@ -23,7 +23,7 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 }  // namespace
 
 int encodePatches(const PatchArguments& options, const Tool& tool) {
-  if (!options.out.empty()) materials::writableFormat(options.out);
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const auto material = openMaterial(options.material, tool.control("reading"));
   auto start = Clock::now();
   const std::vector<std::string> files = editing::trainingFilesOrLibrary(options.train, options.excluded);
@@ -50,15 +50,18 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
             {"brdfSnr", decibelsJson(snr)},
             {"seconds", seconds}};
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  std::string writtenText;
   if (!options.out.empty()) {
-    materials::writeMaterial(*decoded, options.out);
+    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
+    json["written"] = written.json;
     json["out"] = options.out;
+    writtenText = written.text;
   }
   print(tool, json,
         std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
             " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +
             " coefficients per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " + number(snr) + " dB, " +
-            number(seconds) + " s\n" + errorsText(errors) + tableText);
+            number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <chrono>
 
 #include "app/goniotool/direction_table.h"
-#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
@@ -31,6 +30,7 @@ std::string textOf(const exports::ExportResult& made, std::span<const exports::E
   for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
   text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  images are identical\n";
+  for (const std::string& loss : made.losses) text += "  note: " + loss + "\n";
   for (const std::string& warning : made.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
@@ -80,21 +80,25 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const exports::ExportOptions options = exportOptions(arguments, target);
   const auto start = std::chrono::steady_clock::now();
   const std::optional<Scene> scene = exportScene(arguments, target);
-  const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
+  const materials::EditedMaterial source = editing::openWithEdits(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
   const std::vector<std::filesystem::path> paths = target.paths(name, scene ? &*scene : nullptr);
   if (!tool.force)
-    for (const std::filesystem::path& path : paths) checkOutput(path, source.files);
+    for (const std::filesystem::path& path : paths) checkOutput(path, editing::filesOf(arguments.material));
   exports::checkTargets(paths, {}, tool.force);
   if (scene) exports::checkSceneName(*target.scene, name.filename().string());
-  exports::ExportResult made = exports::makeExport(target, source.material, options, tool.control("exporting"));
+  exports::ExportResult made = exports::makeExport(target, source, options, tool.control("exporting"));
   if (scene) exports::addScene(made, target, *scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
   exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  Json json{{"target", arguments.target}, {"files", filesJson(files)}, {"snr", decibelsJson(made.snr)}};
+  Json json{{"target", arguments.target},
+            {"files", filesJson(files)},
+            {"snr", decibelsJson(made.snr)},
+            {"brdfSnr", decibelsJson(made.brdfSnr)}};
   for (const exports::ExportFact& fact : made.facts)
     std::visit([&](const auto& value) { json[std::string(fact.key)] = value; }, fact.value);
+  json["losses"] = made.losses;
   json["warnings"] = made.warnings;
   json["seconds"] = seconds.count();
   print(tool, json, textOf(made, files));

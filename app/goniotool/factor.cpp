@@ -110,8 +110,8 @@ void checkOptions(const FactorArguments& options) {
         "factor: --joint cannot be used with --swap-f1 or --swap-f2: --joint refines all terms together, but --swap-f1 "
         "and --swap-f2 replace curves of the first term");
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
-  if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
-  if (!options.decode.empty()) materials::writableFormat(options.decode);
+  if (!options.out.empty() && !isFactorsFile(options.out)) materials::checkWritableSuffix(options.out);
+  if (!options.decode.empty()) materials::checkWritableSuffix(options.decode);
 }
 
 int factor(const FactorArguments& options, const Tool& tool) {
@@ -122,13 +122,11 @@ int factor(const FactorArguments& options, const Tool& tool) {
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
   const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
-  std::vector<std::string> tables;
-  for (const std::string& path : {options.out, options.decode})
-    if (!path.empty() && !isFactorsFile(path)) tables.push_back(path);
-  // Before the first file: an interrupted command leaves none.
-  const auto decoded = tables.empty() ? nullptr : bakeTable(*brdf, table->grid(), tool.control("decoding"));
+  WrittenMaterial written;
+  // Before the factors: an interrupted command leaves no file.
+  for (const std::string& path : {options.decode, options.out})
+    if (!path.empty() && !isFactorsFile(path)) written = writeMaterial(material.name, brdf, path, tool, table->grid());
   if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
-  for (const std::string& path : tables) materials::writeMaterial(*decoded, path);
 
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
@@ -149,13 +147,14 @@ int factor(const FactorArguments& options, const Tool& tool) {
     json["joint"] = options.joint;
     json["deviations"] = options.asPublished ? nodesOfLibrary : options.deviations.c_str();
   }
+  if (!written.json.is_null()) json["written"] = written.json;
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
         std::to_string(f.terms()) + (f.terms() == 1 ? " term, " : " terms, ") +
             std::to_string(materials::pdvFileBytes(f)) + " bytes, relative residual " +
             (result.residuals.empty() ? "unknown" : number(result.residuals.back())) + ", " +
-            qualityText(quality, result.seconds) + tableText);
+            qualityText(quality, result.seconds) + tableText + written.text);
   return 0;
 }
 

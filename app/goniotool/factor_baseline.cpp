@@ -20,7 +20,7 @@ std::vector<std::string> baselineIds() {
 int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   if (materials::hasSuffixOf(materials::FormatId::pdv, options.out))
     throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
-  if (!options.out.empty()) materials::writableFormat(options.out);
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const factorization::Baseline& baseline = factorization::findBaseline(options.method);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
@@ -30,8 +30,8 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
       baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const FactorQuality quality = factorQuality(material, *model.brdf, options.samples, tool);
-  if (!options.out.empty())
-    materials::writeMaterial(*bakeTable(*model.brdf, table->grid(), tool.control("decoding")), options.out);
+  WrittenMaterial written;
+  if (!options.out.empty()) written = writeMaterial(material.name, model.brdf, options.out, tool, table->grid());
   Json json{{"method", options.method},
             {"reference", baseline.reference},
             {"byteBudget", options.bytes},
@@ -39,10 +39,13 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
             {"seconds", seconds}};
   addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
-  if (!options.out.empty()) json["out"] = options.out;
+  if (!options.out.empty()) {
+    json["written"] = written.json;
+    json["out"] = options.out;
+  }
   print(tool, json,
         options.method + " (" + std::string(baseline.name) + "), " + std::to_string(model.bytes) + " bytes, " +
-            qualityText(quality, seconds) + tableText);
+            qualityText(quality, seconds) + tableText + written.text);
   return 0;
 }
 

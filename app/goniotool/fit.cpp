@@ -61,12 +61,12 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   Json trials = Json::array();
   const fitting::FitResult result = fitModel(options, fitting::fitBase(material.brdf, table), model, tool, trials);
   tool.throwIfStopped();
-  const auto fitted = model.instantiate(result.parameters);
-  if (!options.out.empty())
-    materials::writeMaterial(*bakeTable(*fitted, table->grid(), tool.control("baking"), editing::bakedAzimuths),
-                             options.out);
+  const std::shared_ptr<const Brdf> fitted = model.instantiate(result.parameters);
+  WrittenMaterial written;
+  if (!options.out.empty()) written = writeMaterial(material.name, fitted, options.out, tool, table->grid());
   Json json = fitJson(result);
-  json["averagedAzimuths"] = options.out.empty() || fitted->isIsotropic() ? 0 : editing::bakedAzimuths;
+  json["averagedAzimuths"] = options.out.empty() ? 0 : averagedAzimuths(*fitted, options.out);
+  if (!written.json.is_null()) json["written"] = written.json;
   json["metric"] = options.metric;
   std::string heading;
   if (!trials.empty()) {
@@ -77,7 +77,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   } else if (options.metric == metricId(metrics::BrdfMetric::gamma)) {
     json["gamma"] = options.fitOptions().gamma;
   }
-  print(tool, json, heading + text(result));
+  print(tool, json, heading + text(result) + written.text);
   return 0;
 }
 
@@ -134,7 +134,7 @@ int fit(const FitArguments& options, const Tool& tool) {
     throw UsageError("fit: --out writes one fitted model and cannot be used with --all; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort needs --all");
   checkGamma(options);
-  if (!options.out.empty()) materials::writableFormat(options.out);
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }

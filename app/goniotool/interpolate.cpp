@@ -4,15 +4,12 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
-#include "core/export/export_origin.h"
 #include "core/interpolation/native_form_blend.h"
-#include "core/io/atomic_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
@@ -74,11 +71,11 @@ void checkOptions(const InterpolateArguments& options) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
   } else if (options.spaceChosen() == InterpolationSpace::factors) {
-    checkFormSuffix(options.out, materials::formatOf(FormatId::pdv).suffix());
+    materials::checkWritableSuffix(options.out, materials::formatOf(FormatId::pdv).suffix());
   } else if (options.spaceChosen() == InterpolationSpace::dictionary) {
-    checkFormSuffix(options.out, materials::formatOf(FormatId::code).suffix());
+    materials::checkWritableSuffix(options.out, materials::formatOf(FormatId::code).suffix());
   } else {
-    checkFormSuffix(options.out);
+    materials::checkWritableSuffix(options.out);
   }
 }
 
@@ -126,22 +123,20 @@ std::string materialsText(std::span<const double> weights, std::span<const std::
   return text;
 }
 
-/// Writes the blend in a form other than a table and measures the difference from the blend. Returns the report.
-Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace space, std::span<const double> weights,
-                         std::span<const std::string> names, const std::string& out, const Tool& tool) {
-  const std::shared_ptr<const Brdf> exact = interpolation.brdf(weights);
-  materials::Material material;
-  material.name = materialsText(weights, names) + ", space " + std::string(interpolationSpaceNames[std::size_t(space)]);
-  material.source = {.format = "blend", .sha256 = "none"};
+/// Writes the blend as a material and returns the report. A blend of tables is one, cell by cell.
+Json writeBlend(const Interpolation& interpolation, InterpolationSpace space, std::span<const double> weights,
+                std::span<const std::string> names, const std::string& out, const Tool& tool) {
+  materials::EditedMaterial material =
+      materials::unedited(std::filesystem::path(out).stem().string(), interpolation.brdf(weights));
+  material.base.name =
+      materialsText(weights, names) + ", space " + std::string(interpolationSpaceNames[std::size_t(space)]);
+  material.base.source = {.format = "blend", .sha256 = "none"};
+  const bool tables = std::ranges::all_of(interpolation.ends(), [](const auto& end) { return !end.base; });
+  if (tables) material.shown.table = interpolation.table(weights, tool.control("blending"));
   const auto own = nativeFormBlend(interpolation, space, weights, tool.control("blending"));
-  material.brdf = own ? own->brdf : exact;
-  const exports::MaterialForm form = exports::formBySuffix(out, *material.brdf);
-  const auto source = exports::exportSource(std::filesystem::path(out).stem().string(), material, material.brdf, {});
-  const exports::FormFile file = exports::encodeMaterial(source, material, form, tool.control("writing"));
-  const double snr = exports::formSnr(file, *exact, tool.control("measuring"));
-  io::writeFileAtomically(out, file.bytes);
-  Json json{{"snr", decibelsJson(snr)}, {"losses", file.losses}};
-  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodesOf;
+  if (own) material.base.brdf = own->brdf;
+  Json json = writeMaterial(material, out, tool).json;
+  if (own && json["losses"].empty()) json["nodes"] = own->nodesOf;
   return json;
 }
 
@@ -152,14 +147,12 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
-  if (isRglOrUtia(out))
-    json.update(writeBlendInOwnForm(interpolation, space, weights, names, out, tool));
-  else if (hasSuffixOf(FormatId::pdv, out))
+  if (hasSuffixOf(FormatId::pdv, out))
     materials::writePdv(factors.value(), out);
   else if (hasSuffixOf(FormatId::code, out))
     materials::writeCode(code.value(), dictionary, out);
   else
-    materials::writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
+    json.update(writeBlend(interpolation, space, weights, names, out, tool));
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
   if (factors) json["terms"] = factors->terms();
   if (code) {
@@ -170,7 +163,7 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   return json;
 }
 
-/// The accuracy of a file that is not a table; empty for a table.
+/// The accuracy of a file of a material; empty for curves and codes.
 std::string accuracyText(const Json& step) {
   if (!step.contains("snr")) return {};
   std::string text =
@@ -253,7 +246,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   nativeFormHelp("Material file to write") + "; for --space factors also the curves (" +
+                   outputHelp("Material file to write") + "; for --space factors also the curves (" +
                        suffixOf(FormatId::pdv) + "), for --space dictionary also the code (" +
                        suffixOf(FormatId::code) + ")")
       ->required();

@@ -4,8 +4,9 @@
 
 #include <string>
 
+#include "app/goniotool/report.h"
 #include "core/documents/open_material.h"
-#include "core/materials/material_formats.h"
+#include "core/materials/encode.h"
 
 namespace gonio::tool {
 
@@ -16,7 +17,30 @@ using editing::openMaterial;
 
 /// For help texts: ".pdv".
 inline std::string suffixOf(materials::FormatId id) { return std::string(materials::formatOf(id).suffix()); }
-/// The help of an option that names a material to write: "The material (.binary)".
+/// The help of an option that names a material to write: "The material (.binary, .bsdf or .bin)".
 std::string outputHelp(const std::string& what);
+
+/// What a written file lost.
+struct WrittenMaterial {
+  std::uint64_t bytes = 0;
+  Json json;         ///< keys snr, brdfSnr, losses
+  std::string text;  ///< a line each
+};
+/// Writes a material with materials::writeMaterial(). @throws Error that names the file.
+WrittenMaterial writeMaterial(const materials::EditedMaterial& material, const std::string& out, const Tool& tool,
+                              const materials::EncodeOptions& options = {});
+/// The same for the result of a method. @param grid of the table that the method worked on, for MERL files.
+WrittenMaterial writeMaterial(const std::string& name, std::shared_ptr<const Brdf> brdf, const std::string& out,
+                              const Tool& tool, const std::optional<HalfDifferenceGrid>& grid = {});
+
+/// Number of azimuths that a file of this name contains the mean of; 0 if it holds the material's dependence on them.
+int averagedAzimuths(const Brdf& material, const std::string& out);
+
+/// Opens a material argument at one wavelength, nm, as three equal channels; 0: as openMaterial(). @throws Error that
+/// names a file without spectra.
+std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
+                                             const TaskControl& control = {});
+inline constexpr const char* wavelengthHelp =
+    "Wavelength in nm: use only this one of a spectral RGL file, as grey values (all wavelengths under D65)";
 
 }  // namespace gonio::tool

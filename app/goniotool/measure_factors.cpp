@@ -71,7 +71,7 @@ std::function<void()> preparePrediction(const MeasureFactorsArguments& options, 
     return [factors, path = options.predict] { materials::writePdv(factors, path); };
   }
   text += options.predict + ": the predicted material\n";
-  return [table, path = options.predict] { materials::writeMaterial(*table, path); };
+  return [table, &tool, path = options.predict] { writeMaterial("prediction", table, path, tool); };
 }
 
 Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) {
@@ -86,7 +86,7 @@ void checkOutputsOf(const MeasureFactorsArguments& options) {
   if (!options.values.empty() && !options.out.empty())
     throw UsageError("measure: --values and --out cannot be used together: the readings are already in a file");
   if (!options.predict.empty() && !materials::hasSuffixOf(materials::FormatId::pdv, options.predict))
-    materials::writableFormat(options.predict);
+    materials::checkWritableSuffix(options.predict);
 }
 
 }  // namespace

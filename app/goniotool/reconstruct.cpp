@@ -133,12 +133,12 @@ std::vector<std::string> reconstructionMethods() {
 }
 
 int reconstruct(const ReconstructArguments& options, const Tool& tool) {
-  materials::writableFormat(options.out);
+  materials::checkWritableSuffix(options.out);
   if (options.method == dictionariesMethod)
     return reconstructWithDictionaries(
         {options.plan, options.values, options.out, options.dictionary, options.train, options.excluded}, tool);
   if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary needs --method dictionaries");
-  if (!options.uncertainty.empty()) materials::writableFormat(options.uncertainty);
+  if (!options.uncertainty.empty()) materials::checkWritableSuffix(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
   const SamplingPlan plan = materials::readPlan(options.plan);
   const MeasuredValues values = materials::readValues(options.values, plan);
@@ -148,9 +148,10 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const Reconstruction found =
       acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  materials::writeMaterial(*found.table, options.out);
+  writeMaterial("reconstruction", found.table, options.out, tool);
   if (!options.uncertainty.empty())
-    materials::writeMaterial(*deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty);
+    writeMaterial("deviation", deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty,
+                  tool);
   report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, tool);
   return 0;
 }

@@ -39,7 +39,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const auto found = acquisition::reconstructInDictionaries(dictionary->ensemble, prior, plan, values, {},
                                                             tool.control("reconstructing"));
   const double seconds = secondsSince(start);
-  materials::writeMaterial(*found.table, request.out);
+  writeMaterial("reconstruction", found.table, request.out, tool);
   const Json json{{"method", dictionariesMethod},
                   {"samples", plan.samples.size()},
                   {"dictionary", found.dictionary},

@@ -3,7 +3,6 @@
 #include <chrono>
 
 #include "app/goniotool/effects_report.h"
-#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/tool.h"

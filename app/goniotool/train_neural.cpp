@@ -39,29 +39,31 @@ neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
 
 int trainNeural(const NeuralArguments& options, const Tool& tool) {
   if (!options.out.empty() && !materials::hasSuffixOf(materials::FormatId::neural, options.out))
-    materials::writableFormat(options.out);
+    materials::checkWritableSuffix(options.out);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const neural::NeuralFit fit = options.weights.empty()
                                     ? neural::fitNeural(*table, options.training, tool.control("training"))
                                     : publishedWeights(options.weights, options.row);
-  const NeuralBrdf brdf(fit.weights);
-  const FactorQuality quality = factorQuality(material, brdf, options.samples, tool);
+  const auto brdf = std::make_shared<const NeuralBrdf>(fit.weights);
+  const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
+  WrittenMaterial written;
   if (materials::hasSuffixOf(materials::FormatId::neural, options.out))
     materials::writeNeural(fit.weights, options.out);
   else if (!options.out.empty())
-    materials::writeMaterial(*bakeTable(brdf, table->grid(), tool.control("decoding")), options.out);
+    written = writeMaterial(material.name, brdf, options.out, tool, table->grid());
   Json json{{"weights", fit.weights.size()},
             {"bytes", materials::neuralFileBytes},
             {"losses", fit.losses},
             {"seconds", fit.seconds}};
   addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  if (!written.json.is_null()) json["written"] = written.json;
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(fit.weights.size()) + " weights, " + std::to_string(materials::neuralFileBytes) + " bytes, " +
             (fit.losses.empty() ? "" : "loss " + number(fit.losses.back()) + ", ") + qualityText(quality, fit.seconds) +
-            tableText);
+            tableText + written.text);
   return 0;
 }
 

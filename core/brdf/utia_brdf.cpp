@@ -94,4 +94,13 @@ bool UtiaBrdf::hasData(const DirectionPair& pair) const {
          polarAngle(pair.wo) <= maxPolarAngle + angleTolerance;
 }
 
+std::vector<DirectionPair> UtiaBrdf::nodes(std::size_t incident) {
+  const auto direction = [](std::size_t index) {
+    return fromSpherical(polarStep * double(index / azimuthCount), azimuthStep * double(index % azimuthCount));
+  };
+  std::vector<DirectionPair> pairs;
+  for (std::size_t i = 0; i < directionCount; ++i) pairs.push_back({direction(i), direction(incident)});
+  return pairs;
+}
+
 }  // namespace gonio

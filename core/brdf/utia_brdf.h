@@ -43,6 +43,8 @@ class UtiaBrdf final : public Brdf {
   /// withIncident() returns.
   using Values = std::vector<glm::vec3>;
   const std::shared_ptr<const Values>& values() const { return values_; }
+  /// The pairs at the values of one incident direction, in their order, with IncidentDirection::viewer.
+  static std::vector<DirectionPair> nodes(std::size_t incident);
   /// Number of channel values that were below 0 and were set to 0.
   std::size_t clampedCount() const { return clampedCount_; }
 

@@ -8,6 +8,7 @@
 #include "core/documents/blend_source.h"
 #include "core/io/byte_source.h"
 #include "core/io/text_lines.h"
+#include "core/support/error.h"
 
 namespace gonio::editing {
 
@@ -26,10 +27,24 @@ bool isDocument(const std::string& path) {
   return first != text.npos && text[first] == '{';
 }
 
-EditedMaterial openWithEdits(const std::string& path, const TaskControl& control) {
-  if (isDocument(path)) return editedMaterial(path, control);
-  const materials::Material material = materials::readMaterial(path, control);
-  return {.shown = material, .base = material};
+materials::EditedMaterial editedMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  const EditDocument document = readDocument(path);
+  materials::EditedMaterial edited{
+      .shown = {}, .base = readSource(document, path, control), .edits = document.edits, .incident = document.incident};
+  if (edited.base.source.sha256 != document.sourceSha256)
+    throw Error(path.string() + ": its source " +
+                (document.blend ? "(" + edited.base.source.description + ")" : edited.base.source.path.string()) +
+                " has changed: found SHA-256 " + edited.base.source.sha256 + ", expected " + document.sourceSha256);
+  edited.shown = materials::withEdits(edited.base, document.edits, control);
+  if (isIdentity(document.edits) && !document.blend) return edited;
+  edited.shown.name = path.stem().string();
+  edited.shown.source.path = std::filesystem::absolute(path).lexically_normal();
+  edited.shown.source.format = "gonio document";
+  return edited;
+}
+
+materials::EditedMaterial openWithEdits(const std::string& path, const TaskControl& control) {
+  return isDocument(path) ? editedMaterial(path, control) : materials::unedited(materials::readMaterial(path, control));
 }
 
 materials::Material openMaterial(const std::string& path, const TaskControl& control) {

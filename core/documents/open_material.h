@@ -6,16 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "core/documents/edited_material.h"
+#include "core/materials/edited_material.h"
 
 namespace gonio::editing {
 
 /// Whether a file is a .gonio document: its first character other than white space is '{'. False if it cannot be read.
 bool isDocument(const std::string& path);
 
+/// Reads a .gonio file and applies its edits (materials::withEdits()). The material is named after the file if it has
+/// edits or is a blend; its source.sha256 is that of the source. @throws Error that names the file, also if the source
+/// has changed since the edits were made; Cancelled.
+materials::EditedMaterial editedMaterial(const std::filesystem::path& document, const TaskControl& control = {});
+
 /// Opens any material: a file, a .gonio document, or "library:SOURCE/NAME". @throws Error that names the file; for a
 /// document also if its source has changed since; Cancelled.
-EditedMaterial openWithEdits(const std::string& path, const TaskControl& control = {});
+materials::EditedMaterial openWithEdits(const std::string& path, const TaskControl& control = {});
 /// The material with its edits applied.
 materials::Material openMaterial(const std::string& path, const TaskControl& control = {});
 

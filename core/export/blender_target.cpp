@@ -107,14 +107,15 @@ std::string pythonText(const Json& json) {
   return text;
 }
 
-ExportResult makeScript(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeScript(const materials::EditedMaterial& source, const ExportOptions& options,
+                        const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.2));
   ExportResult made;
   ViewLobes best;
   double done = 0.2;
   for (const ViewLobesSize& size : sizes) {
     const TaskControl part = control.between(done, done + 0.16);
-    ViewLobes lobes = fitViewLobes(*source.brdf, size, part.between(0, 0.5));
+    ViewLobes lobes = fitViewLobes(*source.shown.brdf, size, part.between(0, 0.5));
     auto brdf = viewLobesBrdf(lobes);
     const double snr = comparison.signalToNoiseRatio(comparison.render(*brdf, part.between(0.5, 1)));
     done += 0.16;
@@ -125,8 +126,9 @@ ExportResult makeScript(const ExportSource& source, const ExportOptions& options
     if (snr >= options.snr) break;
   }
   made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Viewing angles", best.thetas.size()}};
-  if (!source.brdf->isIsotropic()) made.warnings.push_back(meanAzimuthWarning());
-  made.parts.push_back(textPart("_blender.py", blenderScript(best, source.name, originText(source, made.snr))));
+  if (!source.shown.brdf->isIsotropic()) made.warnings.push_back(meanAzimuthWarning());
+  made.parts.push_back(
+      textPart("_blender.py", blenderScript(best, materials::plainName(source), originText(source, made.snr))));
   return made;
 }
 

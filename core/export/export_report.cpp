@@ -7,12 +7,12 @@
 
 namespace gonio::exports {
 
-RenderedComparison exportComparison(const ExportSource& source, const ExportOptions& options,
+RenderedComparison exportComparison(const materials::EditedMaterial& source, const ExportOptions& options,
                                     const TaskControl& control) {
   RenderOptions pictures;
   pictures.width = pictures.height = options.pictureSize;
   pictures.samples = options.samples;
-  return RenderedComparison(*source.brdf, pictures, control);
+  return RenderedComparison(*source.shown.brdf, pictures, control);
 }
 
 void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
@@ -21,10 +21,10 @@ void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const R
   made.brdf = std::move(brdf);
 }
 
-std::string originText(const ExportSource& source, double snr) {
+std::string originText(const materials::EditedMaterial& source, double snr) {
   char accuracy[80] = ". Rendered images are identical (comparison scene).";
   if (std::isfinite(snr)) std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (comparison scene).", snr);
-  return source.origin + accuracy;
+  return materials::originOf(source) + accuracy;
 }
 
 ExportPart textPart(std::string_view suffix, std::string_view text) {

@@ -9,7 +9,7 @@
 namespace gonio::exports {
 
 /// Renders the material in comparisonScene() with the picture size and samples of the options. @throws Cancelled.
-RenderedComparison exportComparison(const ExportSource& source, const ExportOptions& options,
+RenderedComparison exportComparison(const materials::EditedMaterial& source, const ExportOptions& options,
                                     const TaskControl& control);
 
 /// Renders `brdf` and sets the members `brdf` and `snr` of the export. @throws Cancelled.
@@ -17,7 +17,7 @@ void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const R
                    const TaskControl& control);
 
 /// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (comparison scene)."
-std::string originText(const ExportSource& source, double snr);
+std::string originText(const materials::EditedMaterial& source, double snr);
 
 /// A text file as a part of an export.
 ExportPart textPart(std::string_view suffix, std::string_view text);

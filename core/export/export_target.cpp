@@ -3,20 +3,54 @@
 #include "core/export/export_target.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
+#include "core/brdf/statistics.h"
+#include "core/editing/edit_summary.h"
 #include "core/export/blender_target.h"
+#include "core/export/file_targets.h"
 #include "core/export/glsl_target.h"
 #include "core/export/gltf_target.h"
 #include "core/export/materialx_targets.h"
 #include "core/export/principled_target.h"
-#include "core/export/rgl_target.h"
 #include "core/export/slices_target.h"
-#include "core/export/table_targets.h"
 #include "core/export/values_target.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/support/plain_text.h"
 
 namespace gonio::exports {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether the material reflects more light than it receives, with the viewer's angle of the maximum. About 0.1 s.
+std::vector<std::string> exportWarnings(const Brdf& material) {
+  constexpr double allowed = 1.001;  // the error of the quadrature
+  double worst = 0, where = 0;
+  for (const double theta : {0.0, 30.0, 60.0, 80.0})
+    if (const double albedo = maxChannel(directionalAlbedo(material, radians(theta))); albedo > worst) {
+      worst = albedo;
+      where = theta;
+    }
+  if (!(worst > allowed)) return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the material reflects more light than it receives: albedo %.3f for a viewer at %.0f degrees", worst,
+                where);
+  return {text};
+}
+
+/// What would help where a target that grows with the SNR misses it.
+std::string shortfall(double snr, const ExportOptions& options) {
+  char text[160];
+  std::snprintf(text, sizeof text, "rendered SNR %.1f dB, less than the requested %.0f dB: %s", snr, options.snr,
+                options.size ? "without a given size, the size follows the material" : "larger files gain nothing");
+  return text;
+}
+
+}  // namespace
 
 std::uint64_t ExportResult::bytes() const {
   std::uint64_t sum = 0;
@@ -59,14 +93,17 @@ const ExportTarget* findExportTarget(std::string_view id) {
   return found == targets.end() ? nullptr : &*found;
 }
 
-ExportResult makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
-                        const TaskControl& control) {
+ExportResult makeExport(const ExportTarget& target, const materials::EditedMaterial& source,
+                        const ExportOptions& options, const TaskControl& control) {
   constexpr double warned = 0.02, poorSnr = 10;
-  std::vector<std::string> warnings = exportWarnings(*source.brdf);
-  ExportResult made = target.make(source, options, control.between(warned, 1));
+  std::vector<std::string> warnings = exportWarnings(*source.shown.brdf);
+  ExportResult made = target.make(source, options, control.between(warned, 0.95));
+  made.brdfSnr = metrics::brdfSignalToNoiseRatio(*source.shown.brdf, *made.brdf);
   if (made.snr < poorSnr)
     made.warnings.push_back(
         "this target cannot represent the material: renderings of the export look clearly different");
+  else if (target.usesSnr && made.snr < options.snr)
+    made.warnings.push_back(shortfall(made.snr, options));
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;
@@ -81,6 +118,13 @@ std::vector<ExportFile> filesOf(const ExportResult& made, const fs::path& name) 
   std::vector<ExportFile> files;
   for (const ExportPart& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
   return files;
+}
+
+std::string proposedName(const std::string& material, const editing::EditList& edits) {
+  std::string name;
+  for (const char c : plainText(editing::editedName(material, edits)))
+    if (c != ',') name += c == ' ' ? '_' : c;
+  return name;
 }
 
 }  // namespace gonio::exports

@@ -9,16 +9,16 @@
 #include <variant>
 
 #include "core/export/export_files.h"
-#include "core/export/export_source.h"
-#include "core/export/rgl_parameterisation.h"
 #include "core/export/scene_files.h"
+#include "core/materials/edited_material.h"
+#include "core/rgl/rgl_encoder.h"
 
 namespace gonio::exports {
 
 struct ExportOptions {
-  double snr = 40;                       ///< rendered SNR in comparisonScene() that the files should reach, dB
-  std::optional<RglSize> size = {};      ///< of `.bsdf` files; empty: the smallest size that reaches the SNR
-  int pictureSize = 128, samples = 128;  ///< of the pictures that measure the SNR
+  double snr = 40;                        ///< rendered SNR in comparisonScene() that the files should reach, dB
+  std::optional<rgl::RglSize> size = {};  ///< of `.bsdf` files; empty: the smallest size that reaches the SNR
+  int pictureSize = 128, samples = 64;    ///< of the pictures that measure the SNR
 };
 
 /// A number or property that only some targets report.
@@ -31,8 +31,10 @@ struct ExportFact {
 struct ExportResult {
   std::vector<ExportPart> parts;
   double snr = 0;                    ///< rendered SNR of `brdf` against the material, dB; +infinity for equal pictures
+  double brdfSnr = 0;                ///< BRDF SNR of `brdf`, dB; set by makeExport()
   std::shared_ptr<const Brdf> brdf;  ///< the files as the renderer evaluates them, by the target's own formula
   std::vector<ExportFact> facts;
+  std::vector<std::string> losses;    ///< what the files do not hold, for the user
   std::vector<std::string> warnings;  ///< for the user
 
   std::uint64_t bytes() const;
@@ -50,7 +52,7 @@ struct ExportTarget {
   bool usesSnr = false;                    ///< uses ExportOptions::snr: files grow with it
   const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
   /// Makes the export. Takes a few seconds. @throws Error; Cancelled.
-  ExportResult (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
+  ExportResult (*make)(const materials::EditedMaterial&, const ExportOptions&, const TaskControl&);
 
   /// The paths of all files: `name` with each suffix, including those of a scene, if given.
   std::vector<std::filesystem::path> paths(const std::filesystem::path& name, const Scene* withScene = nullptr) const;
@@ -64,12 +66,17 @@ std::span<const ExportTarget> exportTargets();
 /// Null if no target has this id.
 const ExportTarget* findExportTarget(std::string_view id);
 
-/// Makes an export. Its warnings include exportWarnings() and one for an SNR below 10 dB.
-ExportResult makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
-                        const TaskControl& control = {});
+/// Makes an export. Its warnings include those for a material that reflects more light than it receives, for an SNR
+/// below 10 dB, and for less than ExportOptions::snr.
+ExportResult makeExport(const ExportTarget& target, const materials::EditedMaterial& source,
+                        const ExportOptions& options = {}, const TaskControl& control = {});
 /// Adds the files of a scene. Precondition: target.scene is not null. @throws Error as checkSceneName().
 void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The files of an export for writeExport().
 std::vector<ExportFile> filesOf(const ExportResult& made, const std::filesystem::path& name);
+
+/// The default name of an export: editing::editedName() as plainText(), without commas and with '_' for spaces, since
+/// other programs treat both as separators. Examples: "chrome", "chrome_rougher".
+std::string proposedName(const std::string& material, const editing::EditList& edits);
 
 }  // namespace gonio::exports

@@ -77,7 +77,8 @@ std::string glslArray(const ReciprocalLobes& lobes, const std::string& type, con
   return text + ");\n";
 }
 
-ExportResult makeGlsl(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeGlsl(const materials::EditedMaterial& source, const ExportOptions& options,
+                      const TaskControl& control) {
   auto [made, lobes] = makeLobesExport(glslLobeCounts, reciprocalLobesBrdf, source, options, control);
   made.parts.push_back(textPart(glslSuffix, glslFunction(lobes, originText(source, made.snr))));
   return std::move(made);

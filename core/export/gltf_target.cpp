@@ -152,11 +152,11 @@ ExportTarget gltfTarget() {
           "direction. The stated accuracy is that of the formula in appendix B of the glTF 2.0 specification; viewers "
           "may approximate it.",
       .suffixes = {".gltf"},
-      .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+      .make = [](const materials::EditedMaterial& source, const ExportOptions& options, const TaskControl& control) {
         return makeSurfaceExport(
             gltfShader(), ".gltf",
-            [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
-              return gltfDocument(values, of.name, origin);
+            [](const materials::EditedMaterial& of, const SurfaceValues& values, const std::string& origin) {
+              return gltfDocument(values, materials::plainName(of), origin);
             },
             source, options, control);
       }};

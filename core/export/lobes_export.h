@@ -13,7 +13,7 @@ namespace gonio::exports {
 /// lobes to try, ascending; the first that reaches options.snr is used, or the one with the highest SNR.
 /// @throws Cancelled.
 std::pair<ExportResult, ReciprocalLobes> makeLobesExport(std::span<const std::size_t> counts, LobesFormula formula,
-                                                         const ExportSource& source, const ExportOptions& options,
-                                                         const TaskControl& control);
+                                                         const materials::EditedMaterial& source,
+                                                         const ExportOptions& options, const TaskControl& control);
 
 }  // namespace gonio::exports

@@ -86,9 +86,11 @@ std::string grainNodes(double rotation) {
              .text();
 }
 
-ExportResult makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeSchlickLobes(const materials::EditedMaterial& source, const ExportOptions& options,
+                              const TaskControl& control) {
   auto [made, lobes] = makeLobesExport(mtlxLobeCounts, schlickLobesBrdf, source, options, control);
-  made.parts.push_back(textPart(lobesSuffix, schlickLobesDocument(lobes, source.name, originText(source, made.snr))));
+  made.parts.push_back(
+      textPart(lobesSuffix, schlickLobesDocument(lobes, materials::plainName(source), originText(source, made.snr))));
   return std::move(made);
 }
 
@@ -151,39 +153,41 @@ ExportTarget materialXTarget() {
 }
 
 ExportTarget openPbrTarget() {
-  return {.id = "openpbr",
-          .label = "OpenPBR (MaterialX)",
-          .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists can edit further.",
-          .limitations =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "brushing direction.",
-          .suffixes = {openPbrSuffix},
-          .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-            return makeSurfaceExport(
-                openPbrShader(), openPbrSuffix,
-                [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
-                  return openPbrDocument(values, of.name, origin);
-                },
-                source, options, control);
-          }};
+  return {
+      .id = "openpbr",
+      .label = "OpenPBR (MaterialX)",
+      .description = "A MaterialX 1.39 document with one open_pbr_surface, which artists can edit further.",
+      .limitations =
+          "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+          "brushing direction.",
+      .suffixes = {openPbrSuffix},
+      .make = [](const materials::EditedMaterial& source, const ExportOptions& options, const TaskControl& control) {
+        return makeSurfaceExport(
+            openPbrShader(), openPbrSuffix,
+            [](const materials::EditedMaterial& of, const SurfaceValues& values, const std::string& origin) {
+              return openPbrDocument(values, materials::plainName(of), origin);
+            },
+            source, options, control);
+      }};
 }
 
 ExportTarget standardSurfaceTarget() {
-  return {.id = "standard-surface",
-          .label = "Standard Surface (MaterialX)",
-          .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
-          .limitations =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "brushing direction.",
-          .suffixes = {standardSuffix},
-          .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-            return makeSurfaceExport(
-                standardSurfaceShader(), standardSuffix,
-                [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
-                  return standardSurfaceDocument(values, of.name, origin);
-                },
-                source, options, control);
-          }};
+  return {
+      .id = "standard-surface",
+      .label = "Standard Surface (MaterialX)",
+      .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
+      .limitations =
+          "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+          "brushing direction.",
+      .suffixes = {standardSuffix},
+      .make = [](const materials::EditedMaterial& source, const ExportOptions& options, const TaskControl& control) {
+        return makeSurfaceExport(
+            standardSurfaceShader(), standardSuffix,
+            [](const materials::EditedMaterial& of, const SurfaceValues& values, const std::string& origin) {
+              return standardSurfaceDocument(values, materials::plainName(of), origin);
+            },
+            source, options, control);
+      }};
 }
 
 }  // namespace gonio::exports

@@ -94,26 +94,27 @@ std::string principledScript(const SurfaceValues& v, const std::string& name, co
 }
 
 ExportTarget principledTarget() {
-  return {.id = "principled",
-          .label = "Blender (Principled BSDF)",
-          .description =
-              "A Python script that creates a material from one Principled BSDF node, which artists can edit further "
-              "and other programs can import: "
-              "run it in Blender, or with blender --background --python.",
-          .limitations =
-              "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
-              "brushing direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this "
-              "node.",
-          .suffixes = {principledSuffix},
-          .scene = &principledSceneFormat(),
-          .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-            return makeSurfaceExport(
-                principledShader(), principledSuffix,
-                [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
-                  return principledScript(values, of.name, origin);
-                },
-                source, options, control);
-          }};
+  return {
+      .id = "principled",
+      .label = "Blender (Principled BSDF)",
+      .description =
+          "A Python script that creates a material from one Principled BSDF node, which artists can edit further "
+          "and other programs can import: "
+          "run it in Blender, or with blender --background --python.",
+      .limitations =
+          "An approximation by a diffuse lobe, one highlight and a coat; isotropic, or anisotropic with one fixed "
+          "brushing direction. The stated accuracy is that of Blender 3.4; Blender 4 changed the shader of this "
+          "node.",
+      .suffixes = {principledSuffix},
+      .scene = &principledSceneFormat(),
+      .make = [](const materials::EditedMaterial& source, const ExportOptions& options, const TaskControl& control) {
+        return makeSurfaceExport(
+            principledShader(), principledSuffix,
+            [](const materials::EditedMaterial& of, const SurfaceValues& values, const std::string& origin) {
+              return principledScript(values, materials::plainName(of), origin);
+            },
+            source, options, control);
+      }};
 }
 
 }  // namespace gonio::exports

@@ -16,13 +16,13 @@ constexpr int slicesSide = 180;
 /// Degrees. A reciprocal material that is the same on both sides of the plane of incidence has no others.
 constexpr int slicesPhiD[] = {0, 30, 60, 90};
 
-ExportResult makeSlices(const ExportSource& source, const ExportOptions&, const TaskControl& control) {
+ExportResult makeSlices(const materials::EditedMaterial& source, const ExportOptions&, const TaskControl& control) {
   Image image(int(std::size(slicesPhiD)) * slicesSide, slicesSide);
   std::string azimuths;
   for (std::size_t i = 0; i < std::size(slicesPhiD); ++i) {
     control.throwIfStopped();
     const plots::Slice slice =
-        plots::halfDifferenceSlice(*source.brdf, radians(slicesPhiD[i]), plots::ThetaHSpacing::squareRoot,
+        plots::halfDifferenceSlice(*source.shown.brdf, radians(slicesPhiD[i]), plots::ThetaHSpacing::squareRoot,
                                    plots::CosineFactor::none, nullptr, slicesSide);
     for (int row = 0; row < slicesSide; ++row)
       for (int column = 0; column < slicesSide; ++column)
@@ -32,10 +32,10 @@ ExportResult makeSlices(const ExportSource& source, const ExportOptions&, const 
   }
   ExportResult made;
   made.snr = std::numeric_limits<double>::infinity();
-  made.brdf = source.brdf;
+  made.brdf = source.shown.brdf;
   made.parts.push_back(
       {std::string(slicesSuffix),
-       io::encodeExr(image, {{"comments", source.origin},
+       io::encodeExr(image, {{"comments", materials::originOf(source)},
                              {"slices", "from left to right: phi_d = " + azimuths +
                                             " degrees; along x: theta_h = 90 u^2 degrees, u from 0 to 1; along y: "
                                             "theta_d from 0 at the bottom to 90 degrees at the top; linear sRGB, 1/sr "

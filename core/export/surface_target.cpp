@@ -19,15 +19,16 @@ SurfaceValues writtenValues(SurfaceValues values) {
 }
 
 ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
-                               const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+                               const materials::EditedMaterial& source, const ExportOptions& options,
+                               const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.15));
-  const SurfaceValues values = writtenValues(fitSurface(shader, *source.brdf, control.between(0.15, 0.85)));
+  const SurfaceValues values = writtenValues(fitSurface(shader, *source.shown.brdf, control.between(0.15, 0.85)));
   ExportResult made;
   measureExport(made, shader.brdf(values), comparison, control.between(0.85, 1));
   made.facts = {{"metalness", "Metalness", values.metalness},
                 {"roughness", "Roughness", values.roughness},
                 {"coat", "Coat", values.coat}};
-  if (!source.brdf->isIsotropic() && !shader.isFitted(SurfaceField::anisotropy))
+  if (!source.shown.brdf->isIsotropic() && !shader.isFitted(SurfaceField::anisotropy))
     made.warnings.push_back(meanAzimuthWarning());
   made.parts.push_back(textPart(suffix, text(source, values, originText(source, made.snr))));
   return made;

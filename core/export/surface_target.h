@@ -8,7 +8,8 @@
 namespace gonio::exports {
 
 /// Writes the text of a file. @param origin the text from originText().
-using SurfaceText = std::string (*)(const ExportSource& source, const SurfaceValues& values, const std::string& origin);
+using SurfaceText = std::string (*)(const materials::EditedMaterial& source, const SurfaceValues& values,
+                                    const std::string& origin);
 
 /// The values as written to a file: layers without effect are set to 0, and the rotation is reduced to [0, pi), the
 /// period of a grain.
@@ -16,7 +17,8 @@ SurfaceValues writtenValues(SurfaceValues values);
 
 /// An export with one file, fitted by fitSurface(). @throws Cancelled.
 ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
-                               const ExportSource& source, const ExportOptions& options, const TaskControl& control);
+                               const materials::EditedMaterial& source, const ExportOptions& options,
+                               const TaskControl& control);
 
 /// A number with up to six significant digits: "0.25", "1e-05".
 std::string decimalText(double number);

@@ -95,7 +95,8 @@ constexpr ValuesProgram programs[] = {
     {"snrArnold", "Rendered SNR in Arnold", standardSurfaceShader, arnoldRows},
 };
 
-ExportResult makeValues(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+ExportResult makeValues(const materials::EditedMaterial& source, const ExportOptions& options,
+                        const TaskControl& control) {
   const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.1));
   ExportResult worst;
   std::vector<ExportFact> facts;
@@ -103,7 +104,7 @@ ExportResult makeValues(const ExportSource& source, const ExportOptions& options
   for (std::size_t i = 0; i < std::size(programs); ++i) {
     const TaskControl part = control.between(0.1 + 0.3 * double(i), 0.4 + 0.3 * double(i));
     const SurfaceShader& shader = programs[i].shader();
-    const SurfaceValues values = writtenValues(fitSurface(shader, *source.brdf, part.between(0, 0.8)));
+    const SurfaceValues values = writtenValues(fitSurface(shader, *source.shown.brdf, part.between(0, 0.8)));
     ExportResult made;
     measureExport(made, shader.brdf(values), comparison, part.between(0.8, 1));
     facts.push_back({programs[i].key, programs[i].label, made.snr});
@@ -111,7 +112,7 @@ ExportResult makeValues(const ExportSource& source, const ExportOptions& options
     if (!worst.brdf || made.snr < worst.snr) worst = std::move(made);
   }
   worst.facts = std::move(facts);
-  if (!source.brdf->isIsotropic())
+  if (!source.shown.brdf->isIsotropic())
     worst.warnings.push_back(
         "the material is anisotropic: the values for Unreal and Unity are means over all azimuths");
   worst.parts.push_back(

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "core/brdf/moment_probes.h"
-#include "core/brdf/rgl_edit.h"
-#include "core/brdf/rgl_luminance.h"
 #include "core/brdf/utia_brdf.h"
+#include "core/rgl/rgl_edit.h"
 
 namespace gonio::editing {
 
@@ -16,21 +15,14 @@ namespace {
 
 const UtiaBrdf* utiaOf(const InterpolationMaterial& end) { return dynamic_cast<const UtiaBrdf*>(end.base.get()); }
 
-Direction utiaNode(std::size_t index) {
-  return fromSpherical(UtiaBrdf::polarStep * double(index / UtiaBrdf::azimuthCount),
-                       UtiaBrdf::azimuthStep * double(index % UtiaBrdf::azimuthCount));
-}
-
 std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& control) {
   constexpr std::size_t side = UtiaBrdf::directionCount;
   std::vector<glm::vec3> values;
   values.reserve(side * side);
-  std::vector<DirectionPair> pairs(side);
   std::vector<Rgb> row(side);
   for (std::size_t incident = 0; incident < side; ++incident) {
     control.throwIfStopped();
-    for (std::size_t i = 0; i < side; ++i) pairs[i] = {utiaNode(i), utiaNode(incident)};
-    blend.evaluate(pairs, row);
+    blend.evaluate(UtiaBrdf::nodes(incident), row);
     values.insert(values.end(), row.begin(), row.end());
   }
   return std::make_shared<const UtiaBrdf>(std::move(values));
@@ -38,8 +30,8 @@ std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& cont
 
 std::shared_ptr<const RglBrdf> rglBlend(const RglBrdf& nodes, const Brdf& blend, const TaskControl& control) {
   const auto file = nodes.withIncident(IncidentDirection::viewer);
-  EditedRgl colours = editedColours(*file, blend, control, NegativeColours::preserve);
-  SliceStack<float> luminance = samplingLuminance(colours.rgb);
+  rgl::EditedRgl colours = rgl::editedColours(*file, blend, control);
+  SliceStack<float> luminance = rgl::samplingLuminance(colours.rgb);
   return file->withColours(std::move(colours.rgb), std::move(luminance));
 }
 

@@ -5,11 +5,9 @@
 #include <cassert>
 #include <future>
 
-#include "core/io/atomic_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
-#include "core/materials/material_file.h"
 #include "core/materials/material_formats.h"
 #include "core/materials/npf_file.h"
 #include "core/support/file_in_errors.h"
@@ -62,17 +60,6 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
     material.source.path = std::filesystem::absolute(path).lexically_normal();
     return material;
   });
-}
-
-void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path) {
-  io::writeFileAtomically(path, writableFormat(path).write(table));
-}
-
-void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control) {
-  if (material.source.format != writableFormat(path).name) return writeMaterial(*material.tabulated(control), path);
-  const std::vector<std::byte> bytes = materialFile(material.source);
-  control.throwIfStopped();
-  io::writeFileAtomically(path, bytes);
 }
 
 }  // namespace gonio::materials

@@ -45,13 +45,6 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
 /// The same for bytes; the material has no name and no path, and errors name no file.
 Material readMaterial(const io::ByteSource& source, const TaskControl& control = {});
 
-/// Writes a table or a material, atomically, in the format of the suffix (writableFormat()). If the material is
-/// unchanged and its file has this format, the file is copied byte for byte after verifying its hash; other materials
-/// are tabulated.
-/// @throws Error that names the file.
-void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path);
-void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control = {});
-
 /// Where the data of a bundled material come from.
 enum class LibraryOrigin { measured, nearMeasured, publishedFit };
 /// The name for display: "measured", "near-measured copy", "published fit".

@@ -16,6 +16,7 @@
 #include "core/io/utia_file.h"
 #include "core/io/zemax_file.h"
 #include "core/materials/code_file.h"
+#include "core/materials/material_encoders.h"
 #include "core/materials/neural_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/scattered_material.h"
@@ -25,7 +26,12 @@ namespace gonio::materials {
 
 namespace {
 
-void sniffMerl(const io::ByteSource& source) { io::readMerlHeader(source); }
+template <bool reciprocal>
+void sniffMerl(const io::ByteSource& source) {
+  if (io::readMerlHeader(source).reciprocal != reciprocal)
+    throw io::FormatMismatch(reciprocal ? "phi_d from 0 to 360 degrees" : "phi_d from 0 to 180 degrees",
+                             reciprocal ? "0 to 180 degrees" : "0 to 360 degrees");
+}
 
 void readMerlMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
   const io::MerlTable merl = io::readMerl(source, control);
@@ -114,10 +120,20 @@ constexpr std::array formats{
                    .suffixes = merlSuffixes,
                    .isSuffixAmbiguous = false,
                    .isMeasurement = true,
-                   .holds = {.nonReciprocal = true},
-                   .sniff = sniffMerl,
+                   .holds = {},
+                   .sniff = sniffMerl<true>,
                    .read = readMerlMaterial,
-                   .write = io::encodeMerl},
+                   .encode = encodeMerlMaterial},
+    MaterialFormat{.id = FormatId::merlCircle,
+                   .name = "360-degree MERL",
+                   .label = "360-degree MERL file",
+                   .suffixes = merlSuffixes,
+                   .isSuffixAmbiguous = false,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = sniffMerl<false>,
+                   .read = readMerlMaterial,
+                   .encode = encodeMerlCircleMaterial},
     MaterialFormat{.id = FormatId::rgl,
                    .name = "RGL",
                    .label = "RGL file",
@@ -127,7 +143,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true, .anisotropic = true, .spectral = true},
                    .sniff = io::expectTensorFile,
                    .read = readRglMaterial,
-                   .write = nullptr},
+                   .encode = encodeRglMaterial},
     MaterialFormat{.id = FormatId::utia,
                    .name = "UTIA",
                    .label = "UTIA file",
@@ -137,7 +153,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true, .anisotropic = true},
                    .sniff = io::expectUtia,
                    .read = readUtiaMaterial,
-                   .write = nullptr},
+                   .encode = encodeUtiaMaterial},
     MaterialFormat{.id = FormatId::zemax,
                    .name = "Zemax",
                    .label = "Zemax BSDF",
@@ -147,7 +163,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true},
                    .sniff = io::expectZemax,
                    .read = readIncidenceMaterial<io::readZemax>,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::lightTools,
                    .name = "LightTools",
                    .label = "LightTools BSDF",
@@ -157,7 +173,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true},
                    .sniff = io::expectLightTools,
                    .read = readIncidenceMaterial<io::readLightTools>,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::astm,
                    .name = "ASTM",
                    .label = "ASTM E1392 samples",
@@ -167,7 +183,7 @@ constexpr std::array formats{
                    .holds = {},
                    .sniff = io::expectAstm,
                    .read = readScatteredMaterial<io::readAstm>,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::goniophotometer,
                    .name = "pgII",
                    .label = "pgII samples",
@@ -177,7 +193,7 @@ constexpr std::array formats{
                    .holds = {},
                    .sniff = io::expectGoniophotometer,
                    .read = readScatteredMaterial<io::readGoniophotometer>,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::curet,
                    .name = "CUReT",
                    .label = "CUReT samples",
@@ -187,7 +203,7 @@ constexpr std::array formats{
                    .holds = {},
                    .sniff = io::expectCuret,
                    .read = readScatteredMaterial<io::readCuret>,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::pdv,
                    .name = "PDV factors",
                    .label = "PDV factors",
@@ -197,7 +213,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true},
                    .sniff = expectPdv,
                    .read = readPdvMaterial,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::code,
                    .name = "sparse code",
                    .label = "sparse code",
@@ -207,7 +223,7 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true},
                    .sniff = expectCode,
                    .read = readCodeMaterial,
-                   .write = nullptr},
+                   .encode = nullptr},
     MaterialFormat{.id = FormatId::neural,
                    .name = "neural BRDF",
                    .label = "neural BRDF",
@@ -217,7 +233,7 @@ constexpr std::array formats{
                    .holds = {},
                    .sniff = expectNeural,
                    .read = readNeuralMaterial,
-                   .write = nullptr},
+                   .encode = nullptr},
 };
 
 }  // namespace
@@ -254,32 +270,48 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
       format.sniff(source);
       return format;
     } catch (const io::FormatMismatch& mismatch) {
-      refusals += "\n  " + std::string(format.name) + ": " + mismatch.what();
-      if (!mismatch.verdict().empty()) verdict = mismatch.verdict() + " (" + std::string(format.name) + ")";
+      const std::string refusal = "\n  " + std::string(format.name) + ": " + mismatch.what();
+      if (!refusals.ends_with(refusal)) refusals += refusal;
+      if (!mismatch.verdict().empty() && verdict.empty())
+        verdict = mismatch.verdict() + " (" + std::string(format.name) + ")";
     }
   }
   throw Error((verdict.empty() ? "this file could not be read: it matches no format that Gonio supports" : verdict) +
               refusals);
 }
 
-const MaterialFormat& writableFormat(const std::filesystem::path& path) {
-  if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
-  throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
-              suffixText(isWritable, "or"));
-}
+namespace {
 
-std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
-  std::vector<std::string_view> suffixes;
-  for (const MaterialFormat& format : formats)
-    if (isWanted(format))
-      for (const std::string_view suffix : format.suffixes)
-        if (std::ranges::find(suffixes, suffix) == suffixes.end()) suffixes.push_back(suffix);
+/// ".binary, .bsdf or .pdv".
+std::string listOf(const std::vector<std::string_view>& suffixes, std::string_view conjunction) {
   std::string text;
   for (std::size_t i = 0; i < suffixes.size(); ++i) {
     if (i > 0) text.append(i + 1 < suffixes.size() ? ", " : " " + std::string(conjunction) + " ");
     text.append(suffixes[i]);
   }
   return text;
+}
+
+void addOnce(std::vector<std::string_view>& suffixes, std::string_view suffix) {
+  if (std::ranges::find(suffixes, suffix) == suffixes.end()) suffixes.push_back(suffix);
+}
+
+}  // namespace
+
+std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
+  std::vector<std::string_view> suffixes;
+  for (const MaterialFormat& format : formats)
+    if (isWanted(format))
+      for (const std::string_view suffix : format.suffixes) addOnce(suffixes, suffix);
+  return listOf(suffixes, conjunction);
+}
+
+std::string writableSuffixText(std::string_view other) {
+  std::vector<std::string_view> suffixes;
+  for (const MaterialFormat& format : formats)
+    if (format.encode) addOnce(suffixes, format.suffix());
+  if (!other.empty()) suffixes.push_back(other);
+  return listOf(suffixes, "or");
 }
 
 }  // namespace gonio::materials

@@ -15,12 +15,16 @@
 /// use. How to add one: CONTRIBUTING.md, "Add a material format".
 namespace gonio::materials {
 
-enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
+enum class FormatId { merl, merlCircle, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
 
 /// What a format can represent beyond reciprocal, isotropic RGB.
 struct FormatCapabilities {
   bool nonReciprocal = false, anisotropic = false, spectral = false;
 };
+
+struct EditedMaterial;
+struct EncodeOptions;
+struct Encoded;
 
 struct MaterialFormat {
   FormatId id;
@@ -35,8 +39,9 @@ struct MaterialFormat {
   void (*sniff)(const io::ByteSource& source);
   /// Reads a file that `sniff` accepted: sets all members of the material except name, path, format and hash.
   void (*read)(const io::ByteSource& source, const TaskControl& control, Material& material);
-  /// The file of a table; null if the format cannot be written.
-  std::vector<std::byte> (*write)(const TabulatedBrdf& table);
+  /// The file of a material and what it loses, for encode() alone (core/materials/encode.h); null if the format is only
+  /// read.
+  Encoded (*encode)(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control);
 
   std::string_view suffix() const { return suffixes.front(); }
 };
@@ -61,13 +66,11 @@ bool isMaterialFile(const std::filesystem::path& path);
 /// The format by content. @throws Error that lists what each format found, if none accepts the bytes.
 const MaterialFormat& sniffFormat(const io::ByteSource& source);
 
-/// The format for writing a table to a file of this name. @throws Error if the suffix is not that of a writable format.
-const MaterialFormat& writableFormat(const std::filesystem::path& path);
-
 /// The suffixes of formats as text, each once: ".binary, .bsdf, .pdv or .code". @param conjunction "or" or "and".
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction);
 inline bool isAnyFormat(const MaterialFormat&) { return true; }
 inline bool isMeasurement(const MaterialFormat& format) { return format.isMeasurement; }
-inline bool isWritable(const MaterialFormat& format) { return format.write != nullptr; }
+/// The suffixes with which files are written, and another one unless it is empty: ".binary, .bsdf or .bin".
+std::string writableSuffixText(std::string_view other = {});
 
 }  // namespace gonio::materials

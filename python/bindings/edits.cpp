@@ -18,10 +18,10 @@ using namespace editing;
 
 /// The material with one more edit.
 PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& progress) {
-  EditedMaterial result = material.edited();
+  materials::EditedMaterial result = material.edited();
   result.edits.push_back(std::move(edit));
-  result.shown =
-      resultOf(progress, [&](const TaskControl& control) { return withEdits(result.base, result.edits, control); });
+  result.shown = resultOf(
+      progress, [&](const TaskControl& control) { return materials::withEdits(result.base, result.edits, control); });
   result.shown.name = material.shown().name;
   return std::make_shared<PyMaterial>(std::move(result));
 }

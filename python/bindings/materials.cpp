@@ -9,9 +9,8 @@
 #include "core/brdf/statistics.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/documents/edit_document.h"
-#include "core/export/export_origin.h"
-#include "core/export/material_form.h"
 #include "core/materials/bundled_library.h"
+#include "core/materials/encode.h"
 #include "core/math/parallel.h"
 #include "core/metrics/plausibility.h"
 
@@ -20,10 +19,6 @@ namespace gonio::python {
 std::shared_ptr<const RenderMaterial> PyMaterial::rendered() const {
   std::call_once(made_, [this] { rendered_ = std::make_shared<const RenderMaterial>(brdf()); });
   return rendered_;
-}
-
-exports::ExportSource PyMaterial::exported() const {
-  return exports::exportSource(shown().name, base(), brdf(), edits());
 }
 
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const Brdf> brdf,
@@ -192,8 +187,9 @@ PyMaterialPtr fromTable(const py::array_t<float, py::array::c_style | py::array:
                      std::make_shared<const TabulatedBrdf>(grid, std::vector(first, first + grid.size()), mask));
 }
 
-/// Returns what the file cannot represent, one sentence each.
-std::vector<std::string> save(const PyMaterial& material, const std::string& path, const py::object& progress) {
+/// A dict of the losses, one sentence each, and of the accuracies in dB.
+py::dict save(const PyMaterial& material, const std::string& path, const py::object& progress) {
+  materials::Encoded made;
   if (editing::isDocumentName(path)) {
     const materials::MaterialSource& source = material.base().source;
     if (source.sha256.empty() || source.path.empty())
@@ -205,19 +201,17 @@ std::vector<std::string> save(const PyMaterial& material, const std::string& pat
     document.edits = material.edits();
     document.incident = material.edited().incident;
     editing::writeDocument(document, path);
-    return {};
+  } else {
+    materials::checkWritableSuffix(path, editing::documentSuffix);
+    made = resultOf(progress, [&](const TaskControl& control) {
+      return materials::writeMaterial(material.edited(), path, {}, control);
+    });
   }
-  exports::checkFormSuffix(path, editing::documentSuffix);
-  return resultOf(progress, [&](const TaskControl& control) -> std::vector<std::string> {
-    if (exports::isRglOrUtia(path)) return exports::writeRglOrUtia(material.exported(), material.base(), path, control);
-    // Only an unedited material may be written as a copy of its file.
-    if (material.edits().empty())
-      materials::writeMaterial(material.shown(), path, control);
-    else
-      materials::writeMaterial(*material.table(control), path);
-    if (!material.brdf()->isIsotropic()) return {exports::azimuthLoss()};
-    return {};
-  });
+  py::dict result;
+  result["losses"] = made.losses;
+  result["snr"] = made.snr;
+  result["brdf_snr"] = made.brdfSnr;
+  return result;
 }
 
 py::dict statistics(const PyMaterial& material, const py::object& progress) {

@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "core/documents/open_material.h"
-#include "core/export/export_source.h"
 #include "core/rendering/render_material.h"
 #include "python/bindings/arrays.h"
 
@@ -15,12 +14,12 @@ namespace gonio::python {
 /// A material in Python. Immutable.
 class PyMaterial {
  public:
-  explicit PyMaterial(editing::EditedMaterial edited) : edited_(std::move(edited)) {}
-  explicit PyMaterial(const materials::Material& material) : edited_{.shown = material, .base = material} {}
+  explicit PyMaterial(materials::EditedMaterial edited) : edited_(std::move(edited)) {}
+  explicit PyMaterial(const materials::Material& material) : edited_(materials::unedited(material)) {}
 
   const materials::Material& shown() const { return edited_.shown; }
   const materials::Material& base() const { return edited_.base; }
-  const editing::EditedMaterial& edited() const { return edited_; }
+  const materials::EditedMaterial& edited() const { return edited_; }
   const editing::EditList& edits() const { return edited_.edits; }
   const std::shared_ptr<const Brdf>& brdf() const { return edited_.shown.brdf; }
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control) const {
@@ -28,10 +27,9 @@ class PyMaterial {
   }
   /// The material with a density for importance sampling, which is computed at the first call.
   std::shared_ptr<const RenderMaterial> rendered() const;
-  exports::ExportSource exported() const;
 
  private:
-  editing::EditedMaterial edited_;
+  materials::EditedMaterial edited_;
   mutable std::once_flag made_;
   mutable std::shared_ptr<const RenderMaterial> rendered_;
 };

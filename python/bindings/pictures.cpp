@@ -189,7 +189,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     if (const auto& source = material.base().source.path; std::filesystem::exists(source)) sources.push_back(source);
     exports::checkTargets(target.paths(name, scene ? &*scene : nullptr), sources, overwrite);
     if (scene) exports::checkSceneName(*target.scene, name.filename().string());
-    exports::ExportResult result = exports::makeExport(target, material.exported(), options, control);
+    exports::ExportResult result = exports::makeExport(target, material.edited(), options, control);
     if (scene) exports::addScene(result, target, *scene, name);
     files = exports::filesOf(result, name);
     exports::writeExport(files);

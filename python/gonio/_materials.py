@@ -240,11 +240,10 @@ class Material:
         facts["albedo"] = dict(zip(angles, self.albedo(np.radians(angles)).tolist()))
         return facts
 
-    def save(self, path: PathLike, progress: Progress = None) -> list[str]:
+    def save(self, path: PathLike, progress: Progress = None) -> dict:
         """Writes the material to a file in the format of its suffix; an existing file is replaced in one step.
 
-        .binary is a MERL table and .bsdf an RGL file (docs/formats.md). .bin is possible for UTIA files and their edits. .gonio
-        stores the edits, and the path and hash of the file that they edit, without measured data. An unedited material that is
+        .binary is a MERL table, .bsdf an RGL file and .bin a UTIA file (docs/formats.md). .gonio stores the edits, and the path and hash of the file that they edit, without measured data. An unedited material that is
         written in its own format is copied byte for byte.
 
         Args:
@@ -252,10 +251,11 @@ class Material:
             progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Returns:
-            What the file cannot represent, one sentence each; usually an empty list.
+            A dict: "losses", what the file does not hold, one sentence each; "snr" and "brdf_snr", the rendered SNR and the
+            BRDF SNR of the file against the material in dB, infinite if it holds the same values.
 
         Raises:
-            Error: The suffix is unknown, the format cannot represent the material, or the file cannot be written.
+            Error: The suffix is unknown, or the file cannot be written.
         """
         return self._handle.save(os.fsencode(path), progress)
 

@@ -146,7 +146,7 @@ def forms(path):
 
 def test_a_path_that_is_not_utf8_names_the_same_file(chrome, tmp_path):
     file = os.fsencode(tmp_path) + b"/caf\xe9 \xff.binary"
-    assert chrome.save(os.fsdecode(file)) == []
+    assert chrome.save(os.fsdecode(file))["losses"] == []
     assert os.listdir(os.fsencode(tmp_path)) == [b"caf\xe9 \xff.binary"]
     for path in forms(file):
         material = gonio.open(path)

@@ -67,7 +67,7 @@ def test_bad_tables_are_errors():
 
 
 def test_files_round_trip(chrome, tmp_path):
-    assert chrome.save(tmp_path / "chrome.binary") == []
+    assert chrome.save(tmp_path / "chrome.binary")["losses"] == []
     again = gonio.open(tmp_path / "chrome.binary")
     assert again.format == "MERL" and again.grid == chrome.grid
     np.testing.assert_allclose(again.values, chrome.values, rtol=1e-6)

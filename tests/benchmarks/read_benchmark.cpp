@@ -6,6 +6,7 @@
 
 #include "core/materials/material.h"
 #include "tests/benchmarks/materials.h"
+#include "tests/support/table_file.h"
 
 using namespace gonio;
 
@@ -15,7 +16,7 @@ namespace {
 const std::filesystem::path& merlFile() {
   struct File {
     std::filesystem::path path = std::filesystem::temp_directory_path() / "gonio_benchmark.binary";
-    File() { materials::writeMaterial(*benchmarks::plasticTable(), path); }
+    File() { test::writeTable(*benchmarks::plasticTable(), path); }
     ~File() {
       std::error_code ignored;
       std::filesystem::remove(path, ignored);
@@ -38,7 +39,7 @@ void readMerl(benchmark::State& state) {
 BENCHMARK(readMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void writeMerl(benchmark::State& state) {
-  for (auto _ : state) materials::writeMaterial(*benchmarks::plasticTable(), merlFile());
+  for (auto _ : state) test::writeTable(*benchmarks::plasticTable(), merlFile());
 }
 BENCHMARK(writeMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -26,6 +26,13 @@ inline Bytes merlSeed() {
   return bytes;
 }
 
+inline Bytes merlCircleSeed() {
+  Bytes bytes;
+  for (const std::int32_t count : {2, 3, 12}) append(bytes, count);
+  for (int i = 0; i < 216; ++i) append(bytes, i % 11 == 3 ? -1.0 : 10.0 * i);
+  return bytes;
+}
+
 inline Bytes rglSeed() {
   test::SyntheticRgl rgl;
   for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(i) * 0.1f - 0.3f;

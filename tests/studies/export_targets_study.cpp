@@ -20,8 +20,7 @@ int study(int argumentCount, char** arguments) {
   for (const char* target : targets) std::printf("| %s ", target);
   std::printf("| material\n");
   for (int i = 1; i < argumentCount; ++i) {
-    const exports::ExportSource source{.name = arguments[i],
-                                       .brdf = materials::readMaterial(std::string(arguments[i])).brdf};
+    const materials::EditedMaterial source = materials::unedited(materials::readMaterial(std::string(arguments[i])));
     for (std::size_t k = 0; k < std::size(targets); ++k) {
       const auto start = std::chrono::steady_clock::now();
       const auto made = exports::makeExport(*exports::findExportTarget(targets[k]), source);
@@ -31,7 +30,7 @@ int study(int argumentCount, char** arguments) {
       std::printf("| %.1f ", made.snr);
       std::fflush(stdout);
     }
-    std::printf("| %s\n", source.name.c_str());
+    std::printf("| %s\n", arguments[i]);
   }
   for (std::size_t k = 0; k < std::size(targets); ++k)
     std::printf("%-17s median %.1f dB, %.1f s\n", targets[k], quantile(ratios[k], 0.5), quantile(seconds[k], 0.5));

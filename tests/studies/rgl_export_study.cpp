@@ -1,50 +1,91 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// gonio_studies rgl_export [THETA_COUNT SIZE] [MATERIAL ...]: the rendered SNR of RGL files that are made of the
-// library's near-measured copies, and the size that reaches 40 dB; where none does, the same of files that keep both
-// sides of the plane of incidence.
+// gonio_studies rgl_export [--size THETA_COUNT SIZE] [MATERIAL ...]: the rendered SNR, size and time of RGL files of
+// edited materials (controls of the model ggx, as goniotool edit --model ggx --control NAME=VALUE), for Mitsuba and for
+// pbrt, beside what the nodes of the source give. Without materials: the near-measured copies, unedited.
 #include <chrono>
 #include <cstdlib>
 #include <string>
 
-#include "core/export/rgl_parameterisation.h"
-#include "core/materials/material.h"
+#include "core/fitting/fit.h"
+#include "core/materials/encode.h"
+#include "core/models/registry.h"
+#include "core/rgl/rgl_fields.h"
 #include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::rgl_export_study {
 namespace {
 
-int study(int argumentCount, char** arguments) {
-  exports::RglOptions options;
-  int next = 1;
-  if (argumentCount > 2 && std::isdigit(arguments[1][0])) {
-    options.fixed = {std::size_t(std::atoi(arguments[1])), std::size_t(std::atoi(arguments[2]))};
-    next = 3;
+struct EditRow {
+  const char* name;
+  editing::ArtistControl control;
+  Rgb value;
+};
+using enum editing::ArtistControl;
+const EditRow editRows[] = {{"roughness x 1/4", roughness, Rgb(0.25)}, {"roughness x 1/2", roughness, Rgb(0.5)},
+                            {"roughness x 2", roughness, Rgb(2)},      {"roughness x 4", roughness, Rgb(4)},
+                            {"tint", tint, Rgb(1, 0.5, 0.25)},         {"contrast x 4", contrast, Rgb(4)}};
+
+materials::EditedMaterial edited(const materials::Material& material, const models::Model& model,
+                                 const models::ParameterValues& fitted, const EditRow& row) {
+  editing::DifferentialEdit change{.model = &model, .fitted = fitted, .edited = fitted};
+  change.composition = editing::defaultComposition(model);
+  change.controls.values[std::size_t(row.control)] = row.value;
+  materials::EditedMaterial result = materials::unedited(material);
+  result.edits = {editing::Edit{change}};
+  result.shown = materials::withEdits(material, result.edits);
+  return result;
+}
+
+struct Tally {
+  std::vector<double> ratios, bytes, seconds;
+
+  void add(const char* name, const std::string& edit, const materials::EditedMaterial& material,
+           const materials::EncodeOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    const rgl::EncodedRgl file = materials::encodeRgl(material, options);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    std::printf("%s,%s,%.1f,%.1f,%zu x %zu%s,%zu,%.1f\n", name, edit.c_str(), file.rgbSnr, file.spectralSnr,
+                file.size.thetaCount, file.size.size, file.ownParameterisation ? " (source)" : "", file.rgb.size(),
+                taken.count());
+    std::fflush(stdout);
+    for (const double ratio : {file.rgbSnr, file.spectralSnr}) ratios.push_back(ratio);
+    bytes.push_back(double(file.rgb.size()));
+    seconds.push_back(taken.count());
   }
-  std::vector<std::string> names(arguments + next, arguments + argumentCount);
-  if (names.empty())
+};
+
+int study(int argumentCount, char** arguments) {
+  materials::EncodeOptions options;
+  std::vector<std::string> names(arguments + 1, arguments + argumentCount);
+  if (names.size() > 2 && names[0] == "--size") {
+    options.size = {std::size_t(std::stoi(names[1])), std::size_t(std::stoi(names[2]))};
+    names.erase(names.begin(), names.begin() + 3);
+  }
+  const bool copies = names.empty();
+  if (copies)
     for (const materials::LibraryEntry& entry : materials::bundledLibrary())
       if (entry.id.starts_with("merl-copy/")) names.push_back("library:" + entry.id);
-  std::vector<double> ratios;
+  const models::Model& model = models::findModel("ggx");
+  Tally tally;
+  std::printf(
+      "material,edit,rendered SNR of the RGB file (dB),of the spectral file (dB),nodes,bytes of the RGB "
+      "file,seconds\n");
   for (const std::string& name : names) {
     const materials::Material material = materials::readMaterial(name);
-    const auto start = std::chrono::steady_clock::now();
-    const auto file = exports::parameterise(*material.brdf, options);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::printf("%-44s %6.1f dB %3zu x %zu^2 %5.1f s", name.c_str(), file.snr, file.size.thetaCount, file.size.size,
-                seconds.count());
-    if (file.snr < options.snr) {
-      exports::RglOptions bothSides = options;
-      bothSides.bothSides = true;
-      const auto other = exports::parameterise(*material.brdf, bothSides);
-      std::printf(", both sides %.1f dB %3zu x %zu^2", other.snr, other.size.thetaCount, other.size.size);
+    if (copies) {
+      tally.add(name.c_str(), "none", materials::unedited(material), options);
+      continue;
     }
-    std::printf("\n");
-    std::fflush(stdout);
-    ratios.push_back(file.snr);
+    const models::ParameterValues fitted =
+        fitting::fit(fitting::fitBase(material.brdf, material.tabulated()), model, {}).parameters;
+    for (const EditRow& row : editRows)
+      tally.add(material.name.c_str(), row.name, edited(material, model, fitted, row), options);
   }
-  std::printf("%zu materials: least %.1f, median %.1f dB\n", ratios.size(), quantile(ratios, 0), quantile(ratios, 0.5));
+  std::printf("# %zu files: rendered SNR at least %.1f, median %.1f dB; median %.0f bytes; at most %.1f s\n",
+              tally.ratios.size(), quantile(tally.ratios, 0), quantile(tally.ratios, 0.5), quantile(tally.bytes, 0.5),
+              quantile(tally.seconds, 1));
   return 0;
 }
 

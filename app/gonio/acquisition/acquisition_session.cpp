@@ -10,12 +10,13 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/materials/encode.h"
 #include "core/materials/material.h"
 
 namespace gonio::app {
 
 namespace {
-const QString openKey = QStringLiteral("open acquisition");
+const QString openResultKey = QStringLiteral("open acquisition");
 
 /// A file of this name that is not there yet: "name.binary", "name 2.binary". Another document may stand on the first.
 QString freePath(const QString& folder, QString name) {
@@ -217,21 +218,21 @@ void AcquisitionSession::open(const QString& folder) {
 void AcquisitionSession::openTable(std::shared_ptr<const TabulatedBrdf> table, const QString& name,
                                    const QString& folder) {
   m_tasks.run<LoadedMaterialPtr>(
-      {tr("Opening %1").arg(name), openKey},
+      {tr("Opening %1").arg(name), openResultKey},
       [table = std::move(table), folder, name](const TaskControl& control) {
         std::error_code cause;
         std::filesystem::create_directories(folder.toStdString(), cause);
         if (!std::filesystem::is_directory(folder.toStdString()))
           throw Error(folder.toStdString() + ": the folder cannot be created: " + cause.message());
         const std::string path = freePath(folder, name).toStdString();
-        materials::writeMaterial(*table, path);
+        materials::writeMaterial(materials::unedited(name.toStdString(), table), path, {}, control);
         return loadMaterial(path, control);
       },
       [this, name](const LoadedMaterialPtr& material) { Q_EMIT materialMade(material, tr("Open %1").arg(name)); },
       [this, name](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(name), error); });
 }
 
-bool AcquisitionSession::isOpening() const { return m_tasks.isRunning(openKey); }
+bool AcquisitionSession::isOpening() const { return m_tasks.isRunning(openResultKey); }
 
 }  // namespace gonio::app
 

@@ -81,6 +81,20 @@ QString Document::name() const {
   return material() ? QString::fromStdString(material()->material.name) : tr("Untitled");
 }
 
+materials::EditedMaterial Document::edited() const {
+  if (!material()) return {};
+  materials::Material base = material()->material;
+  if (!base.brdf) base.brdf = material()->base;
+  if (const TabulatedBrdf* table = base.brdf->asTable()) base.table = {base.brdf, table};
+  materials::EditedMaterial edited = materials::unedited(base);
+  edited.edits = edits();
+  edited.incident = state().incident;
+  edited.shown.name = name().toStdString();
+  if (!editing::isIdentity(edits())) edited.shown.table = nullptr;
+  edited.shown.brdf = editing::isIdentity(edits()) ? this->base() : editing::applyEdits(this->base(), edits());
+  return edited;
+}
+
 editing::EditList Document::describedEdits() const { return path().isEmpty() ? edits() : editing::EditList(); }
 
 void Document::select(int edit) {

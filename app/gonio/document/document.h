@@ -10,6 +10,7 @@
 #include "app/gonio/document/loaded_material.h"
 #include "core/documents/edit_document.h"
 #include "core/fitting/fit.h"
+#include "core/materials/edited_material.h"
 
 namespace gonio::app {
 
@@ -52,6 +53,8 @@ class Document : public QObject {
   /// The BRDF that is shown and edited: the material's base, read with the incident direction of the state
   /// (EditState::incident). Null without a material.
   std::shared_ptr<const Brdf> base() const;
+  /// The material with its edits, under the document's name, for exports. Null BRDFs without a material.
+  materials::EditedMaterial edited() const;
   const EditState& state() const { return m_content.state; }
   /// In the order in which they are applied.
   const editing::EditList& edits() const { return m_content.state.edits; }

@@ -5,10 +5,13 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
+#include <cmath>
 
 #include "core/documents/blend_source.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
+#include "core/materials/encode.h"
+#include "core/support/file_in_errors.h"
 
 namespace gonio::app {
 
@@ -35,6 +38,20 @@ QImage withCaption(const QImage& picture, const QString& text) {
 
 QString nameOf(const QString& path) { return path.section('/', -1); }
 
+/// What a file lost, for the user; empty if nothing.
+QString lossText(const materials::Encoded& made, const materials::MaterialFormat& format) {
+  QStringList lines;
+  for (const std::string& loss : made.losses) lines << QString::fromStdString(loss);
+  if (lines.isEmpty() && !std::isfinite(made.snr)) return {};
+  lines << (std::isfinite(made.snr) ? FileExports::tr("rendered SNR of the file %1 dB, BRDF SNR %2 dB")
+                                          .arg(made.snr, 0, 'f', 1)
+                                          .arg(made.brdfSnr, 0, 'f', 1)
+                                    : FileExports::tr("images of the file and of the material are identical"));
+  if (const std::string text = materials::shortfall(made, format, {}); !text.empty())
+    lines.back() = QString::fromStdString(text);
+  return lines.join(QStringLiteral(";\n")) + '.';
+}
+
 }  // namespace
 
 FileExports::FileExports(Document& document, BackgroundTasks& tasks, QObject* parent)
@@ -56,18 +73,32 @@ void FileExports::run(const QString& title, const QString& path, std::function<R
       [this, path] { Q_EMIT cancelled(path); });
 }
 
-void FileExports::writeMaterial(const QString& path, exports::MaterialForm form) {
-  const LoadedMaterialPtr material = m_document.material();
-  if (!material || refuses(path)) return;
-  run<ExportLosses>(
+void FileExports::writeMaterial(const QString& path, const materials::MaterialFormat& format) {
+  if (!m_document.material() || refuses(path)) return;
+  run<materials::Encoded>(
       tr("Exporting %1"), path,
-      [material, base = m_document.base(), edits = m_document.edits(), form, path](const TaskControl& control) {
-        return app::writeMaterial(*material, base, edits, form, path.toStdString(), control);
+      [edited = m_document.edited(), &format, path](const TaskControl& control) {
+        materials::Encoded made =
+            withFileInErrors(path.toStdString(), [&] { return materials::encode(edited, format, {}, control); });
+        if (lossText(made, format).isEmpty()) io::writeFileAtomically(path.toStdString(), made.bytes);
+        return made;
       },
-      [this, path](const ExportLosses& losses) {
-        Q_EMIT exported(path);
-        if (!losses.sentences.isEmpty()) Q_EMIT warned(QStringLiteral("%1: %2").arg(nameOf(path), losses.text()));
+      [this, &format, path](const materials::Encoded& made) {
+        const QString text = lossText(made, format);
+        if (text.isEmpty()) return Q_EMIT exported(path);
+        const auto bytes = std::make_shared<const std::vector<std::byte>>(made.bytes);
+        Q_EMIT lossesFound(path, text, [this, path, bytes] { writeBytes(path, bytes); });
       });
+}
+
+void FileExports::writeBytes(const QString& path, const FileBytes& bytes) {
+  run<bool>(
+      tr("Writing %1"), path,
+      [path, bytes](const TaskControl&) {
+        io::writeFileAtomically(path.toStdString(), *bytes);
+        return true;
+      },
+      [this, path](bool) { Q_EMIT exported(path); });
 }
 
 void FileExports::renderPicture(const PictureExport& picture) {

@@ -7,8 +7,8 @@
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "app/gonio/document/file_saves.h"
-#include "app/gonio/document/material_export.h"
 #include "app/gonio/document/picture_export.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::app {
 
@@ -22,8 +22,8 @@ class FileExports : public QObject {
 
   /// Whether a file is used by the document; if so, emits failed().
   bool refuses(const QString& path);
-  /// Writes the edited material in a form; warns of content that the form cannot represent, with the measured error.
-  void writeMaterial(const QString& path, exports::MaterialForm form);
+  /// Writes the edited material in a format. If content is lost, emits lossesFound() before anything is written.
+  void writeMaterial(const QString& path, const materials::MaterialFormat& format);
   /// Renders the edited material on the CPU; the user can pause it.
   void renderPicture(const PictureExport& picture);
   /// Writes what another panel saves (factors, a code, a fit, a figure) with FileSave::write, in the background.
@@ -36,11 +36,14 @@ class FileExports : public QObject {
  Q_SIGNALS:
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
-  void warned(const QString& text);
+  /// What a file of the material would lose, with its measured error. Nothing is written unless `write` is called.
+  void lossesFound(const QString& path, const QString& text, const std::function<void()>& write);
   /// The user cancelled; nothing was written.
   void cancelled(const QString& path);
 
  private:
+  using FileBytes = std::shared_ptr<const std::vector<std::byte>>;
+  void writeBytes(const QString& path, const FileBytes& bytes);
   template <class Result>
   void run(const QString& title, const QString& path, std::function<Result(const TaskControl&)> work,
            std::function<void(const Result&)> done, const std::shared_ptr<Pause>& pause = nullptr);

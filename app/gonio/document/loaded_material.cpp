@@ -6,7 +6,7 @@
 #include <QStandardPaths>
 
 #include "core/documents/edit_document.h"
-#include "core/documents/edited_material.h"
+#include "core/documents/open_material.h"
 #include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
 #include "widgets/preview/gl/shader_base.h"

@@ -31,7 +31,7 @@ QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
 QStringList filters(bool (*isWanted)(const materials::MaterialFormat&)) {
   QStringList result;
   for (const materials::MaterialFormat& format : materials::materialFormats())
-    if (isWanted(format)) result << QStringLiteral("%1 (*%2)").arg(toQt(format.label), toQt(format.suffix()));
+    if (isWanted(format)) result << formatFilter(format);
   return result;
 }
 
@@ -52,6 +52,10 @@ QString openFilter() {
                           QStringList{MaterialFilesText::tr("Gonio document (*%1)").arg(documentSuffix()),
                                       MaterialFilesText::tr("All files (*)")};
   return all.join(";;");
+}
+
+QString formatFilter(const materials::MaterialFormat& format) {
+  return QStringLiteral("%1 (*%2)").arg(toQt(format.label), toQt(format.suffix()));
 }
 
 QString formatSuffix(materials::FormatId format) { return toQt(materials::formatOf(format).suffix()); }

@@ -19,6 +19,8 @@ QStringList measurementFilePatterns();
 QString materialFilter();
 /// The same with additional filters for each format.
 QString openFilter();
+/// File filter of a format for dialogs, e.g. "RGL file (*.bsdf)".
+QString formatFilter(const materials::MaterialFormat& format);
 /// Suffix of written files of a format, e.g. ".binary".
 QString formatSuffix(materials::FormatId format);
 /// Suffix of the editor's default format, e.g. ".binary".

@@ -8,7 +8,6 @@
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/sphere_picture.h"
 #include "core/documents/blend_source.h"
-#include "core/export/export_origin.h"
 #include "core/materials/material_formats.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
@@ -20,29 +19,15 @@ namespace {
 const QString trialKey = QStringLiteral("export-trial");
 constexpr int trialPixels = 288, trialSamples = 32;
 
+std::vector<std::string> messagesOf(const exports::ExportResult& made) {
+  std::vector<std::string> messages = made.losses;
+  messages.insert(messages.end(), made.warnings.begin(), made.warnings.end());
+  return messages;
+}
+
 QString labelOf(const exports::ExportTarget& target) { return widgets::toQString(target.label); }
 
 }  // namespace
-
-ExportSubject::ExportSubject(const Document& document)
-    : material(document.material()),
-      base(document.base()),
-      edits(document.edits()),
-      name(document.name()),
-      files(editing::sourceFiles(document.toEditDocument())),
-      m_describedEdits(document.describedEdits()) {}
-
-std::shared_ptr<const Brdf> ExportSubject::edited() const {
-  return editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
-}
-
-exports::ExportSource ExportSubject::source() const {
-  return exports::exportSource(name.toStdString(), material->material, edited(), edits);
-}
-
-QString ExportSubject::proposedName() const {
-  return QString::fromStdString(exports::proposedName(name.toStdString(), m_describedEdits));
-}
 
 QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene) {
   QStringList names;
@@ -61,17 +46,17 @@ ExportController::ExportController(Document& document, BackgroundTasks& tasks, Q
   });
 }
 
-void ExportController::tryOut(const ExportSubject& subject, const exports::ExportTarget& target,
+void ExportController::tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
                               const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
                               const std::function<void(const QString&)>& failed) {
   m_tasks.run<ExportTrialPtr>(
       {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
-      [subject, &target, options](const TaskControl& control) {
+      [material, &target, options](const TaskControl& control) {
         constexpr double madeFraction = 0.8;
         auto trial = std::make_shared<ExportTrial>();
-        const exports::ExportSource source = subject.source();
-        trial->made = exports::makeExport(target, source, options, control.between(0, madeFraction));
-        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
+        trial->made = exports::makeExport(target, material, options, control.between(0, madeFraction));
+        trial->original =
+            spherePicture(*material.shown.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
         trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 1));
         return trial;
       },
@@ -82,18 +67,20 @@ void ExportController::dropTrial() { m_tasks.drop(trialKey); }
 
 std::optional<double> ExportController::trialProgress() const { return m_tasks.progress(trialKey); }
 
-void ExportController::write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial) {
+void ExportController::write(const materials::EditedMaterial& material, const ExportRequest& request,
+                             const ExportTrialPtr& trial) {
   m_last = request;
   Q_EMIT lastChanged();
-  writeInBackground(request, [subject, request, trial](const TaskControl& control) {
+  const std::vector<std::filesystem::path> used = editing::sourceFiles(m_document.toEditDocument());
+  writeInBackground(request, [material, request, trial, used](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString();
-    exports::checkTargets(request.target->paths(name, request.scene.get()), subject.files, true);
+    exports::checkTargets(request.target->paths(name, request.scene.get()), used, true);
     if (request.scene) exports::checkSceneName(*request.target->scene, name.filename().string());
     exports::ExportResult made =
-        trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
+        trial ? trial->made : exports::makeExport(*request.target, material, request.options, control);
     if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
     exports::writeExport(exports::filesOf(made, name));
-    return made.warnings;
+    return messagesOf(made);
   });
 }
 
@@ -104,10 +91,9 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
     exports::checkTargets(request.target->paths(name), std::span(&source, 1), replace);
     const materials::Material material = materials::readMaterial(source, control.between(0, 0.1));
     const exports::ExportResult made =
-        exports::makeExport(*request.target, exports::exportSource(material.name, material, material.brdf, {}),
-                            request.options, control.between(0.1, 1));
+        exports::makeExport(*request.target, materials::unedited(material), request.options, control.between(0.1, 1));
     exports::writeExport(exports::filesOf(made, name));
-    return made.warnings;
+    return messagesOf(made);
   });
 }
 
@@ -128,7 +114,7 @@ void ExportController::writeInBackground(const ExportRequest& request, Writer wr
 
 void ExportController::repeat() {
   assert(m_last);
-  write(ExportSubject(m_document), *m_last, nullptr);
+  write(m_document.edited(), *m_last, nullptr);
 }
 
 }  // namespace gonio::app

@@ -12,25 +12,6 @@
 
 namespace gonio::app {
 
-/// The input of an export: the document's material at the time of the request. Cheap to copy.
-struct ExportSubject {
-  LoadedMaterialPtr material;
-  std::shared_ptr<const Brdf> base;
-  editing::EditList edits;
-  QString name;                              ///< of the document
-  std::vector<std::filesystem::path> files;  ///< files used by the document, never replaced by exports
-
-  explicit ExportSubject(const Document& document);
-  std::shared_ptr<const Brdf> edited() const;
-  /// Not for the GUI thread, because it may read an RGL file again. @throws Error.
-  exports::ExportSource source() const;
-  /// "chrome_edited"
-  QString proposedName() const;
-
- private:
-  editing::EditList m_describedEdits;
-};
-
 /// An export in memory, with its pictures.
 struct ExportTrial {
   exports::ExportResult made;
@@ -57,16 +38,17 @@ class ExportController : public QObject {
   const Document& document() const { return m_document; }
   BackgroundTasks& tasks() { return m_tasks; }
 
-  /// Makes an export without writing it; a newer trial replaces an older one.
-  void tryOut(const ExportSubject& subject, const exports::ExportTarget& target, const exports::ExportOptions& options,
-              std::function<void(ExportTrialPtr)> done, const std::function<void(const QString&)>& failed);
+  /// Makes an export of a material (Document::edited()) without writing it; a newer trial replaces an older one.
+  void tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
+              const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
+              const std::function<void(const QString&)>& failed);
   void dropTrial();
   /// Progress of the trial, [0, 1]; nullopt if none is running.
   std::optional<double> trialProgress() const;
 
   /// Writes an export. Replaces existing files of the same names, but never the source.
   /// @param trial trial of this request; null: the export is made first.
-  void write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial);
+  void write(const materials::EditedMaterial& material, const ExportRequest& request, const ExportTrialPtr& trial);
   /// Writes a material of the library without edits. Never replaces its own file.
   /// @param id a material file or a bundled material; a .gonio document is refused. @param replace whether existing
   /// files are replaced.

@@ -47,7 +47,7 @@ ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, co
       m_controller(controller),
       m_settings(settings),
       m_scene(std::make_shared<const Scene>(scene)),
-      m_subject(controller.document()) {
+      m_material(controller.document().edited()) {
   setWindowTitle(tr("Export for Renderer"));
   const int em = fontMetrics().height();
   resize(em * 62, em * 38);
@@ -149,6 +149,11 @@ QWidget* ExportDialog::nameRow() {
   return panel;
 }
 
+QString ExportDialog::proposedName() const {
+  const Document& document = m_controller.document();
+  return QString::fromStdString(exports::proposedName(document.name().toStdString(), document.describedEdits()));
+}
+
 void ExportDialog::restore() {
   m_snr->setValue(m_settings.value(export_settings::snr, exports::ExportOptions().snr).toDouble());
   m_withScene->setChecked(m_settings.value(export_settings::scene, false).toBool());
@@ -158,7 +163,7 @@ void ExportDialog::restore() {
   const QString documentFolder = QFileInfo(m_controller.document().path()).absolutePath();
   const QString home = m_controller.document().path().isEmpty() ? QDir::homePath() : documentFolder;
   setName(last ? last->name
-               : QDir(QDir(folder).exists() && !folder.isEmpty() ? folder : home).filePath(m_subject.proposedName()));
+               : QDir(QDir(folder).exists() && !folder.isEmpty() ? folder : home).filePath(proposedName()));
 }
 
 void ExportDialog::remember() {
@@ -219,7 +224,7 @@ void ExportDialog::startTrial() {
   if (trial()) return;
   const Key wanted = key();
   m_controller.tryOut(
-      m_subject, target(), options(),
+      m_material, target(), options(),
       [this, wanted, self = QPointer(this)](const ExportTrialPtr& made) {
         if (!self) return;
         m_trials[wanted] = made;
@@ -245,10 +250,12 @@ void ExportDialog::showTrial() {
   QStringList warnings;
   if (shown) {
     m_cost->setText(std::isfinite(shown->made.snr)
-                        ? tr("Rendered SNR of the export against the material: %1; %2.")
-                              .arg(exportSnrText(shown->made.snr), exportBytesText(shown->made.bytes()))
+                        ? tr("Rendered SNR of the export against the material: %1; BRDF SNR: %2; %3.")
+                              .arg(exportSnrText(shown->made.snr), exportSnrText(shown->made.brdfSnr),
+                                   exportBytesText(shown->made.bytes()))
                         : tr("Images of the export and of the material are identical; %1.")
                               .arg(exportBytesText(shown->made.bytes())));
+    for (const std::string& loss : shown->made.losses) warnings << tr("Note: %1.").arg(QString::fromStdString(loss));
     for (const std::string& warning : shown->made.warnings)
       warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));
   } else {
@@ -294,7 +301,7 @@ void ExportDialog::accept() {
   if (!mayReplace()) return;
   const ExportTrialPtr made = trial();
   m_controller.dropTrial();
-  m_controller.write(m_subject, {&target(), options(), name(), withScene() ? m_scene : nullptr}, made);
+  m_controller.write(m_material, {&target(), options(), name(), withScene() ? m_scene : nullptr}, made);
   remember();
   QDialog::accept();
 }

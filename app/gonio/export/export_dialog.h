@@ -58,6 +58,7 @@ class ExportDialog : public QDialog {
   QWidget* targetList();
   QWidget* details();
   QWidget* nameRow();
+  QString proposedName() const;
   void restore();
   void remember();
   Key key() const;
@@ -74,7 +75,7 @@ class ExportDialog : public QDialog {
   ExportController& m_controller;
   QSettings& m_settings;
   const std::shared_ptr<const Scene> m_scene;
-  const ExportSubject m_subject;
+  const materials::EditedMaterial m_material;
   std::map<Key, ExportTrialPtr> m_trials;
   QString m_error;  ///< of the last trial
   QTimer m_delay;

@@ -7,8 +7,8 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
-#include "core/export/spectral_edit.h"
 #include "core/math/spectrum.h"
+#include "core/rgl/spectral_edit.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 
@@ -30,10 +30,10 @@ WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentDirection 
                            const editing::EditList& edits, double nanometres, const TaskControl& control) {
   const auto file = material->base->asRgl()->withIncident(incident);
   const auto measured =
-      widgets::measuredSubject(exports::atWavelength(*file, nullptr, nanometres, control), material->lobe);
+      widgets::measuredSubject(rgl::atWavelength(*file, nullptr, nanometres, control), material->lobe);
   if (editing::isIdentity(edits)) return {material, nanometres, measured, measured};
   const auto edited = editing::applyEdits(file->withIncident(IncidentDirection::viewer), edits);
-  const auto shown = exports::atWavelength(*file, edited.get(), nanometres, control);
+  const auto shown = rgl::atWavelength(*file, edited.get(), nanometres, control);
   return {material, nanometres, measured,
           widgets::measuredSubject(shown, std::make_shared<const TabulatedLobe>(*shown))};
 }

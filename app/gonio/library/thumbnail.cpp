@@ -13,7 +13,7 @@
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/bundled_thumbnails.h"
 #include "app/gonio/library/sphere_picture.h"
-#include "core/documents/edited_material.h"
+#include "core/documents/open_material.h"
 #include "core/io/byte_source.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"

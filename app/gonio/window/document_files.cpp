@@ -20,6 +20,8 @@
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/view_state.h"
 #include "core/editing/edit_summary.h"
+#include "core/materials/encode.h"
+#include "widgets/inputs/ask.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -72,6 +74,13 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
         return stored;
       }) {
   connect(&m_parts.document, &Document::materialReplaced, this, &DocumentFiles::updateAutosave);
+  connect(&m_parts.exports, &FileExports::lossesFound, this,
+          [this](const QString& path, const QString& text, const std::function<void()>& write) {
+            const QString name = QFileInfo(path).fileName();
+            if (widgets::ask(m_window, tr("Export BRDF"),
+                             tr("%1 does not hold all of the material:\n\n%2\n\nWrite the file?").arg(name, text)))
+              write();
+          });
   DocumentController* controller = &m_parts.controller;
   connect(controller, &DocumentController::opened, this, [this](const QString& path) {
     updateAutosave();
@@ -218,33 +227,33 @@ void DocumentFiles::saveInLibrary() {
 void DocumentFiles::exportBrdf() {
   const Document& document = m_parts.document;
   if (!document.material()) return;
-  const std::vector<exports::MaterialForm> forms = exports::formsOf(*document.base());
+  const std::vector<const materials::MaterialFormat*> formats = materials::writableFormats(*document.base());
   QStringList filters;
-  for (const exports::MaterialForm form : forms) filters << formFilter(form);
-  const auto suffixOf = [&](exports::MaterialForm form) { return formatSuffix(exports::formatOf(form)); };
+  for (const materials::MaterialFormat* format : formats) filters << formatFilter(*format);
+  const auto suffixOf = [](const materials::MaterialFormat* format) { return formatSuffix(format->id); };
   QString chosen = filters.front();
   const QString suggested =
-      QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(forms.front()));
+      QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(formats.front()));
   // The question whether to replace an existing file follows below, once it is known not to be a source file.
   const QString path =
       QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen,
                                    QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   widgets::rememberDialogFolder(exportPurpose, path);
-  exports::MaterialForm form = forms[std::size_t(std::max(qsizetype(0), filters.indexOf(chosen)))];
+  const materials::MaterialFormat* format = formats[std::size_t(std::max(qsizetype(0), filters.indexOf(chosen)))];
   // A typed suffix counts more than the list.
-  for (const exports::MaterialForm other : forms)
-    if (path.endsWith(suffixOf(other), Qt::CaseInsensitive) && suffixOf(other) != suffixOf(form)) {
-      form = other;
+  for (const materials::MaterialFormat* other : formats)
+    if (path.endsWith(suffixOf(other), Qt::CaseInsensitive) && suffixOf(other) != suffixOf(format)) {
+      format = other;
       break;
     }
-  const QString target = withSuffix(path, suffixOf(form));
+  const QString target = withSuffix(path, suffixOf(format));
   if (m_parts.exports.refuses(target)) return;
   if (QFileInfo::exists(target) &&
       QMessageBox::question(m_window, tr("Export BRDF"), tr("Replace %1?").arg(QFileInfo(target).fileName())) !=
           QMessageBox::Yes)
     return;
-  m_parts.exports.writeMaterial(target, form);
+  m_parts.exports.writeMaterial(target, *format);
 }
 
 void DocumentFiles::exportImage() {

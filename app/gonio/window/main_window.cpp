@@ -216,7 +216,6 @@ void MainWindow::connectMessages() {
   connect(&m_parts.tasks, &BackgroundTasks::failed, this, &MainWindow::showFailure);
   connect(&m_parts.controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.exports, &FileExports::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.exports, &FileExports::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.exporter, &ExportController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.environment, &EnvironmentController::failed, this, &MainWindow::showFailure);

@@ -11,6 +11,7 @@
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/window/dock_layout.h"
+#include "core/materials/encode.h"
 #include "core/materials/material.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -54,13 +55,13 @@ void MaterialMenu::saveFit(const Document& document) {
   if (!edit) return;
   const models::Model* model = edit->model;
   const QString suffix = tableSuffix();
-  Q_EMIT saveRequested(
-      {tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::toQString(model->spec().name)),
-       tr("MERL file (*%1)").arg(suffix), suffix,
-       [model, fitted = edit->fitted](const std::filesystem::path& path, const TaskControl& control) {
-         materials::writeMaterial(
-             *bakeTable(*model->instantiate(fitted), HalfDifferenceGrid(), control, editing::bakedAzimuths), path);
-       }});
+  Q_EMIT saveRequested({tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::toQString(model->spec().name)),
+                        tr("MERL file (*%1)").arg(suffix), suffix,
+                        [model, fitted = edit->fitted, name = document.name().toStdString()](
+                            const std::filesystem::path& path, const TaskControl& control) {
+                          materials::writeMaterial(materials::unedited(name, model->instantiate(fitted)), path, {},
+                                                   control);
+                        }});
 }
 
 void MaterialMenu::addBlends(const Parts& parts) {

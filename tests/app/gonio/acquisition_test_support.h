@@ -8,6 +8,7 @@
 #include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "tests/app/gonio/patience.h"
+#include "tests/support/table_file.h"
 
 namespace gonio::app::test_support {
 
@@ -33,7 +34,7 @@ struct SmallLibrary {
     values.values[0] = albedo;
     values.values[*model.spec().find("roughness")] = Rgb(roughness);
     const QString path = folder.filePath(name + ".binary");
-    materials::writeMaterial(*bakeTable(*model.instantiate(values), grid), path.toStdString());
+    test::writeTable(*bakeTable(*model.instantiate(values), grid), path.toStdString());
     return path;
   }
 

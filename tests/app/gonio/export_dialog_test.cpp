@@ -97,7 +97,7 @@ class ExportDialogTest : public QObject {
     QVERIFY(!editor.controller.canRepeat());
     QSignalSpy exported(&editor.controller, &ExportController::exported);
     const exports::ExportTarget* target = exports::findExportTarget("blender");
-    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("again")}, nullptr);
+    editor.controller.write(editor.document.edited(), {target, {.snr = 10}, editor.path("again")}, nullptr);
     QVERIFY(wait([&] { return exported.count() == 1; }));
     QVERIFY(QFile::remove(editor.path("again_blender.py")));
     QVERIFY(editor.controller.canRepeat());
@@ -113,7 +113,7 @@ class ExportDialogTest : public QObject {
     Editor editor;
     QSignalSpy failed(&editor.controller, &ExportController::failed);
     const exports::ExportTarget* target = exports::findExportTarget("blender");
-    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("none/x")}, nullptr);
+    editor.controller.write(editor.document.edited(), {target, {.snr = 10}, editor.path("none/x")}, nullptr);
     QVERIFY(wait([&] { return failed.count() == 1; }));
     QVERIFY(failed.front().back().toString().contains("x_blender.py"));
   }
@@ -132,7 +132,7 @@ class ExportDialogTest : public QObject {
     editor.document.setMaterial(material);
     QSignalSpy failed(&editor.controller, &ExportController::failed);
     const exports::ExportTarget* target = exports::findExportTarget("merl");
-    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("one")}, nullptr);
+    editor.controller.write(editor.document.edited(), {target, {.snr = 10}, editor.path("one")}, nullptr);
     QVERIFY(wait([&] { return failed.count() == 1; }));
     QVERIFY(failed.front().back().toString().contains("material uses"));
     QCOMPARE(QFile(source).size(), 0);

@@ -17,6 +17,7 @@
 #include "core/io/atomic_file.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
+#include "tests/support/table_file.h"
 #include "widgets/figures/entry_list.h"
 #include "widgets/library/library_model.h"
 
@@ -35,8 +36,8 @@ struct FigureEditor {
 
   FigureEditor() {
     for (const auto& [name, roughness] : {std::pair{"chrome", 0.2}, {"rubber", 0.6}})
-      materials::writeMaterial(*glossyMaterial(roughness, {30, 30, 36})->base->asTable(),
-                               path(QString(name) + ".binary").toStdString());
+      test::writeTable(*glossyMaterial(roughness, {30, 30, 36})->base->asTable(),
+                       path(QString(name) + ".binary").toStdString());
   }
 
   QString path(const QString& name) const { return folder.filePath(name); }

@@ -56,7 +56,7 @@ class FileExportsTest : public QObject {
         editor.folder.filePath("../" + editor.folder.path().section('/', -1) + "/measured.binary");
     for (const QString& name : {editor.source, link, roundabout}) {
       editor.failed.clear();
-      editor.exports.writeMaterial(name, exports::MaterialForm::foldedTable);
+      editor.exports.writeMaterial(name, materials::formatOf(materials::FormatId::merl));
       QCOMPARE(editor.failed.count(), 1);
       QVERIFY(editor.failed[0][1].toString().contains("measured file"));
       editor.exports.writePng(name, QImage(2, 2, QImage::Format_RGBA8888));
@@ -88,7 +88,7 @@ class FileExportsTest : public QObject {
     QStringList names;
     for (int i = 0; i < 3; ++i) {
       names << editor.folder.filePath(QStringLiteral("copy%1.binary").arg(i));
-      editor.exports.writeMaterial(names.back(), exports::MaterialForm::foldedTable);
+      editor.exports.writeMaterial(names.back(), materials::formatOf(materials::FormatId::merl));
     }
     QCOMPARE(editor.tasks.shown().size(), std::size_t(3));
     QVERIFY(editor.tasks.isWritingFiles());
@@ -104,8 +104,8 @@ class FileExportsTest : public QObject {
   void anExportThatWaitsIsCancelled() {
     Editor editor;
     const QString first = editor.folder.filePath("first.binary"), second = editor.folder.filePath("second.binary");
-    editor.exports.writeMaterial(first, exports::MaterialForm::foldedTable);
-    editor.exports.writeMaterial(second, exports::MaterialForm::foldedTable);
+    editor.exports.writeMaterial(first, materials::formatOf(materials::FormatId::merl));
+    editor.exports.writeMaterial(second, materials::formatOf(materials::FormatId::merl));
     editor.tasks.cancel(editor.tasks.shown()[1].id);
     QTRY_COMPARE_WITH_TIMEOUT(editor.exported.count(), 1, patienceMilliseconds);
     QTRY_COMPARE_WITH_TIMEOUT(editor.cancelled.count(), 1, patienceMilliseconds);
@@ -113,7 +113,7 @@ class FileExportsTest : public QObject {
     QVERIFY(QFile::exists(first) && !QFile::exists(second));
   }
 
-  /// A MERL file cannot hold an anisotropic edit: the message says what was written.
+  /// A MERL file cannot hold an anisotropic edit: this is asked before it is written.
   void whatAFileCannotHoldIsSaid() {
     Editor editor;
     const models::Model& ward = models::findModel("ward-anisotropic");
@@ -122,11 +122,21 @@ class FileExportsTest : public QObject {
     edit.edited.values[*ward.spec().find("roughness-x")] = Rgb(0.03);
     edit.edited.values[*ward.spec().find("roughness-y")] = Rgb(0.4);
     editor.document.replaceEdits({{edit}}, "Brush");
-    QSignalSpy warned(&editor.exports, &FileExports::warned);
-    editor.exports.writeMaterial(editor.folder.filePath("brushed.binary"), exports::MaterialForm::foldedTable);
+    QString found;
+    std::function<void()> confirm;
+    QObject::connect(&editor.exports, &FileExports::lossesFound, &editor.document,
+                     [&](const QString&, const QString& text, const std::function<void()>& write) {
+                       found = text;
+                       confirm = write;
+                     });
+    const QString path = editor.folder.filePath("brushed.binary");
+    editor.exports.writeMaterial(path, materials::formatOf(materials::FormatId::merl));
+    QTRY_VERIFY_WITH_TIMEOUT(confirm, patienceMilliseconds);
+    QVERIFY(found.contains("anisotropic") && found.contains("dB"));
+    QVERIFY(!QFile::exists(path));
+    confirm();
     QTRY_COMPARE_WITH_TIMEOUT(editor.exported.count(), 1, patienceMilliseconds);
-    QCOMPARE(warned.count(), 1);
-    QVERIFY(warned.at(0).at(0).toString().contains("anisotropic"));
+    QVERIFY(QFile::exists(path));
   }
 
   void aPictureIsWritten() {

@@ -6,8 +6,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/export/spectral_edit.h"
 #include "core/io/rgl_file.h"
+#include "core/rgl/spectral_edit.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/spectral_file.h"
@@ -74,7 +74,7 @@ class WavelengthPanelTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(panel.subjects()->nanometres == 610, patienceMilliseconds);
     QCOMPARE(document.history().count(), 0);
     const RglBrdf& file = *document.material()->base->asRgl();
-    const double stored = exports::atWavelength(file, nullptr, 610)->evaluate(pair.wi, pair.wo).x;
+    const double stored = rgl::atWavelength(file, nullptr, 610)->evaluate(pair.wi, pair.wo).x;
     QVERIFY(stored > 0);
     QCOMPARE(valueOf(panel.subjects()->measured), stored);
     QCOMPARE(valueOf(panel.subjects()->edited), stored);
@@ -82,7 +82,7 @@ class WavelengthPanelTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(panel.isSettled() && valueOf(panel.subjects()->edited) != stored, patienceMilliseconds);
     QCOMPARE(valueOf(panel.subjects()->measured), stored);
     const auto edited = editing::applyEdits(document.base(), document.edits());
-    const auto expected = exports::atWavelength(file, edited.get(), 610);
+    const auto expected = rgl::atWavelength(file, edited.get(), 610);
     QCOMPARE(valueOf(panel.subjects()->edited), expected->evaluate(pair.wi, pair.wo).x);
     choose(panel, 0);
     QVERIFY(!panel.subjects() && panel.isSettled());

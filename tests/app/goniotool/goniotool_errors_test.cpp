@@ -107,7 +107,7 @@ class GoniotoolErrorsTest : public QObject {
     QTest::newRow("short") << QStringList{"check", shortened} << "short.binary";
     QTest::newRow("document") << QStringList{"info", document} << "garbage.gonio";
     QTest::newRow("suffix") << QStringList{"convert", plastic_, folder_.path("out.xyz")}
-                            << "out.xyz: found the suffix '.xyz', expected .binary or .bsdf (for UTIA files also .bin)";
+                            << "out.xyz: found the suffix '.xyz', expected .binary, .bsdf or .bin";
     QTest::newRow("no folder") << QStringList{"convert", plastic_, folder_.path("no/out.binary")} << "out.binary";
     QTest::newRow("environment") << QStringList{"render", plastic_, "--environment",
                                                 garbage,  "--out",  folder_.path("x.png")}

@@ -16,6 +16,7 @@
 #include "core/materials/material.h"
 #include "core/models/model.h"
 #include "tests/support/leading_parameters.h"
+#include "tests/support/table_file.h"
 
 /// What the tests of goniotool share: running it and reading its results.
 namespace gonio::test {
@@ -106,7 +107,7 @@ class TestFolder {
                      const HalfDifferenceGrid& grid = smallGrid) const {
     const models::Model& source = models::findModel(model);
     const auto brdf = source.instantiate(test::leadingParameters(source, parameters.values));
-    materials::writeMaterial(*bakeTable(*brdf, grid), path(name).toStdString());
+    test::writeTable(*bakeTable(*brdf, grid), path(name).toStdString());
     return path(name);
   }
 

@@ -80,8 +80,8 @@ class GoniotoolSystemsTest : public QObject {
          {"--samples N (1 to 4096) REQUIRED", "--train FILE|FOLDER ...", "[default: 85]", "Exit code: 0"})
       QVERIFY2(plan.out.contains(text), text);
     QVERIFY(!plan.out.contains("MATERIAL is one of"));
-    for (const char* text : {"MATERIAL is one of", ".binary (MERL file)", "--snr NUMBER (0 to 100)", "[default: 40]",
-                             "--scene [NAME|FILE]", "{mitsuba, pbrt,"})
+    for (const char* text : {"MATERIAL is one of", ".binary (MERL file, 360-degree MERL file)",
+                             "--snr NUMBER (0 to 100)", "[default: 40]", "--scene [NAME|FILE]", "{mitsuba, pbrt,"})
       QVERIFY2(exported.out.contains(text), text);
     for (const char* type : {"TEXT", "INT", "FLOAT"}) QVERIFY2(!exported.out.contains(type), type);
   }

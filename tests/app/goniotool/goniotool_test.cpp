@@ -12,6 +12,7 @@
 #include "core/models/parameters_json.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/grain.h"
+#include "tests/support/table_file.h"
 #include "tests/support/test_program.h"
 
 namespace goniotool_test {
@@ -248,7 +249,7 @@ class GoniotoolTest : public QObject {
     };
     const editing::Edit edit{editing::DifferentialEdit{&ggx, parameters("fitted"), parameters("edited")}, "", 0.5};
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
-    materials::writeMaterial(*expected, folder_.path("expected.binary").toStdString());
+    test::writeTable(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
     QCOMPARE(result.json["composition"].get<std::string>(), "additive");
   }

@@ -8,6 +8,7 @@
 #include "core/dictionary/code_interpolation.h"
 #include "core/models/registry.h"
 #include "tests/support/code_files.h"
+#include "tests/support/table_file.h"
 #include "tests/support/test_program.h"
 
 namespace blend_source_test {
@@ -59,8 +60,8 @@ class BlendSourceTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    materials::writeMaterial(*lambert(0.2), path("dark.binary"));
-    materials::writeMaterial(*lambert(0.6), path("light.binary"));
+    test::writeTable(*lambert(0.2), path("dark.binary"));
+    test::writeTable(*lambert(0.6), path("light.binary"));
   }
 
   /// Read again, a blend is the sum that its weights say, and its hash is the one that was written.

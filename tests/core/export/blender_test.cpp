@@ -185,7 +185,7 @@ class BlenderTest : public QObject {
     QFETCH(QString, material);
     QFETCH(int, side);
     const materials::Material opened = materials::readMaterial("library:merl-copy/" + material.toStdString());
-    const auto made = exports::makeExport(*exports::findExportTarget("blender"), {.name = "test", .brdf = opened.brdf});
+    const auto made = exports::makeExport(*exports::findExportTarget("blender"), materials::unedited(opened));
     const std::string script(reinterpret_cast<const char*>(made.parts[0].bytes.data()), made.parts[0].bytes.size());
     constexpr int pictureSamples = 256;
     metrics::PicturePair found, expected;

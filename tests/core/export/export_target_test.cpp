@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/editing/edit.h"
-#include "core/export/export_origin.h"
 #include "core/models/registry.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -43,14 +42,15 @@ class ExportTargetTest : public QObject {
 
   /// Every target makes files of all its suffixes, and states their accuracy by what they show.
   void everyTargetExports() {
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05));
     for (const exports::ExportTarget& target : exports::exportTargets()) {
       const exports::ExportResult made = exports::makeExport(target, source, small());
       QVERIFY2(made.snr > 20, target.id.data());
       QCOMPARE(made.parts.size(), target.suffixes.size());
       for (std::size_t i = 0; i < made.parts.size(); ++i) QCOMPARE(made.parts[i].suffix, target.suffixes[i]);
       const DirectionPair pair{glm::normalize(Direction(0.3, 0.2, 1)), glm::normalize(Direction(-0.4, 0.1, 1))};
-      const double truth = source.brdf->evaluate(pair.wi, pair.wo).x, found = made.brdf->evaluate(pair.wi, pair.wo).x;
+      const double truth = source.shown.brdf->evaluate(pair.wi, pair.wo).x,
+                   found = made.brdf->evaluate(pair.wi, pair.wo).x;
       QVERIFY2(std::abs(found / truth - 1) < 0.25, target.id.data());
       QCOMPARE(exports::filesOf(made, "a/b").front().path, fs::path("a/b").concat(target.suffixes.front()));
     }
@@ -58,14 +58,15 @@ class ExportTargetTest : public QObject {
 
   /// All files but those of formats without a place for it: MERL's and UTIA's.
   void filesCarryTheirOrigin() {
-    const exports::ExportSource source{.name = "test",
-                                       .brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05),
-                                       .origin = "car, SHA-256 0badcafe. Edits: none"};
+    materials::EditedMaterial source = materials::unedited("test", test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05));
+    source.base.name = "car";
+    source.base.source = {.format = "MERL", .sha256 = "0badcafe"};
+    const std::string origin = "Source: car (MERL), SHA-256 0badcafe. Edits: none";
     for (const exports::ExportTarget& target : exports::exportTargets()) {
       if (target.id == "merl" || target.id == "merl-360" || target.id == "utia") continue;
       for (const exports::ExportPart& part : exports::makeExport(target, source, small()).parts) {
         const std::string_view text(reinterpret_cast<const char*>(part.bytes.data()), part.bytes.size());
-        QVERIFY2(text.find(source.origin) != std::string_view::npos, part.suffix.c_str());
+        QVERIFY2(text.find(origin) != std::string_view::npos, part.suffix.c_str());
         const bool approximates = target.id != "csv" && target.id != "slices";
         QVERIFY2(!approximates || text.find(" dB") != std::string_view::npos, part.suffix.c_str());
       }
@@ -73,7 +74,7 @@ class ExportTargetTest : public QObject {
   }
 
   void energyAboveOneIsAWarning() {
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(1.2), Rgb(0), 0.4, 0.05)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(1.2), Rgb(0), 0.4, 0.05));
     const exports::ExportResult made = exports::makeExport(*exports::findExportTarget("blender"), source, small());
     QCOMPARE(made.warnings.size(), std::size_t(1));
     QVERIFY(made.warnings.front().find("more light than it receives") != std::string::npos);

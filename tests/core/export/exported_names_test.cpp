@@ -16,7 +16,6 @@
 #include <algorithm>
 
 #include "core/export/blender_target.h"
-#include "core/export/export_origin.h"
 #include "core/export/export_report.h"
 #include "core/export/export_target.h"
 #include "core/export/glsl_target.h"
@@ -35,10 +34,10 @@
 namespace exported_names_test {
 using namespace gonio;
 using exports::ExportPart;
-using exports::ExportSource;
+using materials::EditedMaterial;
 
 /// The input of exports for which a material, its source and its edit have a name.
-ExportSource sourceNamed(const std::string& name) {
+EditedMaterial sourceNamed(const std::string& name) {
   const models::Model& model = models::findModel("lambert");
   const editing::EditList edits{
       {.content = editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.4)}}}, .name = name}};
@@ -46,21 +45,23 @@ ExportSource sourceNamed(const std::string& name) {
   base.name = name;
   base.source.format = "MERL";
   base.brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05);
-  return exports::exportSource(name, base, base.brdf, edits);
+  EditedMaterial edited = materials::unedited(base);
+  edited.edits = edits;
+  return edited;
 }
 
 /// The files of targets whose text does not depend on the work of an export.
-std::vector<ExportPart> textFiles(const ExportSource& source) {
+std::vector<ExportPart> textFiles(const EditedMaterial& source) {
   using namespace exports;
   const std::string origin = originText(source, 30);
   const ViewLobes viewLobes{.alphas = {0.1}, .thetas = {0}, .weights = {{Rgb(0.1)}, {Rgb(0.5)}}};
   const SurfaceValues values{.anisotropy = 0.5};
-  return {textPart("_blender.py", blenderScript(viewLobes, source.name, origin)),
-          textPart("_principled.py", principledScript(values, source.name, origin)),
-          textPart(".gltf", gltfDocument(values, source.name, origin)),
-          textPart(".mtlx", schlickLobesDocument({}, source.name, origin)),
-          textPart("_openpbr.mtlx", openPbrDocument(values, source.name, origin)),
-          textPart("_standard_surface.mtlx", standardSurfaceDocument(values, source.name, origin)),
+  return {textPart("_blender.py", blenderScript(viewLobes, materials::plainName(source), origin)),
+          textPart("_principled.py", principledScript(values, materials::plainName(source), origin)),
+          textPart(".gltf", gltfDocument(values, materials::plainName(source), origin)),
+          textPart(".mtlx", schlickLobesDocument({}, materials::plainName(source), origin)),
+          textPart("_openpbr.mtlx", openPbrDocument(values, materials::plainName(source), origin)),
+          textPart("_standard_surface.mtlx", standardSurfaceDocument(values, materials::plainName(source), origin)),
           textPart(".glsl", glslFunction({}, origin))};
 }
 
@@ -81,16 +82,17 @@ QByteArray bytesOf(const ExportPart& part) {
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
-QString jsonFault(const QByteArray& bytes, const ExportSource& source) {
+QString jsonFault(const QByteArray& bytes, const EditedMaterial& source) {
   QJsonParseError error;
   const QJsonDocument json = QJsonDocument::fromJson(bytes, &error);
   if (error.error != QJsonParseError::NoError) return error.errorString();
-  if (json["materials"][0]["name"].toString() != textOf(source.name)) return "other name";
-  return json["asset"]["extras"]["origin"].toString().startsWith(textOf(source.origin)) ? "" : "other origin";
+  if (json["materials"][0]["name"].toString() != textOf(materials::plainName(source))) return "other name";
+  return json["asset"]["extras"]["origin"].toString().startsWith(textOf(materials::originOf(source))) ? ""
+                                                                                                      : "other origin";
 }
 
 /// The names of the elements are those of a document without a special name, and one comment has the origin.
-QString xmlFault(const QByteArray& bytes, const ExportSource& source) {
+QString xmlFault(const QByteArray& bytes, const EditedMaterial& source) {
   QXmlStreamReader xml(bytes);
   int comments = 0, materials = 0;
   while (!xml.atEnd()) {
@@ -98,7 +100,8 @@ QString xmlFault(const QByteArray& bytes, const ExportSource& source) {
     if (xml.isComment()) {
       // Hyphens are not compared: comments do not contain two.
       const auto compared = [](QString text) { return text.remove('-').remove(' '); };
-      if (!compared(xml.text().toString()).startsWith(compared(textOf(source.origin)))) return "other comment";
+      if (!compared(xml.text().toString()).startsWith(compared(textOf(materials::originOf(source)))))
+        return "other comment";
       ++comments;
     }
     if (!xml.isStartElement()) continue;
@@ -111,7 +114,7 @@ QString xmlFault(const QByteArray& bytes, const ExportSource& source) {
 }
 
 /// The origin takes the first line, whatever separator a spreadsheet expects, and no cell is calculated.
-QString csvFault(const QByteArray& bytes, const ExportSource& source) {
+QString csvFault(const QByteArray& bytes, const EditedMaterial& source) {
   const std::string text = bytes.toStdString();
   if (!text.starts_with("# ")) return "no comment";
   for (const char separator : {',', ';', '\t'}) {
@@ -121,30 +124,32 @@ QString csvFault(const QByteArray& bytes, const ExportSource& source) {
   }
   const QString first = QString::fromUtf8(bytes).section('\n', 0, 0).mid(2);
   const auto compared = [](QString line) { return line.remove('\''); };
-  return compared(first).startsWith(compared(textOf(source.origin))) ? "" : "other comment";
+  return compared(first).startsWith(compared(textOf(materials::originOf(source)))) ? "" : "other comment";
 }
 
 /// The origin takes the first line, which no backslash continues.
-QString glslFault(const QByteArray& bytes, const ExportSource& source) {
+QString glslFault(const QByteArray& bytes, const EditedMaterial& source) {
   const QStringList lines = QString::fromUtf8(bytes).split('\n');
-  if (!lines[0].startsWith("// " + textOf(source.origin)) || lines[0].endsWith('\\')) return "other comment";
+  if (!lines[0].startsWith("// " + textOf(materials::originOf(source))) || lines[0].endsWith('\\'))
+    return "other comment";
   for (const QChar c : lines[0])
     if (!c.isPrint() && !c.isSpace() && c.category() != QChar::Other_Format && !c.isSurrogate()) return "control";
   return lines[1].startsWith("// GLSL 3.30") ? "" : "several lines";
 }
 
 /// What is wrong with a file; empty if nothing is. Scripts are not parsed here.
-QString fault(const ExportPart& part, const ExportSource& source) {
+QString fault(const ExportPart& part, const EditedMaterial& source) {
   const QByteArray bytes = bytesOf(part);
   const QString suffix = textOf(part.suffix);
   if (suffix.endsWith(".gltf")) return jsonFault(bytes, source);
   if (suffix.endsWith(".mtlx")) return xmlFault(bytes, source);
   if (suffix.endsWith(".csv")) return csvFault(bytes, source);
   if (suffix.endsWith(".glsl")) return glslFault(bytes, source);
-  if (suffix.endsWith(".exr")) return bytes.contains(QByteArray::fromStdString(source.origin)) ? "" : "other comment";
+  if (suffix.endsWith(".exr"))
+    return bytes.contains(QByteArray::fromStdString(materials::originOf(source))) ? "" : "other comment";
   if (suffix.endsWith(".bsdf")) {
     const std::string description = io::TensorFile(io::MemorySource(part.bytes)).text("description");
-    return description.starts_with(source.origin) ? "" : "other description";
+    return description.starts_with(materials::originOf(source)) ? "" : "other description";
   }
   if (suffix.endsWith(".binary") || suffix.endsWith(".bin")) return {};  // formats without text
   return "no parser for this format";
@@ -197,13 +202,13 @@ class ExportedNamesTest : public QObject {
     std::string all;
     for (const test::HostileName& name : test::hostileNames()) {
       all += name.text + ", ";
-      const ExportSource source = sourceNamed(name.text);
-      QCOMPARE(source.name, plainText(name.text));
+      const EditedMaterial source = sourceNamed(name.text);
+      QCOMPARE(materials::plainName(source), plainText(name.text));
       for (ExportPart& part : textFiles(source)) add(name.id, source, std::move(part));
       addScenes(name);
     }
     // All names at once, since an export takes its time.
-    const ExportSource source = sourceNamed(all);
+    const EditedMaterial source = sourceNamed(all);
     for (const exports::ExportTarget& target : exports::exportTargets()) {
       auto made = target.make(source, {.snr = 0, .size = {{8, 16}}, .pictureSize = 8, .samples = 4}, {});
       for (ExportPart& part : made.parts) add(target.id, source, std::move(part));
@@ -224,8 +229,8 @@ class ExportedNamesTest : public QObject {
     }
     const QJsonObject script = scriptOf(row);
     if (script.isEmpty()) QSKIP("python3 is not installed");
-    QCOMPARE(script["name"].toString(), textOf(source.name));
-    QVERIFY(script["origin"].toString().startsWith(textOf(source.origin)));
+    QCOMPARE(script["name"].toString(), textOf(materials::plainName(source)));
+    QVERIFY(script["origin"].toString().startsWith(textOf(materials::originOf(source))));
   }
 
   void scenesNameTheirFiles_data() {
@@ -277,7 +282,7 @@ class ExportedNamesTest : public QObject {
  private:
   struct File {
     QByteArray row;
-    ExportSource source;
+    EditedMaterial source;
     ExportPart part;
   };
   struct SceneFiles {
@@ -287,7 +292,7 @@ class ExportedNamesTest : public QObject {
     std::vector<ExportPart> parts;
   };
 
-  void add(std::string_view id, const ExportSource& source, ExportPart part) {
+  void add(std::string_view id, const EditedMaterial& source, ExportPart part) {
     const QByteArray row = QByteArray::fromStdString(std::string(id) + part.suffix);
     if (part.suffix.ends_with(".py")) writeScript(row, part);
     m_files.push_back({row, source, std::move(part)});

@@ -189,18 +189,18 @@ class SurfaceFilesTest : public QObject {
   }
   void tablesAreReadAgain() {
     QFETCH(QString, target);
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.5, 0.05)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.5, 0.05));
     const auto made = exports::makeExport(*exports::findExportTarget(target.toStdString()), source,
                                           {.snr = 20, .pictureSize = 16, .samples = 8});
     const auto read = materials::readMaterial(io::MemorySource(made.parts[0].bytes));
     const Direction wi = fromSpherical(0.6, 0.2), wo = fromSpherical(0.4, 2.9);
     const double stated = made.brdf->evaluate(wi, wo).x, found = read.brdf->evaluate(wi, wo).x;
     QVERIFY(std::abs(found / stated - 1) < 1e-5);
-    QVERIFY(std::abs(stated / source.brdf->evaluate(wi, wo).x - 1) < 0.1);
+    QVERIFY(std::abs(stated / source.shown.brdf->evaluate(wi, wo).x - 1) < 0.1);
   }
 
   void csvHasTheValues() {
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05));
     const auto made = exports::makeExport(*exports::findExportTarget("csv"), source);
     const auto& bytes = made.parts[0].bytes;
     const QStringList lines = QString::fromUtf8(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()))
@@ -210,13 +210,14 @@ class SurfaceFilesTest : public QObject {
     QCOMPARE(lines.size() - title - 1, 6 * 18 * 13);
     const QStringList row = lines[title + 1 + (2 * 18 + 3) * 13 + 12].split(',');
     QCOMPARE(row.mid(0, 4).join(' '), QString("30 0 15 180"));
-    const double expected = source.brdf->evaluate(fromSpherical(radians(30), 0), fromSpherical(radians(15), pi)).x;
+    const double expected =
+        source.shown.brdf->evaluate(fromSpherical(radians(30), 0), fromSpherical(radians(15), pi)).x;
     QVERIFY(std::abs(row[4].toDouble() / expected - 1) < 1e-5);
   }
 
   /// A pixel is the BRDF at its half vector and difference vector; below the horizon it is 0.
   void slicesHaveTheValues() {
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05));
     const auto made = exports::makeExport(*exports::findExportTarget("slices"), source);
     const Image image = io::decodeExr(made.parts[0].bytes);
     QCOMPARE(std::pair(image.width, image.height), std::pair(4 * 180, 180));
@@ -224,7 +225,7 @@ class SurfaceFilesTest : public QObject {
     for (const int column : columns) {
       const double u = (column % 180 + 0.5) / 180, thetaH = halfPi * u * u, thetaD = halfPi * 30.5 / 180;
       const DirectionPair pair = fromHalfDifference(thetaH, thetaD, radians(30.0 * (column / 180)));
-      const double expected = source.brdf->evaluate(pair.wi, pair.wo).x;
+      const double expected = source.shown.brdf->evaluate(pair.wi, pair.wo).x;
       QVERIFY(expected > 0 && std::abs(image.at(column, 180 - 31).x / expected - 1) < 1e-6);
     }
     QVERIFY(image.at(179, 0).x == 0);
@@ -232,7 +233,7 @@ class SurfaceFilesTest : public QObject {
 
   /// Three programs, each with all its inputs once.
   void valuesHaveTheNamesOfThePrograms() {
-    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.5), 0.3, 0.04)};
+    const auto source = materials::unedited("test", test::ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.5), 0.3, 0.04));
     const auto made = exports::makeExport(*exports::findExportTarget("values"), source,
                                           {.snr = 20, .pictureSize = 24, .samples = 16});
     const auto& bytes = made.parts[0].bytes;

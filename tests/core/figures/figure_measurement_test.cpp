@@ -17,6 +17,7 @@
 #include "core/study/accuracy_study.h"
 #include "tests/core/figures/small_figure.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/table_file.h"
 #include "tests/support/test_program.h"
 
 namespace figure_measurement_test {
@@ -32,7 +33,7 @@ FigureDescription quickFigure() {
   for (const auto& [name, roughness] : {std::pair{"chrome", 0.2}, {"rubber", 0.6}}) {
     const std::filesystem::path path = folder / (std::string(name) + ".binary");
     const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), roughness, 0.04), grid);
-    if (!std::filesystem::exists(path)) materials::writeMaterial(*table, path);
+    if (!std::filesystem::exists(path)) test::writeTable(*table, path);
   }
   figure.materials = {{(folder / "chrome.binary").string(), ""}, {(folder / "rubber.binary").string(), "blue rubber"}};
   return figure;

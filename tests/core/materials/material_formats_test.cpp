@@ -8,6 +8,7 @@
 #include "core/io/sha256.h"
 #include "core/io/text_lines.h"
 #include "core/materials/code_file.h"
+#include "core/materials/encode.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
 
@@ -22,6 +23,8 @@ Bytes fileOf(FormatId id) {
   switch (id) {
     case FormatId::merl:
       return fuzz::merlSeed();
+    case FormatId::merlCircle:
+      return fuzz::merlCircleSeed();
     case FormatId::rgl:
       return fuzz::rglSeed();
     case FormatId::utia:
@@ -64,7 +67,8 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(names.insert(format.name).second);
       for (const std::string_view suffix : format.suffixes)
         // RGL and the two formats of optical design programs share one.
-        QVERIFY(suffix.starts_with('.') && (suffixes.insert(suffix).second || suffix == ".bsdf"));
+        QVERIFY(suffix.starts_with('.') &&
+                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary"));
     }
     QCOMPARE(names.size(), std::size_t(11));
   }
@@ -121,18 +125,22 @@ class MaterialFormatsTest : public QObject {
     QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
              std::string(".binary, .bsdf, .bin, .exr, .astm, .txt, .dat, .pdv, .code or .nbrdf"));
     QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf, .bin and .exr"));
-    QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
+    QCOMPARE(materials::writableSuffixText(), std::string(".binary, .bsdf or .bin"));
+    QCOMPARE(materials::writableSuffixText(".gonio"), std::string(".binary, .bsdf, .bin or .gonio"));
   }
 
   void writtenByTheSuffix() {
     for (const HalfDifferenceGrid& grid : {HalfDifferenceGrid{2, 3, 4, true}, HalfDifferenceGrid{2, 3, 12, false}}) {
       const auto path = outputPath("materials/written.Binary");
-      materials::writeMaterial(*greyTable(grid), path);
+      materials::writeMaterial(materials::unedited("grey", greyTable(grid)), path);
       QVERIFY(materials::readMaterial(path).table->grid() == grid);
     }
-    for (const char* name : {"x.bsdf", "x.pdv", "x.png", "x"}) {
-      const std::string error = errorOf([&] { materials::writeMaterial(*greyTable({2, 3, 4, true}), name); });
-      QVERIFY2(error.starts_with(std::string(name) + ": found the suffix '") && error.ends_with("', expected .binary"),
+    for (const char* name : {"x.exr", "x.pdv", "x.png", "x"}) {
+      const std::string error = errorOf([&] {
+        materials::writeMaterial(materials::unedited("grey", greyTable({2, 3, 4, true})), name);
+      });
+      QVERIFY2(error.starts_with(std::string(name) + ": found the suffix '") &&
+                   error.ends_with("', expected .binary, .bsdf or .bin"),
                error.c_str());
     }
   }
@@ -150,13 +158,13 @@ class MaterialFormatsTest : public QObject {
     QCOMPARE(material.source.grid, (std::vector<int>{2, 3, 4}));
     QCOMPARE(material.source.notes.size(), std::size_t(1));
     QVERIFY(material.tabulated() == material.table);
-    materials::writeMaterial(material, copy);
+    materials::writeMaterial(materials::unedited(material), copy);
     QCOMPARE(readFile(copy), bytes);
 
     Bytes changed = bytes;
     changed.back() ^= std::byte(1);
     writeFile("materials/source.binary", changed);
-    QVERIFY(contains(errorOf([&] { materials::writeMaterial(material, copy); }), "source.binary"));
+    QVERIFY(contains(errorOf([&] { materials::writeMaterial(materials::unedited(material), copy); }), "source.binary"));
     QCOMPARE(readFile(copy), bytes);
   }
 

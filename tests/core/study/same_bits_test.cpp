@@ -11,13 +11,13 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/dictionary/encode.h"
 #include "core/dictionary/training.h"
-#include "core/export/rgl_export.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit.h"
 #include "core/io/byte_source.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/dictionary_file.h"
+#include "core/materials/encode.h"
 #include "core/materials/pdv_file.h"
 #include "core/math/parallel.h"
 #include "core/rendering/render_picture.h"
@@ -95,10 +95,8 @@ class Results {
   }
   Bytes baked() const { return bytesOf(bakeTable(*brdf_, large_->grid())->values()); }
   Bytes exported() const {
-    exports::RglOptions options;
-    options.fixed = {5, 12};
-    options.pictureSize = options.samples = 16;
-    return exports::exportRgl({.name = "same", .brdf = brdf_}, options).rgb;
+    const materials::EncodeOptions options{.size = {{5, 12}}, .pictureSize = 16, .samples = 16};
+    return materials::encodeRgl(materials::unedited("same", brdf_), options).rgb;
   }
 
  private:

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/encode.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/brdf/utia_brdf.h"
+#include "core/coordinates/grid_directions.h"
+#include "core/io/utia_file.h"
+#include "core/models/registry.h"
+#include "tests/core/io/instrument_files.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+/// The tests run over the rows of the table of formats: a format that is written is tested without a new line.
+namespace encode_test {
+using namespace gonio;
+using materials::EditedMaterial;
+using materials::Encoded;
+using materials::FormatId;
+using materials::MaterialFormat;
+
+constexpr materials::EncodeOptions small{.snr = 30, .pictureSize = 32, .samples = 16};
+
+std::vector<const MaterialFormat*> written() {
+  std::vector<const MaterialFormat*> formats;
+  for (const MaterialFormat& format : materials::materialFormats())
+    if (format.encode) formats.push_back(&format);
+  return formats;
+}
+
+/// Reciprocal and smooth, so that every format holds it well.
+EditedMaterial glossy() { return materials::unedited("glossy", test::ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.5), 0.5, 0.04)); }
+
+/// Neither reciprocal nor isotropic, with colours outside sRGB.
+Rgb grained(const Direction& wi, const Direction& wo) {
+  return {0.2 + 0.1 * wi.x * wi.x, 0.3 + 0.2 * wo.z, 0.1 * wi.z - 0.05};
+}
+EditedMaterial difficult() {
+  return materials::unedited("grained", std::make_shared<test::FunctionBrdf>(grained, false, false));
+}
+
+materials::Material utia() {
+  materials::Material material{.name = "cloth"};
+  material.source.format = "UTIA";
+  material.source.path = "cloth.exr";
+  const test::Bytes bytes = test::utiaFile(
+      test::utiaValues([](const Direction& wi, const Direction& wo) { return glm::max(Rgb(0), grained(wi, wo)); }));
+  material.brdf = io::readUtia(io::MemorySource(bytes));
+  return material;
+}
+
+/// An edit of the colours alone, which keeps no value.
+editing::EditList tinted() {
+  const models::Model& lambert = models::findModel("lambert");
+  editing::DifferentialEdit change{&lambert, models::defaultParameters(lambert.spec()),
+                                   models::defaultParameters(lambert.spec())};
+  change.controls.values[std::size_t(editing::ArtistControl::tint)] = Rgb(0.5, 1, 2);
+  return {editing::Edit{change}};
+}
+
+/// BRDF SNR of a file over the nodes of the MERL grid, by a loop of its own: each pair as it is, and with light and
+/// viewer exchanged where one of the two is not reciprocal.
+double brdfSnrOf(const Brdf& material, const Brdf& file) {
+  const bool reciprocal = material.isReciprocal() && file.isReciprocal();
+  const bool isotropic = material.isIsotropic() && file.isIsotropic();
+  const HalfDifferenceGrid grid{.phiDCount = reciprocal ? 180 : 360, .reciprocal = reciprocal};
+  const GridDirections directions(grid);
+  double energy = 0, error = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const GridDirections::Node node = directions.at(i);
+    if (!node.aboveHorizon) continue;
+    DirectionPair pair = node.pair;
+    if (!isotropic) {
+      const double turn = 2 * pi * double(i) * (std::sqrt(5.0) - 1) / 2, c = std::cos(turn), s = std::sin(turn);
+      for (Direction* w : {&pair.wi, &pair.wo}) *w = {c * w->x - s * w->y, s * w->x + c * w->y, w->z};
+    }
+    const double cosines = pair.wi.z * pair.wo.z;
+    const Rgb truth = material.evaluate(pair.wi, pair.wo) * cosines;
+    const Rgb difference = file.evaluate(pair.wi, pair.wo) * cosines - truth;
+    energy += glm::dot(truth, truth);
+    error += glm::dot(difference, difference);
+  }
+  return 10 * std::log10(energy / error);
+}
+
+class EncodeTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// A reader of the bytes gets what encode() says that it gets; written again, nothing is lost any more.
+  void readersGetWhatIsStated() {
+    for (const MaterialFormat* format : written()) {
+      const Encoded made = materials::encode(glossy(), *format, small);
+      const materials::Material again = materials::readMaterial(io::MemorySource(made.bytes));
+      QCOMPARE(again.source.format, std::string(format->name));
+      std::mt19937_64 random(3);
+      for (int i = 0; i < 2000; ++i) {
+        const DirectionPair pair{test::randomUpper(random), test::randomUpper(random)};
+        const Rgb found = again.brdf->evaluate(pair.wi, pair.wo), stated = made.readBack->evaluate(pair.wi, pair.wo);
+        for (int c = 0; c < 3; ++c)
+          QVERIFY2(std::abs(found[c] - stated[c]) <= 1e-5 * std::abs(stated[c]) + 1e-9, format->label.data());
+      }
+      QVERIFY2(made.snr > 20 && made.brdfSnr > 20 && !made.losses.empty(), format->label.data());
+      const Encoded copy = materials::encode(materials::unedited(again), *format, small);
+      QVERIFY2(std::isinf(copy.snr) && std::isinf(copy.brdfSnr) && copy.losses.empty(), format->label.data());
+      QVERIFY2(copy.bytes == made.bytes || format->id == FormatId::rgl, format->label.data());
+    }
+  }
+
+  /// The stated BRDF SNR is that of a loop over the stated cells.
+  void theStatedAccuracyIsThatOfTheFile() {
+    for (const MaterialFormat* format : written())
+      for (const EditedMaterial& material : {glossy(), difficult()}) {
+        const Encoded made = materials::encode(material, *format, small);
+        const double expected = brdfSnrOf(*material.shown.brdf, *made.readBack);
+        QVERIFY2(std::abs(made.brdfSnr - expected) < 0.01,
+                 qPrintable(QString("%1: %2, expected %3").arg(format->label.data()).arg(made.brdfSnr).arg(expected)));
+      }
+  }
+
+  /// What a row cannot hold is a loss of every file of such a material.
+  void whatAFormatCannotHoldIsALoss() {
+    for (const MaterialFormat* format : written()) {
+      const std::vector<std::string> losses = materials::encode(difficult(), *format, small).losses;
+      const auto states = [&](const char* word) {
+        return std::ranges::any_of(losses, [&](const std::string& loss) { return loss.find(word) != loss.npos; });
+      };
+      QCOMPARE(states("anisotropic"), !format->holds.anisotropic);
+      QCOMPARE(states("not reciprocal"), !format->holds.nonReciprocal);
+      QCOMPARE(states("negative"), format->id != FormatId::rgl);
+    }
+  }
+
+  void formatsThatAreOnlyReadAreRefused() {
+    for (const MaterialFormat& format : materials::materialFormats()) {
+      if (format.encode) continue;
+      const std::string error = test::errorOf([&] { materials::encode(glossy(), format, small); });
+      QVERIFY2(error.find("only read") != error.npos, error.c_str());
+    }
+    for (const char* name : {"a.BINARY", "a.Bsdf", "a.bin"}) materials::checkWritableSuffix(name);
+    for (const char* name : {"a.exr", "a.txt", "a"}) {
+      const std::string error = test::errorOf([&] { materials::writeMaterial(glossy(), name, small); });
+      QVERIFY2(error.starts_with(std::string(name) + ": found the suffix"), error.c_str());
+    }
+  }
+
+  void theFormatThatKeepsMostComesFirst() {
+    const auto first = [](const Brdf& brdf) { return materials::writableFormats(brdf).front()->id; };
+    QVERIFY(first(*utia().brdf) == FormatId::utia);
+    QVERIFY(first(*materials::readMaterial("library:rgl/paper_blue").brdf) == FormatId::rgl);
+    const auto table = bakeTable(*glossy().shown.brdf);
+    QVERIFY(first(*table) == FormatId::merl);
+    const HalfDifferenceGrid circle{.thetaHCount = 6, .thetaDCount = 6, .phiDCount = 24, .reciprocal = false};
+    const auto whole = bakeTable(*glossy().shown.brdf, circle);
+    QVERIFY(first(*whole) == FormatId::merlCircle);
+    QVERIFY(materials::writableFormat("a.binary", *whole).id == FormatId::merlCircle);
+    QVERIFY(materials::writableFormat("a.binary", *table).id == FormatId::merl);
+    QVERIFY(materials::writableFormat("a.binary", *table, {.grid = circle}).id == FormatId::merlCircle);
+  }
+
+  /// Each node of a UTIA file has its own value or the edited one, exactly: the values are not interpolated.
+  void nodesOfUtiaFilesStay() {
+    const materials::Material base = utia();
+    const auto& values = *dynamic_cast<const UtiaBrdf&>(*base.brdf).values();
+    const auto valuesOf = [](const EditedMaterial& material) {
+      const Encoded made = materials::encode(material, materials::formatOf(FormatId::utia), small);
+      return *io::readUtia(io::MemorySource(made.bytes))->values();
+    };
+    EditedMaterial edited = materials::unedited(base);
+    QVERIFY(valuesOf(edited) == values);
+    edited.shown.brdf = std::make_shared<test::FunctionBrdf>(
+        [&base](const Direction& wi, const Direction& wo) {
+          return base.brdf->evaluate(wi, wo) * (wo.y < 0 ? 0.5 : 1.0);
+        },
+        false, false);
+    const auto after = valuesOf(edited);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Direction viewer = test::utiaDirection(i / UtiaBrdf::directionCount);
+      const float factor = viewer.y < 0 ? 0.5f : 1;
+      for (int c = 0; c < 3; ++c)
+        QVERIFY(std::abs(after[i][c] - factor * values[i][c]) < (factor == 1 ? 1e-30f : 1e-6f));
+    }
+  }
+
+  /// Edits of the colours keep the nodes of an RGL file; a table is edited cell by cell.
+  void editsKeepTheForm() {
+    EditedMaterial paper = materials::unedited(materials::readMaterial("library:rgl/paper_blue"));
+    paper.edits = tinted();
+    paper.shown = materials::withEdits(paper.base, paper.edits);
+    const Encoded made = materials::encode(paper, materials::formatOf(FormatId::rgl), small);
+    QVERIFY2(made.losses.empty() && made.snr > 45, qPrintable(QString::number(made.snr)));
+    const RglData& before = paper.base.brdf->asRgl()->tables()->data;
+    const auto again = materials::readMaterial(io::MemorySource(made.bytes));
+    const RglData& after = again.brdf->asRgl()->tables()->data;
+    QVERIFY(after.incident.thetas() == before.incident.thetas() && after.ndf.values == before.ndf.values);
+
+    const HalfDifferenceGrid grid{.thetaHCount = 12, .thetaDCount = 12, .phiDCount = 24};
+    EditedMaterial table = materials::unedited("table", bakeTable(*glossy().shown.brdf, grid));
+    table.edits = tinted();
+    table.shown = materials::withEdits(table.base, table.edits);
+    const Encoded cells = materials::encode(table, materials::formatOf(FormatId::merl), small);
+    QVERIFY(cells.losses.empty() && std::isinf(cells.snr));
+    const auto read = materials::readMaterial(io::MemorySource(cells.bytes));
+    QVERIFY(std::ranges::equal(read.table->values(), table.shown.table->values()));
+  }
+
+  void aMissedSnrSaysWhatWouldHelp() {
+    const Encoded exact{}, poor{.snr = 12.34};
+    const MaterialFormat &merl = materials::formatOf(FormatId::merl), &rgl = materials::formatOf(FormatId::rgl);
+    QCOMPARE(materials::shortfall(exact, merl, {}), std::string());
+    const std::string text = materials::shortfall(poor, merl, {});
+    QVERIFY2(text.find("12.3 dB") != text.npos && text.find(".bsdf") != text.npos, text.c_str());
+    QVERIFY(materials::shortfall(poor, rgl, {}).find(".bsdf") == std::string::npos);
+  }
+};
+
+GONIO_TEST(EncodeTest)
+
+}  // namespace encode_test
+
+#include "encode_test.moc"
