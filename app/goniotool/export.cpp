@@ -130,7 +130,7 @@ void addExport(CLI::App& app, Tool& tool) {
       ->required()
       ->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0.0, 100.0));
-  command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (128)")
+  command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command
       ->add_option("--theta-count", options->thetaCount,

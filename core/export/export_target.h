@@ -18,7 +18,7 @@ namespace gonio::exports {
 struct ExportOptions {
   double snr = 40;                        ///< rendered SNR in comparisonScene() that the files should reach, dB
   std::optional<rgl::RglSize> size = {};  ///< of `.bsdf` files; empty: the smallest size that reaches the SNR
-  int pictureSize = 128, samples = 64;    ///< of the pictures that measure the SNR
+  int pictureSize = 128, samples = 32;    ///< of the pictures that measure the SNR
 };
 
 /// A number or property that only some targets report.

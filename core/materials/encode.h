@@ -16,7 +16,7 @@ struct EncodeOptions {
   std::optional<rgl::RglSize> size = {};        ///< of `.bsdf` files; empty: the smallest that reaches the SNR
   std::optional<HalfDifferenceGrid> grid = {};  ///< of MERL files of materials that are not such tables; empty: the
                                                 ///< usual one
-  int pictureSize = 128, samples = 64;          ///< of the pictures that measure the SNR
+  int pictureSize = 128, samples = 32;          ///< of the pictures that measure the SNR
 };
 
 /// A file in memory, and what it lost.

@@ -9,6 +9,7 @@
 
 #include "core/io/rgl_file.h"
 #include "core/math/parallel.h"
+#include "core/rgl/rgb_spectra.h"
 #include "core/rgl/rgl_fields.h"
 
 namespace gonio::rgl {
@@ -23,9 +24,11 @@ constexpr double densityFloor = 0.02;
 /// More angles and more nodes are tried in turn: what a mirror-like material lacks is angles, what a rough one with
 /// noise lacks is nodes.
 constexpr std::size_t angleCounts[] = {8, 16, 24, 32, 40, 48, 64, 96}, nodeCounts[] = {32, 40, 48, 64, 80, 108};
-/// Steps without a gain, after which something else limits the SNR.
-constexpr int maxWithoutGain = 3;
+/// Steps without a gain, after which only the largest sizes are tried.
+constexpr int maxWithoutGain = 2;
 constexpr double leastGain = 0.1;  // dB
+/// What the largest files must gain over one that reaches the SNR without the margin.
+constexpr double worthMore = 1;  // dB
 
 /// What may be written: its values, and what they are worth.
 struct Candidate {
@@ -80,6 +83,18 @@ std::vector<RglSize> largerThan(const RglSize& size, const RglLayout& layout, st
   };
   add(angleCounts, &RglSize::thetaCount);
   add(nodeCounts, &RglSize::size);
+  return result;
+}
+
+/// For each number of angles the most nodes that the limit permits, where no larger number of angles has as many.
+std::vector<RglSize> largestSizes(const RglLayout& layout, std::uint64_t maxBytes) {
+  std::vector<RglSize> result;
+  for (auto angles = std::rbegin(angleCounts); angles != std::rend(angleCounts); ++angles)
+    for (auto nodes = std::rbegin(nodeCounts); nodes != std::rend(nodeCounts); ++nodes)
+      if (const RglSize size{*angles, *nodes}; rglBytes(layout, size) <= maxBytes) {
+        if (result.empty() || size.size > result.back().size) result.push_back(size);
+        break;
+      }
   return result;
 }
 
@@ -202,7 +217,11 @@ class Encoder {
       current = std::move(*better);
     }
     if (own && !done) consider(*own);
-    return std::move(enough_ ? *enough_ : reached_ ? *reached_ : *best_);
+    if (!enough_ && !options_.size)
+      for (const RglSize& size : largestSizes(layout, options_.maxBytes))
+        if (consider(made(size, 0.97, 1))) break;
+    if (enough_) return std::move(*enough_);
+    return std::move(reached_ && best_->snr < reached_->snr + worthMore ? *reached_ : *best_);
   }
 
   Candidate newNodes(const RglLayout& layout, std::span<const double> angles, std::size_t size,

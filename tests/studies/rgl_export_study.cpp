@@ -66,7 +66,7 @@ int study(int argumentCount, char** arguments) {
   const bool copies = names.empty();
   if (copies)
     for (const materials::LibraryEntry& entry : materials::bundledLibrary())
-      if (entry.id.starts_with("merl-copy/")) names.push_back("library:" + entry.id);
+      if (entry.origin == materials::LibraryOrigin::nearMeasured) names.push_back("library:" + entry.id);
   const models::Model& model = models::findModel("ggx");
   Tally tally;
   std::printf(
