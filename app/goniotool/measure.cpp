@@ -6,8 +6,8 @@
 #include "app/goniotool/measure_factors.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
+#include "core/acquisition/plan_file.h"
+#include "core/acquisition/values_file.h"
 
 namespace gonio::tool {
 
@@ -20,11 +20,11 @@ struct MeasureArguments {
 };
 
 int measure(MeasureArguments options, const Tool& tool) {
-  const acquisition::SamplingPlan plan = materials::readPlan(options.plan);
+  const acquisition::SamplingPlan plan = acquisition::readPlan(options.plan);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   options.noise.misalignment = radians(options.misalignmentDegrees);
   const acquisition::MeasuredValues values = acquisition::measure(*material.brdf, plan, options.noise);
-  materials::writeValues(plan, values, options.out);
+  acquisition::writeValues(plan, values, options.out);
   print(tool, {{"samples", values.rgb.size()}, {"out", options.out}},
         options.out + ": " + std::to_string(values.rgb.size()) + " samples of " + material.name + "\n");
   return 0;

@@ -8,7 +8,7 @@
 #include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 
@@ -28,10 +28,10 @@ FactorPlan planOf(const MeasureFactorsArguments& options) {
 }
 
 /// From the file, or of the material.
-materials::FactorReadings readingsOf(const MeasureFactorsArguments& options,
-                                     const std::optional<materials::Material>& material) {
-  if (!options.values.empty()) return materials::readFactorReadings(options.values, factorAxesNamed(options.axes));
-  materials::FactorReadings readings{.plan = planOf(options), .values = {}};
+acquisition::FactorReadings readingsOf(const MeasureFactorsArguments& options,
+                                       const std::optional<materials::Material>& material) {
+  if (!options.values.empty()) return acquisition::readFactorReadings(options.values, factorAxesNamed(options.axes));
+  acquisition::FactorReadings readings{.plan = planOf(options), .values = {}};
   readings.values = measure(*material->brdf, readings.plan.plan, options.noise);
   return readings;
 }
@@ -41,7 +41,7 @@ int writeDirections(const MeasureFactorsArguments& options, const Tool& tool) {
   if (options.out.empty()) throw UsageError("measure: --factors needs at least one of MATERIAL, --values and --out");
   if (!options.predict.empty()) throw UsageError("measure: --predict needs MATERIAL or --values");
   const FactorPlan plan = planOf(options);
-  materials::writeFactorReadings(plan, {}, options.out);
+  acquisition::writeFactorReadings(plan, {}, options.out);
   print(tool,
         {{"axes", options.axes}, {"samples", plan.curves.size()}, {"blocked", plan.blocked}, {"out", options.out}},
         options.out + ": " + std::to_string(plan.curves.size()) + " directions to measure; add the columns r, g, b\n");
@@ -96,7 +96,7 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   if (options.material.empty() && options.values.empty()) return writeDirections(options, tool);
   std::optional<materials::Material> material;
   if (!options.material.empty()) material = openMaterial(options.material, tool.control("reading"));
-  const materials::FactorReadings readings = readingsOf(options, material);
+  const acquisition::FactorReadings readings = readingsOf(options, material);
   const FactorMeasurement curves = factorMeasurement(readings.plan, readings.values);
   const FactorSupport support = supportOf(curves);
   const auto predicted = predictFromFactors(curves, factorBoundNamed(options.bound));
@@ -126,7 +126,7 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   for (const std::string& warning : support.warnings) text += "warning: " + warning + "\n";
   // Files last: an interrupted command leaves none.
   if (!options.out.empty()) {
-    materials::writeFactorReadings(readings.plan, readings.values, options.out);
+    acquisition::writeFactorReadings(readings.plan, readings.values, options.out);
     json["out"] = options.out;
   }
   if (writePrediction) writePrediction();

@@ -10,10 +10,10 @@
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
-#include "core/materials/plan_file.h"
 
 namespace gonio::tool {
 
@@ -121,7 +121,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   materials::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
                         options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half);
   plan.basisDigest = basisDigest(basisPath);
-  materials::writePlan(
+  acquisition::writePlan(
       plan, options.out,
       {"training set: " + std::to_string(basis->learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; for isotropic materials only phi_o - phi_i matters"});

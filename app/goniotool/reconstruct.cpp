@@ -8,10 +8,10 @@
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
+#include "core/acquisition/values_file.h"
 #include "core/brdf/log_relative.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -140,8 +140,8 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary needs --method dictionaries");
   if (!options.uncertainty.empty()) materials::checkWritableSuffix(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
-  const SamplingPlan plan = materials::readPlan(options.plan);
-  const MeasuredValues values = materials::readValues(options.values, plan);
+  const SamplingPlan plan = acquisition::readPlan(options.plan);
+  const MeasuredValues values = acquisition::readValues(options.values, plan);
   double trainingSeconds = 0;
   const auto basis = basisOf(options, plan, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();

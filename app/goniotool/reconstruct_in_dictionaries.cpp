@@ -7,10 +7,10 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/dictionary_reconstruction.h"
+#include "core/acquisition/plan_file.h"
+#include "core/acquisition/values_file.h"
 #include "core/documents/training_files.h"
 #include "core/materials/dictionary_file.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -24,8 +24,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, const Tool& tool) {
   if (request.train.empty()) throw UsageError("reconstruct: --method dictionaries needs a training set (--train)");
-  const acquisition::SamplingPlan plan = materials::readPlan(request.plan);
-  const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
+  const acquisition::SamplingPlan plan = acquisition::readPlan(request.plan);
+  const acquisition::MeasuredValues values = acquisition::readValues(request.values, plan);
   const auto dictionary =
       request.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(request.dictionary);
   const auto materials =

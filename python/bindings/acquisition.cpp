@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
+#include "core/acquisition/values_file.h"
 #include "core/documents/training_files.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/bundled_basis.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 #include "python/bindings/representations.h"
 
 namespace gonio::python {
@@ -236,17 +236,17 @@ void bindAcquisition(py::module_& module) {
       .def_property_readonly("directions", directionsOf)
       .def_property_readonly("order", [](const SamplingPlan& plan) { return plan.measurementOrder(); })
       .def_readonly("method", &SamplingPlan::method)
-      .def("save", [](const SamplingPlan& plan, const std::string& path) { materials::writePlan(plan, path); })
+      .def("save", [](const SamplingPlan& plan, const std::string& path) { acquisition::writePlan(plan, path); })
       .def("save_values", [](const SamplingPlan& plan, const Vectors& rgb, const py::object& noise,
-                             const std::string& path) { materials::writeValues(plan, valuesOf(rgb, noise), path); })
+                             const std::string& path) { acquisition::writeValues(plan, valuesOf(rgb, noise), path); })
       .def("read_values", [](const SamplingPlan& plan, const std::string& path) {
-        const MeasuredValues values = materials::readValues(path, plan);
+        const MeasuredValues values = acquisition::readValues(path, plan);
         return py::make_tuple(toArray(values.rgb),
                               values.noise.empty() ? py::object(py::none()) : py::object(toArray(values.noise)));
       });
   module.def("plan", plan);
   module.def("plan_of", planOf);
-  module.def("read_plan", [](const std::string& path) { return materials::readPlan(path); });
+  module.def("read_plan", [](const std::string& path) { return acquisition::readPlan(path); });
   module.def("measure", measure);
   module.def("reconstruct", reconstruct);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/acquisition/factor_prediction.h"
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 #include "python/bindings/materials.h"
 
 namespace gonio::python {
@@ -79,11 +79,11 @@ void writeReadings(const SamplingPlan& plan, const std::string& axes, const std:
   const MeasuredValues values = readingsOf(rgb, noise);
   if (values.rgb.size() != factorPlan.curves.size())
     throw Error("values: expected one row for each direction of the plan");
-  materials::writeFactorReadings(factorPlan, values, path);
+  acquisition::writeFactorReadings(factorPlan, values, path);
 }
 
 py::tuple readReadings(const std::string& path, const std::string& axes) {
-  const materials::FactorReadings readings = materials::readFactorReadings(path, factorAxesNamed(axes));
+  const acquisition::FactorReadings readings = acquisition::readFactorReadings(path, factorAxesNamed(axes));
   const MeasuredValues& values = readings.values;
   return py::make_tuple(planParts(readings.plan), toArray(values.rgb),
                         values.noise.empty() ? py::object(py::none()) : py::object(toArray(values.noise)));

@@ -8,6 +8,9 @@
 #include <string_view>
 
 #include "core/acquisition/factor_prediction.h"
+#include "core/acquisition/factor_readings_file.h"
+#include "core/acquisition/plan_file.h"
+#include "core/acquisition/values_file.h"
 #include "core/documents/edit_document.h"
 #include "core/figures/figure_description.h"
 #include "core/geometry/mesh_intersector.h"
@@ -21,13 +24,10 @@
 #include "core/io/ply_file.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
-#include "core/materials/factor_readings_file.h"
 #include "core/materials/material.h"
 #include "core/materials/neural_file.h"
 #include "core/materials/npf_file.h"
 #include "core/materials/pdv_file.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
 
@@ -91,9 +91,9 @@ inline void readNpfBytes(std::span<const std::byte> bytes) {
 inline void readFactorReadingsBytes(std::span<const std::byte> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   for (const auto axes : {acquisition::FactorAxes::symmetricDeviation, acquisition::FactorAxes::halfOut}) {
-    const materials::FactorReadings readings = materials::parseFactorReadings(text, axes);
+    const acquisition::FactorReadings readings = acquisition::parseFactorReadings(text, axes);
     const auto again =
-        materials::parseFactorReadings(materials::factorReadingsCsv(readings.plan, readings.values), axes);
+        acquisition::parseFactorReadings(acquisition::factorReadingsCsv(readings.plan, readings.values), axes);
     if (again.values.rgb != readings.values.rgb || again.plan.curves != readings.plan.curves)
       throw std::logic_error("readings that are lost in their file");
     const acquisition::FactorMeasurement curves = acquisition::factorMeasurement(readings.plan, readings.values);
@@ -123,8 +123,8 @@ inline std::string_view textOf(std::span<const std::byte> bytes) {
 
 /// What was read stands above the horizon and is the same when it is written and read again, to its six decimals.
 inline void readPlanBytes(std::span<const std::byte> bytes) {
-  const acquisition::SamplingPlan plan = materials::parsePlan(textOf(bytes));
-  const acquisition::SamplingPlan again = materials::parsePlan(materials::planCsv(plan));
+  const acquisition::SamplingPlan plan = acquisition::parsePlan(textOf(bytes));
+  const acquisition::SamplingPlan again = acquisition::parsePlan(acquisition::planCsv(plan));
   for (std::size_t i = 0; i < plan.samples.size(); ++i) {
     const DirectionPair &pair = plan.samples[i].directions, &other = again.samples[i].directions;
     if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) throw std::logic_error("a direction below the horizon");
@@ -136,7 +136,7 @@ inline void readPlanBytes(std::span<const std::byte> bytes) {
 inline void readValuesBytes(std::span<const std::byte> bytes) {
   acquisition::SamplingPlan plan;
   for (const int index : {1, 2, 3}) plan.samples.push_back({index, {}, index});
-  const acquisition::MeasuredValues values = materials::parseValues(textOf(bytes), plan);
+  const acquisition::MeasuredValues values = acquisition::parseValues(textOf(bytes), plan);
   if (values.rgb.size() != 3 || (!values.noise.empty() && values.noise.size() != 3))
     throw std::logic_error("not one value per sample");
   for (const auto* list : {&values.rgb, &values.noise})

@@ -14,11 +14,11 @@
 #include <sstream>
 
 #include "core/acquisition/dictionary_reconstruction.h"
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
-#include "core/materials/plan_file.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
 #include "tests/studies/study_program.h"
@@ -102,7 +102,7 @@ int run(int count, char** arguments) {
     const RenderedComparison comparison(*table, {.width = 128, .height = 128, .samples = 16});
     const auto score = [&](const Brdf& found) { return comparison.signalToNoiseRatio(comparison.render(found)); };
     for (const fs::path& path : options.plans) {
-      const SamplingPlan plan = materials::readPlan(path);
+      const SamplingPlan plan = acquisition::readPlan(path);
       const auto basis = materials::readBasis(fs::path(path).replace_extension(".basis"));
       const MeasuredValues values = measure(*table, plan);
       const auto ridge = reconstruct(basis->components, plan, values,

@@ -10,11 +10,11 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/brdf/log_relative.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/material.h"
-#include "core/materials/plan_file.h"
 #include "core/support/error.h"
 #include "tests/studies/study_program.h"
 
@@ -70,7 +70,7 @@ Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPl
 
 int run(int count, char** arguments) {
   if (count < 3) throw Error("gonio_studies uncertainty PLAN.csv MATERIAL...");
-  const SamplingPlan plan = materials::readPlan(arguments[1]);
+  const SamplingPlan plan = acquisition::readPlan(arguments[1]);
   const auto basis = materials::readBasis(std::filesystem::path(arguments[1]).replace_extension(".basis"));
   std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
   for (int i = 2; i < count; ++i) tables.push_back(materials::readMaterial(arguments[i]).tabulated());

@@ -5,8 +5,8 @@
 #include <QComboBox>
 #include <QFileDialog>
 
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
+#include "core/acquisition/plan_file.h"
+#include "core/acquisition/values_file.h"
 #include "widgets/inputs/dialog_folder.h"
 
 namespace gonio::app {
@@ -32,12 +32,12 @@ std::vector<std::string> AcquisitionFiles::planComments() const {
 }
 
 QString AcquisitionFiles::planText() const {
-  return QString::fromStdString(materials::planCsv(m_session.planner().samplingPlan(), planComments()));
+  return QString::fromStdString(acquisition::planCsv(m_session.planner().samplingPlan(), planComments()));
 }
 
 void AcquisitionFiles::savePlan(const QString& path) {
   try {
-    materials::writePlan(m_session.planner().samplingPlan(), path.toStdString(), planComments());
+    acquisition::writePlan(m_session.planner().samplingPlan(), path.toStdString(), planComments());
     Q_EMIT exported(path);
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot save the plan"), QString::fromUtf8(error.what()));
@@ -46,7 +46,7 @@ void AcquisitionFiles::savePlan(const QString& path) {
 
 void AcquisitionFiles::readPlan(const QString& path) {
   try {
-    const acquisition::SamplingPlan plan = materials::readPlan(path.toStdString());
+    const acquisition::SamplingPlan plan = acquisition::readPlan(path.toStdString());
     m_source.takeOpenMaterial();
     m_controls.directions().setSamples(int(plan.samples.size()));
     m_session.plan(m_controls.planSettings(), plan);
@@ -58,7 +58,7 @@ void AcquisitionFiles::readPlan(const QString& path) {
 void AcquisitionFiles::paste(const QString& text) {
   try {
     if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
-    m_session.setValues(materials::parseValues(text.toStdString(), m_session.planner().samplingPlan()), tr("pasted"));
+    m_session.setValues(acquisition::parseValues(text.toStdString(), m_session.planner().samplingPlan()), tr("pasted"));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot use the values"), QString::fromUtf8(error.what()));
   }
@@ -66,7 +66,7 @@ void AcquisitionFiles::paste(const QString& text) {
 
 void AcquisitionFiles::readValues(const QString& path) {
   try {
-    m_session.setValues(materials::readValues(path.toStdString(), m_session.planner().samplingPlan()),
+    m_session.setValues(acquisition::readValues(path.toStdString(), m_session.planner().samplingPlan()),
                         path.section('/', -1));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot use the values"), QString::fromUtf8(error.what()));

@@ -196,7 +196,7 @@ void FactorPage::openReadings(const QString& path) {
 void FactorPage::saveReadings(const QString& path) {
   if (!m_result) return;
   try {
-    materials::writeFactorReadings(m_result->readings.plan, m_result->readings.values, path.toStdString());
+    acquisition::writeFactorReadings(m_result->readings.plan, m_result->readings.values, path.toStdString());
     Q_EMIT exported(path);
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot save the readings"), QString::fromUtf8(error.what()));

@@ -8,12 +8,12 @@ namespace gonio::app {
 
 FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
                                const TaskControl& control) {
-  materials::FactorReadings readings{.plan = acquisition::planFactors(settings.plan), .values = {}};
+  acquisition::FactorReadings readings{.plan = acquisition::planFactors(settings.plan), .values = {}};
   readings.values = acquisition::measure(*reference->table, readings.plan.plan, settings.noise);
   return predictFromReadings(readings, settings.bound, reference, control);
 }
 
-FactorResultPtr predictFromReadings(const materials::FactorReadings& readings, acquisition::FactorBound bound,
+FactorResultPtr predictFromReadings(const acquisition::FactorReadings& readings, acquisition::FactorBound bound,
                                     const AcquisitionReferencePtr& reference, const TaskControl& control) {
   constexpr double predictedFraction = 0.5;
   auto result = std::make_shared<FactorResult>();
@@ -29,7 +29,7 @@ FactorResultPtr predictFromReadings(const materials::FactorReadings& readings, a
 }
 
 FactorReadingsFile readFactorReadings(const QString& path, acquisition::FactorAxes axes) {
-  FactorReadingsFile file{path, materials::readFactorReadings(path.toStdString(), axes), {}};
+  FactorReadingsFile file{path, acquisition::readFactorReadings(path.toStdString(), axes), {}};
   const auto named = acquisition::axesOfFactorMethod(file.readings.plan.plan.method);
   try {
     return withAxes(std::move(file), named.value_or(axes));

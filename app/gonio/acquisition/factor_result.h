@@ -4,7 +4,7 @@
 
 #include "app/gonio/acquisition/acquisition_result.h"
 #include "core/acquisition/factor_prediction.h"
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 
 namespace gonio::app {
 
@@ -16,7 +16,7 @@ struct FactorSettings {
 
 /// A factor measurement: the readings, their curves, and the predicted material with its picture and error.
 struct FactorResult : ComparedPicture {
-  materials::FactorReadings readings;
+  acquisition::FactorReadings readings;
   acquisition::FactorMeasurement curves;
   acquisition::FactorSupport support;
   std::shared_ptr<const TabulatedBrdf> table;
@@ -28,14 +28,14 @@ using FactorResultPtr = std::shared_ptr<const FactorResult>;
 FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
                                const TaskControl& control = {});
 /// The same for given readings. @param reference may be null. @throws Error, Cancelled.
-FactorResultPtr predictFromReadings(const materials::FactorReadings& readings, acquisition::FactorBound bound,
+FactorResultPtr predictFromReadings(const acquisition::FactorReadings& readings, acquisition::FactorBound bound,
                                     const AcquisitionReferencePtr& reference, const TaskControl& control = {});
 
-/// Readings from a file (core/materials/factor_readings_file.h) and their curves over two coordinates
+/// Readings from a file (core/acquisition/factor_readings_file.h) and their curves over two coordinates
 /// (acquisition::FactorAxes).
 struct FactorReadingsFile {
   QString path;
-  materials::FactorReadings readings;
+  acquisition::FactorReadings readings;
   acquisition::FactorMeasurement curves;
 
   /// "READINGS.csv"

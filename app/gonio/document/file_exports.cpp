@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QPainter>
+#include <QTimer>
 #include <cmath>
 
 #include "core/documents/blend_source.h"
@@ -87,7 +88,10 @@ void FileExports::writeMaterial(const QString& path, const materials::MaterialFo
         const QString text = lossText(made, format);
         if (text.isEmpty()) return Q_EMIT exported(path);
         const auto bytes = std::make_shared<const std::vector<std::byte>>(made.bytes);
-        Q_EMIT lossesFound(path, text, [this, path, bytes] { writeBytes(path, bytes); });
+        // Once this task is no longer shown as running: the answer may take a while.
+        QTimer::singleShot(0, this, [this, path, text, bytes] {
+          Q_EMIT lossesFound(path, text, [this, path, bytes] { writeBytes(path, bytes); });
+        });
       });
 }
 

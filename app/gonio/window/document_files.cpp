@@ -78,7 +78,7 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
           [this](const QString& path, const QString& text, const std::function<void()>& write) {
             const QString name = QFileInfo(path).fileName();
             if (widgets::ask(m_window, tr("Export BRDF"),
-                             tr("%1 does not hold all of the material:\n\n%2\n\nWrite the file?").arg(name, text)))
+                             tr("%1 differs from the material:\n\n%2\n\nWrite the file?").arg(name, text)))
               write();
           });
   DocumentController* controller = &m_parts.controller;

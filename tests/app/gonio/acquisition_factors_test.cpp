@@ -61,11 +61,11 @@ struct Editor {
     return failed.isEmpty() ? QString() : failed.takeFirst().at(1).toString();
   }
   /// Writes readings of the subject with the functions of core, as goniotool does.
-  materials::FactorReadings write(const QString& name, const acquisition::FactorPlanOptions& options) {
+  acquisition::FactorReadings write(const QString& name, const acquisition::FactorPlanOptions& options) {
     const auto table = materials::readMaterial(library.subject.toStdString()).tabulated();
-    materials::FactorReadings readings{acquisition::planFactors(options), {}};
+    acquisition::FactorReadings readings{acquisition::planFactors(options), {}};
     readings.values = acquisition::measure(*table, readings.plan.plan);
-    materials::writeFactorReadings(readings.plan, readings.values, path(name).toStdString());
+    acquisition::writeFactorReadings(readings.plan, readings.values, path(name).toStdString());
     return readings;
   }
   void writeText(const QString& name, const QByteArray& text) const {
@@ -261,7 +261,7 @@ class AcquisitionFactorsTest : public QObject {
     const auto readings = editor.write("rig.csv", {.axes = FactorAxes::halfDifference});
     const QByteArray text = bytesOf(editor.path("rig.csv"));
     QVERIFY(editor.errorOf("absent.csv").contains("absent.csv: cannot be opened"));
-    materials::writeFactorReadings(readings.plan, {}, editor.path("directions.csv").toStdString());
+    acquisition::writeFactorReadings(readings.plan, {}, editor.path("directions.csv").toStdString());
     QVERIFY(editor.errorOf("directions.csv").contains("directions.csv: line 2: found the columns index, curve"));
     editor.writeText("curve.csv", QByteArray(text).replace("across", "beside"));
     QVERIFY(editor.errorOf("curve.csv").contains("found 'beside' in the column curve, expected along or across"));

@@ -16,8 +16,8 @@
 #include "app/gonio/acquisition/error_curve_page.h"
 #include "app/gonio/acquisition/reconstruction_page.h"
 #include "app/gonio/acquisition/samples_page.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
+#include "core/acquisition/plan_file.h"
+#include "core/acquisition/values_file.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -153,13 +153,13 @@ class AcquisitionPanelTest : public QObject {
   void thePlanIsAFile() {
     Editor editor;
     QVERIFY(editor.acquire());
-    const auto plan = materials::parsePlan(editor.panel.files().planText().toStdString());
+    const auto plan = acquisition::parsePlan(editor.panel.files().planText().toStdString());
     QCOMPARE(plan.samples.size(), std::size_t(8));
     const QString path = editor.library.folder.filePath("plan.csv");
     QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
     editor.panel.files().savePlan(path);
     QCOMPARE(exported.count(), 1);
-    QCOMPARE(materials::readPlan(path.toStdString()).samples[3].order,
+    QCOMPARE(acquisition::readPlan(path.toStdString()).samples[3].order,
              editor.panel.session().planner().samplingPlan().samples[3].order);
     editor.panel.files().savePlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
@@ -183,7 +183,7 @@ class AcquisitionPanelTest : public QObject {
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
     const auto& plan = panel.session().planner().samplingPlan();
-    QString text = QString::fromStdString(materials::valuesCsv(plan, panel.session().values()));
+    QString text = QString::fromStdString(acquisition::valuesCsv(plan, panel.session().values()));
     QStringList lines = text.split('\n', Qt::SkipEmptyParts);
     const auto line =
         qsizetype(std::ranges::find_if(lines, [](const QString& one) { return one.startsWith("3,"); }) - lines.begin());

@@ -4,9 +4,9 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
-#include "core/materials/plan_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
@@ -34,7 +34,7 @@ class GoniotoolAcquisitionTest : public QObject {
     QCOMPARE(planned_.json["method"].get<std::string>(), std::string("somp"));
     QCOMPARE(planned_.json["signals"].get<int>(), 12);
     QCOMPARE(planned_.json["materials"].get<int>(), 4);
-    const auto plan = materials::readPlan(plan_.toStdString());
+    const auto plan = acquisition::readPlan(plan_.toStdString());
     QCOMPARE(plan.samples.size(), planned_.json["samples"].get<std::size_t>());
     QCOMPARE(plan.method, std::string("somp"));
     for (const acquisition::PlannedSample& sample : plan.samples) {
@@ -181,7 +181,7 @@ class GoniotoolAcquisitionTest : public QObject {
     VERIFY_SUCCESS(few);
     QCOMPARE(few.json["components"].get<int>(), 2);
     QCOMPARE(materials::readBasis(std::filesystem::path(basis.toStdString()))->components.count(), 2);
-    QCOMPARE(materials::readPlan(plan.toStdString()).basisDigest.size(), std::size_t(16));
+    QCOMPARE(acquisition::readPlan(plan.toStdString()).basisDigest.size(), std::size_t(16));
     const QString values = folder + "/v.csv", out = folder + "/out.binary";
     VERIFY_SUCCESS(runTool({"measure", folder_.path("train0.binary"), "--plan", plan, "--out", values}));
     const QStringList reconstruct{"reconstruct", "--plan", plan, "--values", values, "--out", out};

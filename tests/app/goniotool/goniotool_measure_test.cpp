@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/acquisition/factor_prediction.h"
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/plan_file.h"
+#include "core/acquisition/plan_file.h"
 
 #include <algorithm>
 #include <array>
@@ -12,23 +12,20 @@
 #include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
-namespace gonio::materials {
+namespace gonio::acquisition {
 
 namespace {
-
-using acquisition::PlannedSample;
-using acquisition::SamplingPlan;
 
 constexpr std::array<std::string_view, 4> angleNames{"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr std::string_view methodLabel = "method: ", basisLabel = "basis, SHA-256: ";
 constexpr int decimals = 6;
 constexpr std::size_t maxSamples = 1 << 16;
 /// Half the last decimal, rounded up: 90 degrees may come back a little larger.
-constexpr double rounding = 1e-6;
+constexpr double angleRounding = 1e-6;
 
 double polarDegrees(const io::CsvText& csv, const io::CsvText::Row& row, std::size_t column) {
   const double angle = csv.number(row, column);
-  if (!(angle >= 0 && angle <= 90 + rounding))
+  if (!(angle >= 0 && angle <= 90 + angleRounding))
     throw Error(io::lineText(row) + ": found " + numberText(angle) + " for " + csv.names[column] +
                 ", expected degrees from 0 to 90");
   return std::min(angle, 90.0);
@@ -44,14 +41,14 @@ double azimuthDegrees(const io::CsvText& csv, const io::CsvText::Row& row, std::
 
 /// Whether the half-difference angles that stand in the file are those of its directions, which were read as degrees.
 bool halfAnglesAgree(const io::CsvText& csv, const SamplingPlan& plan) {
-  constexpr double tolerance = 1e-4;  // degrees; angles near the normal are written with six decimals
+  constexpr double allowed = 1e-4;  // degrees; angles near the normal are written with six decimals
   const auto thetaH = csv.column("theta_h"), thetaD = csv.column("theta_d");
   if (!thetaH || !thetaD) return false;
   for (std::size_t i = 0; i < csv.rows.size(); ++i) {
     const auto& [wi, wo] = plan.samples[i].directions;
     const HalfDifference at = toHalfDifference(wi, wo);
-    if (std::abs(csv.number(csv.rows[i], *thetaH) - degrees(at.thetaH)) > tolerance ||
-        std::abs(csv.number(csv.rows[i], *thetaD) - degrees(at.thetaD)) > tolerance)
+    if (std::abs(csv.number(csv.rows[i], *thetaH) - degrees(at.thetaH)) > allowed ||
+        std::abs(csv.number(csv.rows[i], *thetaD) - degrees(at.thetaD)) > allowed)
       return false;
   }
   return true;
@@ -88,7 +85,7 @@ void checkOrder(const io::CsvText& csv, const SamplingPlan& plan) {
 void planOrder(SamplingPlan& plan) {
   std::vector<DirectionPair> pairs;
   for (const PlannedSample& sample : plan.samples) pairs.push_back(sample.directions);
-  const std::vector<std::size_t> way = acquisition::shortPath(pairs);
+  const std::vector<std::size_t> way = shortPath(pairs);
   for (std::size_t position = 0; position < way.size(); ++position)
     plan.samples[way[position]].order = int(position) + 1;
 }
@@ -160,4 +157,4 @@ SamplingPlan readPlan(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return parsePlan(io::readText(path)); });
 }
 
-}  // namespace gonio::materials
+}  // namespace gonio::acquisition

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 
 #include <QTest>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace factor_readings_file_test {
 using namespace gonio;
-using namespace gonio::materials;
+using namespace gonio::acquisition;
 using acquisition::FactorAxes;
 
 const std::string good =

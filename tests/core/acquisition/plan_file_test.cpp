@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/plan_file.h"
+#include "core/acquisition/plan_file.h"
 
 #include <QTest>
 
@@ -12,7 +12,7 @@
 namespace plan_file_test {
 using namespace gonio;
 using namespace gonio::io;
-using namespace gonio::materials;
+using namespace gonio::acquisition;
 using acquisition::SamplingPlan;
 
 const std::string names = "index,theta_i,phi_i,theta_o,phi_o\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/values_file.h"
+#include "core/acquisition/values_file.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +15,9 @@
 #include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
-namespace gonio::materials {
+namespace gonio::acquisition {
 
 namespace {
-
-using acquisition::MeasuredValues;
-using acquisition::SamplingPlan;
 
 using NoiseColumns = std::array<std::size_t, 3>;
 
@@ -104,7 +101,7 @@ std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values) {
 }
 
 void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
-  acquisition::checkMeasured(plan, values);
+  checkMeasured(plan, values);
   io::writeFileAtomically(path, valuesCsv(plan, values));
 }
 
@@ -124,4 +121,4 @@ MeasuredValues readValues(const std::filesystem::path& path, const SamplingPlan&
   return withFileInErrors(path, [&] { return parseValues(io::readText(path), plan); });
 }
 
-}  // namespace gonio::materials
+}  // namespace gonio::acquisition

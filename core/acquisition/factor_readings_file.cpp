@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/factor_readings_file.h"
+#include "core/acquisition/factor_readings_file.h"
 
 #include <algorithm>
 #include <map>
 
+#include "core/acquisition/plan_file.h"
 #include "core/acquisition/sample_rows.h"
+#include "core/acquisition/values_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 #include "core/support/file_in_errors.h"
 #include "core/support/number_text.h"
 
-namespace gonio::materials {
+namespace gonio::acquisition {
 
 namespace {
-
-using acquisition::factorCurveNames;
-using acquisition::FactorPlan;
-using acquisition::MeasuredValues;
-using acquisition::PlannedSample;
 
 constexpr int angleDecimals = 6;
 
@@ -28,7 +23,7 @@ std::string fieldsOf(const Rgb& value) {
   return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
 }
 
-std::string rowOf(const PlannedSample& sample, acquisition::FactorCurve curve) {
+std::string rowOf(const PlannedSample& sample, FactorCurve curve) {
   const auto& [wi, wo] = sample.directions;
   std::string text = std::to_string(sample.index) + "," + std::string(factorCurveNames[std::size_t(curve)]);
   for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo)})
@@ -36,11 +31,11 @@ std::string rowOf(const PlannedSample& sample, acquisition::FactorCurve curve) {
   return text + "," + std::to_string(sample.order);
 }
 
-acquisition::FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
+FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
   const auto found = std::ranges::find(factorCurveNames, name);
   if (found == factorCurveNames.end())
     throw Error(io::lineText(row) + ": found '" + name + "' in the column curve, expected along or across");
-  return acquisition::FactorCurve(found - factorCurveNames.begin());
+  return FactorCurve(found - factorCurveNames.begin());
 }
 
 }  // namespace
@@ -60,16 +55,16 @@ std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& valu
 }
 
 void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
-  if (!values.rgb.empty()) acquisition::checkMeasured(plan.plan, values);
+  if (!values.rgb.empty()) checkMeasured(plan.plan, values);
   io::writeFileAtomically(path, factorReadingsCsv(plan, values));
 }
 
-FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxes axes) {
+FactorReadings parseFactorReadings(std::string_view text, FactorAxes axes) {
   FactorReadings readings{.plan = {.axes = axes, .plan = parsePlan(text), .curves = {}}, .values = {}};
   readings.values = parseValues(text, readings.plan.plan);
   const io::CsvText csv = io::readCsvText(text);
   const std::size_t indexColumn = csv.requiredColumn("index"), curveColumn = csv.requiredColumn("curve");
-  std::map<int, acquisition::FactorCurve> curves;
+  std::map<int, FactorCurve> curves;
   for (const io::CsvText::Row& row : csv.rows)
     curves[csv.integer(row, indexColumn)] = curveOf(row, row.fields[curveColumn]);
   for (const PlannedSample& sample : readings.plan.plan.samples)
@@ -77,8 +72,8 @@ FactorReadings parseFactorReadings(std::string_view text, acquisition::FactorAxe
   return readings;
 }
 
-FactorReadings readFactorReadings(const std::filesystem::path& path, acquisition::FactorAxes axes) {
+FactorReadings readFactorReadings(const std::filesystem::path& path, FactorAxes axes) {
   return withFileInErrors(path, [&] { return parseFactorReadings(io::readText(path), axes); });
 }
 
-}  // namespace gonio::materials
+}  // namespace gonio::acquisition

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/values_file.h"
+#include "core/acquisition/values_file.h"
 
 #include <QTest>
 
@@ -10,7 +10,7 @@
 
 namespace values_file_test {
 using namespace gonio;
-using namespace gonio::materials;
+using namespace gonio::acquisition;
 using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
 

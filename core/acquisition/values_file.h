@@ -15,19 +15,18 @@
 /// Without r, g and b, three or more columns with wavelengths as names ("550", "550nm" or "550 nm") are a spectrum,
 /// which is converted to linear sRGB (spectrumWeights()); negative channels become 0; `noise` applies to each
 /// wavelength.
-namespace gonio::materials {
+namespace gonio::acquisition {
 
 /// Numbers are written without loss. @param values one per sample of the plan.
-std::string valuesCsv(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values);
+std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values);
 /// Writes a file, atomically. @throws Error that names the file, or a sample whose value cannot be read again
-/// (acquisition::checkMeasured()).
-void writeValues(const acquisition::SamplingPlan& plan, const acquisition::MeasuredValues& values,
-                 const std::filesystem::path& path);
+/// (checkMeasured()).
+void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const std::filesystem::path& path);
 
 /// Reads one value per sample of the plan, in its order. @throws Error that names the file and, if possible, the line:
 /// a row that is missing, repeated or not in the plan; a value that is negative or not a number; a missing column.
-acquisition::MeasuredValues readValues(const std::filesystem::path& path, const acquisition::SamplingPlan& plan);
+MeasuredValues readValues(const std::filesystem::path& path, const SamplingPlan& plan);
 /// The same for text; errors name no file.
-acquisition::MeasuredValues parseValues(std::string_view text, const acquisition::SamplingPlan& plan);
+MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan);
 
-}  // namespace gonio::materials
+}  // namespace gonio::acquisition
