@@ -7,14 +7,6 @@
 
 namespace gonio::exports {
 
-RenderedComparison exportComparison(const materials::EditedMaterial& source, const ExportOptions& options,
-                                    const TaskControl& control) {
-  RenderOptions pictures;
-  pictures.width = pictures.height = options.pictureSize;
-  pictures.samples = options.samples;
-  return RenderedComparison(*source.shown.brdf, pictures, control);
-}
-
 void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control) {
   made.snr = comparison.signalToNoiseRatio(comparison.render(*brdf, control));

@@ -8,10 +8,6 @@
 /// Functions that the targets share: measuring the accuracy of an export, and texts.
 namespace gonio::exports {
 
-/// Renders the material in comparisonScene() with the picture size and samples of the options. @throws Cancelled.
-RenderedComparison exportComparison(const materials::EditedMaterial& source, const ExportOptions& options,
-                                    const TaskControl& control);
-
 /// Renders `brdf` and sets the members `brdf` and `snr` of the export. @throws Cancelled.
 void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
                    const TaskControl& control);

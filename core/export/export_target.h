@@ -10,16 +10,11 @@
 
 #include "core/export/export_files.h"
 #include "core/export/scene_files.h"
-#include "core/materials/edited_material.h"
-#include "core/rgl/rgl_encoder.h"
+#include "core/materials/encode.h"
 
 namespace gonio::exports {
 
-struct ExportOptions {
-  double snr = 40;                        ///< rendered SNR in comparisonScene() that the files should reach, dB
-  std::optional<rgl::RglSize> size = {};  ///< of `.bsdf` files; empty: the smallest size that reaches the SNR
-  int pictureSize = 128, samples = 32;    ///< of the pictures that measure the SNR
-};
+using ExportOptions = materials::EncodeOptions;
 
 /// A number or property that only some targets report.
 struct ExportFact {

@@ -9,7 +9,6 @@
 #include "core/export/pbrt_scene.h"
 #include "core/export/surface_target.h"
 #include "core/io/csv_text.h"
-#include "core/materials/encode.h"
 
 namespace gonio::exports {
 
@@ -19,15 +18,11 @@ namespace {
 
 constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf";
 
-materials::EncodeOptions encodeOptions(const ExportOptions& options) {
-  return {.snr = options.snr, .size = options.size, .pictureSize = options.pictureSize, .samples = options.samples};
-}
-
 /// @tparam spectral whether the renderer reads the spectral file, else the RGB file first.
 template <bool spectral>
 ExportResult makeBsdf(const materials::EditedMaterial& source, const ExportOptions& options,
                       const TaskControl& control) {
-  rgl::EncodedRgl files = materials::encodeRgl(source, encodeOptions(options), control);
+  rgl::EncodedRgl files = materials::encodeRgl(source, options, control);
   ExportResult made;
   made.snr = spectral ? files.spectralSnr : files.rgbSnr;
   made.brdf = spectral ? files.spectralBrdf : files.rgbBrdf;
@@ -52,7 +47,7 @@ ExportResult makeBsdf(const materials::EditedMaterial& source, const ExportOptio
 template <FormatId id>
 ExportResult makeFile(const materials::EditedMaterial& source, const ExportOptions& options,
                       const TaskControl& control) {
-  materials::Encoded file = materials::encode(source, materials::formatOf(id), encodeOptions(options), control);
+  materials::Encoded file = materials::encode(source, materials::formatOf(id), options, control);
   ExportResult made;
   made.snr = file.snr;
   made.brdf = std::move(file.readBack);

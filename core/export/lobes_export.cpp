@@ -10,7 +10,7 @@ std::pair<ExportResult, ReciprocalLobes> makeLobesExport(std::span<const std::si
                                                          const materials::EditedMaterial& source,
                                                          const ExportOptions& options, const TaskControl& control) {
   constexpr double rendered = 0.1;
-  const RenderedComparison comparison = exportComparison(source, options, control.between(0, rendered));
+  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, rendered));
   const PictureCells cells(source.shown.brdf->isIsotropic());
   ExportResult best;
   ReciprocalLobes chosen;

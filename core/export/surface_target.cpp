@@ -21,7 +21,7 @@ SurfaceValues writtenValues(SurfaceValues values) {
 ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
                                const materials::EditedMaterial& source, const ExportOptions& options,
                                const TaskControl& control) {
-  const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.15));
+  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.15));
   const SurfaceValues values = writtenValues(fitSurface(shader, *source.shown.brdf, control.between(0.15, 0.85)));
   ExportResult made;
   measureExport(made, shader.brdf(values), comparison, control.between(0.85, 1));

@@ -97,7 +97,7 @@ constexpr ValuesProgram programs[] = {
 
 ExportResult makeValues(const materials::EditedMaterial& source, const ExportOptions& options,
                         const TaskControl& control) {
-  const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.1));
+  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.1));
   ExportResult worst;
   std::vector<ExportFact> facts;
   std::string rows;

@@ -134,8 +134,7 @@ std::vector<const MaterialFormat*> writableFormats(const Brdf& material) {
   const auto score = [&](const MaterialFormat* format) {
     const TabulatedBrdf* table = material.asTable();
     const bool isTable = format->id == FormatId::merl || format->id == FormatId::merlCircle;
-    if (table && isTable)
-      return table->grid().reciprocal == !format->holds.nonReciprocal ? 4 : 3;
+    if (table && isTable) return table->grid().reciprocal == !format->holds.nonReciprocal ? 4 : 3;
     if (dynamic_cast<const UtiaBrdf*>(&material) && format->id == FormatId::utia) return 5;
     return format->id == FormatId::rgl ? 2 : format->id == FormatId::utia ? -1 : format->holds.nonReciprocal ? 1 : 0;
   };

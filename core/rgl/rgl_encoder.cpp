@@ -71,6 +71,13 @@ std::string descriptionOf(const std::string& origin, double snr) {
          ".";
 }
 
+/// Size of the RGB file of a new parameterisation in bytes, without its directory.
+std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size) {
+  constexpr std::uint64_t planes = 4;  // rgb and luminance
+  const std::uint64_t slice = layout.vndfRows * layout.density.ndf.width + planes * size.size * size.size;
+  return sizeof(float) * (layout.phis.size() * size.thetaCount * slice + 2 * layout.density.ndf.values.size());
+}
+
 /// With one more step of angles, and with one more of nodes, as far as the limit permits.
 std::vector<RglSize> largerThan(const RglSize& size, const RglLayout& layout, std::uint64_t maxBytes) {
   std::vector<RglSize> result;
@@ -270,12 +277,6 @@ class Encoder {
 };
 
 }  // namespace
-
-std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size) {
-  constexpr std::uint64_t planes = 4;  // rgb and luminance
-  const std::uint64_t slice = layout.vndfRows * layout.density.ndf.width + planes * size.size * size.size;
-  return sizeof(float) * (layout.phis.size() * size.thetaCount * slice + 2 * layout.density.ndf.values.size());
-}
 
 EncodedRgl encodeRgl(const Brdf& material, const RglFileSource* source, const std::string& origin,
                      const RglOptions& options, const RenderedComparison& reference, const TaskControl& control) {

@@ -60,7 +60,4 @@ struct EncodedRgl {
 EncodedRgl encodeRgl(const Brdf& material, const RglFileSource* source, const std::string& origin,
                      const RglOptions& options, const RenderedComparison& reference, const TaskControl& control = {});
 
-/// Size of the RGB file of a new parameterisation in bytes, without its directory.
-std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size);
-
 }  // namespace gonio::rgl

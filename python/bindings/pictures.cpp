@@ -202,6 +202,8 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     std::visit([&](const auto& value) { facts[py::str(std::string(fact.key))] = value; }, fact.value);
   row["files"] = paths;
   row["snr"] = made.snr;
+  row["brdf_snr"] = made.brdfSnr;
+  row["losses"] = made.losses;
   row["bytes"] = made.bytes();
   row["facts"] = facts;
   row["warnings"] = toTexts(made.warnings);

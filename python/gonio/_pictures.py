@@ -222,12 +222,16 @@ class Export:
     snr: float
     """Rendered SNR in dB of the exported material, as the renderer shows it, against the material; infinite for equal
     images."""
+    brdf_snr: float
+    """BRDF SNR in dB of the exported material; infinite for equal values."""
+    losses: list[str]
+    """What the files do not hold, one sentence each."""
     bytes: int
     """Size of all files, bytes."""
     facts: dict[str, Any] = field(repr=False)
     """Further properties of the export, by name, which depend on the target."""
     warnings: list[str]
-    """Warnings, one sentence each: what the files do not represent, a low SNR, or a material that reflects more light than it
+    """Warnings, one sentence each: a low SNR, or a material that reflects more light than it
     receives; usually empty."""
     material: Material = field(repr=False)
     """The exported material as the renderer shows it, by the formula of the target."""

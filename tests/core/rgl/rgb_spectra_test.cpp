@@ -66,7 +66,13 @@ class RgbSpectraTest : public QObject {
       for (const float value : values) QVERIFY(value >= 0);
       const Rgb found = seen(values), stated = rgl::spectralColour(colour);
       for (int c = 0; c < 3; ++c) {
-        QVERIFY2(std::abs(found[c] - colour[c]) < 1e-6, qPrintable(QString("%1 %2 %3: %4 %5 %6").arg(colour.x).arg(colour.y).arg(colour.z).arg(found.x).arg(found.y).arg(found.z)));
+        QVERIFY2(std::abs(found[c] - colour[c]) < 1e-6, qPrintable(QString("%1 %2 %3: %4 %5 %6")
+                                                                       .arg(colour.x)
+                                                                       .arg(colour.y)
+                                                                       .arg(colour.z)
+                                                                       .arg(found.x)
+                                                                       .arg(found.y)
+                                                                       .arg(found.z)));
         QVERIFY(std::abs(stated[c] - found[c]) < 1e-6);
       }
     }
