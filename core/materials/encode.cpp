@@ -114,9 +114,9 @@ rgl::EncodedRgl encodeRgl(const EditedMaterial& material, const EncodeOptions& o
                         : rgl::encodeRglData(rgl::wholeData(*rgl->tables()), originOf(material), rgl::RglColours::rgb);
     source->onlyColoursChanged = std::ranges::all_of(material.edits, changesOnlyColours);
   }
-  const RenderedComparison pictures = comparisonOf(material, options, control.between(0, 0.3));
+  const auto pictures = [&](const TaskControl& part) { return comparisonOf(material, options, part); };
   return rgl::encodeRgl(*material.shown.brdf, source ? &*source : nullptr, originOf(material),
-                        {.snr = options.snr, .size = options.size}, pictures, control.between(0.3, 1));
+                        {.snr = options.snr, .size = options.size}, pictures, control);
 }
 
 std::vector<std::string> lossesOf(const rgl::EncodedRgl& files) {

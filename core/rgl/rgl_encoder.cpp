@@ -117,8 +117,8 @@ RglSize firstSize(const RglLayout& layout, const RglOptions& options) {
 class Encoder {
  public:
   Encoder(const Brdf& material, const RglFileSource* source, const RglOptions& options,
-          const RenderedComparison& reference)
-      : material_(material), source_(source), options_(options), reference_(reference) {}
+          const ReferencePictures& pictures)
+      : material_(material), source_(source), options_(options), pictures_(pictures) {}
 
   EncodedRgl encode(const std::string& origin, const TaskControl& control) {
     std::optional<Candidate> best;
@@ -140,7 +140,7 @@ class Encoder {
   }
 
   /// Sets and measures the file's BRDFs. Spectra of colours inside sRGB have exactly these colours.
-  void setBrdf(Candidate& made, std::shared_ptr<const RglBrdf> brdf, const TaskControl& control) const {
+  void setBrdf(Candidate& made, std::shared_ptr<const RglBrdf> brdf, const TaskControl& control) {
     const SliceStack<glm::vec3>& rgb = brdf->tables()->data.rgb;
     made.rgbSnr = made.spectralSnr = snrOf(*brdf, control.between(0, 0.5));
     made.spectralBrdf = brdf;
@@ -155,8 +155,9 @@ class Encoder {
     made.snr = std::min(made.rgbSnr, made.spectralSnr);
   }
 
-  double snrOf(const Brdf& brdf, const TaskControl& control) const {
-    return reference_.signalToNoiseRatio(reference_.render(brdf, control));
+  double snrOf(const Brdf& brdf, const TaskControl& control) {
+    if (!reference_) reference_ = pictures_(control.between(0, 0.8));
+    return reference_->signalToNoiseRatio(reference_->render(brdf, control.between(0.8, 1)));
   }
 
   Candidate ownNodes(const TaskControl& control) {
@@ -166,7 +167,8 @@ class Encoder {
     own.bytes = source_->bytes.size();
     if (!own.own->changed) {
       own.brdf = own.spectralBrdf = file;
-      if (!sourceData().spectra) setBrdf(own, file, control.between(0.5, 1));
+      // Of a copy only the spectra that it is given can differ.
+      if (!sourceData().spectra && negativeCount(sourceData().rgb) > 0) setBrdf(own, file, control.between(0.5, 1));
       own.rgbSnr = own.snr = std::numeric_limits<double>::infinity();
       return own;
     }
@@ -179,7 +181,7 @@ class Encoder {
     return clipped.snr > own.snr ? clipped : own;
   }
 
-  void setColours(Candidate& own, SliceStack<glm::vec3> rgb, const TaskControl& control) const {
+  void setColours(Candidate& own, SliceStack<glm::vec3> rgb, const TaskControl& control) {
     const auto file = source_->brdf->withIncident(IncidentDirection::viewer);
     setBrdf(own, file->withColours(rgb, samplingLuminance(rgb)), control);
     own.own->rgb = std::move(rgb);
@@ -240,7 +242,7 @@ class Encoder {
     return made;
   }
 
-  EncodedRgl written(Candidate made, const std::string& origin, const TaskControl& control) const {
+  EncodedRgl written(Candidate made, const std::string& origin, const TaskControl& control) {
     EncodedRgl result;
     result.size = made.size;
     result.rgbSnr = made.rgbSnr;
@@ -271,7 +273,8 @@ class Encoder {
   const Brdf& material_;
   const RglFileSource* source_;
   const RglOptions& options_;
-  const RenderedComparison& reference_;
+  const ReferencePictures& pictures_;
+  std::optional<RenderedComparison> reference_;  ///< of the material, rendered when it is needed
   /// The smallest candidates with the SNR and a margin, and without; the one with the highest SNR.
   std::optional<Candidate> enough_, reached_, best_;
 };
@@ -279,8 +282,8 @@ class Encoder {
 }  // namespace
 
 EncodedRgl encodeRgl(const Brdf& material, const RglFileSource* source, const std::string& origin,
-                     const RglOptions& options, const RenderedComparison& reference, const TaskControl& control) {
-  return Encoder(material, source, options, reference).encode(origin, control);
+                     const RglOptions& options, const ReferencePictures& pictures, const TaskControl& control) {
+  return Encoder(material, source, options, pictures).encode(origin, control);
 }
 
 }  // namespace gonio::rgl

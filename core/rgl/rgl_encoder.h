@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -49,15 +50,17 @@ struct EncodedRgl {
   std::size_t negativeValues = 0;
 };
 
+using ReferencePictures = std::function<RenderedComparison(const TaskControl&)>;
+
 /// Encodes a material, with the viewer as incident direction (IncidentDirection::viewer), in the parameterisation that
 /// its error calls for. A material that an RGL file was edited to keeps the file's nodes if its values there reproduce
 /// it without visible error, as after changes of colour; all fields that do not change are copied. Other materials get
 /// a new parameterisation, placed by the material itself: of a series of sizes, the smallest that reaches the SNR, or
 /// the best within `maxBytes`. The source's nodes are one of the sizes. Takes 1 to 5 s.
 /// @param source null if the material was not read from an RGL file. @param origin for the field `description`.
-/// @param reference picture of the material that decides, as rendered by RenderedComparison; it must outlive the call.
+/// @param pictures renders the material for the comparisons that decide; not called for a file that is copied.
 /// @throws Error if the source's bytes are not an RGL file; Cancelled.
 EncodedRgl encodeRgl(const Brdf& material, const RglFileSource* source, const std::string& origin,
-                     const RglOptions& options, const RenderedComparison& reference, const TaskControl& control = {});
+                     const RglOptions& options, const ReferencePictures& pictures, const TaskControl& control = {});
 
 }  // namespace gonio::rgl

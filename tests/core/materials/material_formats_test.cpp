@@ -66,11 +66,11 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(!format.label.empty() && format.sniff && format.read && !format.suffixes.empty());
       QVERIFY(names.insert(format.name).second);
       for (const std::string_view suffix : format.suffixes)
-        // RGL and the two formats of optical design programs share one.
+        // Both grids of MERL files share one, RGL and the two formats of optical design programs another.
         QVERIFY(suffix.starts_with('.') &&
                 (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary"));
     }
-    QCOMPARE(names.size(), std::size_t(11));
+    QCOMPARE(names.size(), std::size_t(12));
   }
 
   /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.

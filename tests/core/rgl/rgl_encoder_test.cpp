@@ -25,7 +25,8 @@ EncodedRgl encoded(const std::shared_ptr<const Brdf>& brdf, const rgl::RglOption
                    const RglFileSource* source = nullptr) {
   RenderOptions pictures;
   pictures.width = pictures.height = pictures.samples = 32;
-  return rgl::encodeRgl(*brdf, source, "glossy, of nothing", options, RenderedComparison(*brdf, pictures));
+  const auto reference = [&](const TaskControl&) { return RenderedComparison(*brdf, pictures); };
+  return rgl::encodeRgl(*brdf, source, "glossy, of nothing", options, reference);
 }
 
 std::shared_ptr<const RglBrdf> read(std::span<const std::byte> bytes) {

@@ -112,7 +112,8 @@ class SpectralEditTest : public QObject {
     const auto encoded = [&](const Brdf& material) {
       RenderOptions pictures;
       pictures.width = pictures.height = pictures.samples = 16;
-      return rgl::encodeRgl(material, &source, "test", {.snr = 0}, RenderedComparison(material, pictures)).spectral;
+      const auto reference = [&](const TaskControl&) { return RenderedComparison(material, pictures); };
+      return rgl::encodeRgl(material, &source, "test", {.snr = 0}, reference).spectral;
     };
     QVERIFY(encoded(*file_) == bytes_);
     const auto edited = std::make_shared<test::FunctionBrdf>(
