@@ -52,6 +52,7 @@ RglData sampled(const Brdf& material, const RglLayout& layout, std::span<const d
       },
       control);
   std::vector<const RglSlice*> pointers;
+  pointers.reserve(slices.size());
   for (const RglSlice& slice : slices) pointers.push_back(&slice);
   return assemble(layout, pointers);
 }
