@@ -57,6 +57,25 @@ class GoniotoolExportTest : public QObject {
     QVERIFY(unknown.code != 0 && unknown.error.contains("--for"));
   }
 
+  /// Whichever command writes an edited material: the same bytes, and the same accuracy.
+  void everyCommandWritesTheSameBytes() {
+    const QString document = out("rough.gonio");
+    VERIFY_SUCCESS(
+        runTool({"edit", "library:rgl/satin_purple", "--model", "ggx", "--control", "roughness=2", "--out", document}));
+    const ToolResult converted = runJson({"convert", document, out("d1.bsdf")});
+    const ToolResult replayed = runJson({"edit", document, "--out", out("d2.BSDF")});
+    const ToolResult exported = runJson({"export", document, out("d3"), "--for", "mitsuba"});
+    const ToolResult forPbrt = runJson({"export", document, out("d4"), "--for", "pbrt"});
+    const QByteArray bytes = bytesOf(out("d1.bsdf"));
+    QVERIFY(!bytes.isEmpty());
+    for (const char* name : {"d2.BSDF", "d3_rgb.bsdf", "d4_rgb.bsdf"}) QVERIFY2(bytesOf(out(name)) == bytes, name);
+    QVERIFY(bytesOf(out("d3_spec.bsdf")) == bytesOf(out("d4_spec.bsdf")));
+    for (const ToolResult& result : {converted, replayed, exported}) {
+      QVERIFY(result.json["snr"].get<double>() >= 40 && result.json["losses"].size() == 1);
+      QVERIFY(result.json["snr"] == converted.json["snr"] && result.json["brdfSnr"] == converted.json["brdfSnr"]);
+    }
+  }
+
   void everyTargetIsDocumented() {
     const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/exports.md").toStdString();
     for (const exports::ExportTarget& target : exports::exportTargets()) {
