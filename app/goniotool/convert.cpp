@@ -27,7 +27,7 @@ int convert(const ConvertArguments& arguments, const Tool& tool) {
   const std::string_view format = materials::writableFormat(arguments.out, *material.shown.brdf, options).name;
   Json json{
       {"from", material.shown.source.format}, {"format", format}, {"out", arguments.out}, {"bytes", written.bytes}};
-  json.update(written.json);
+  json.update(written.json());
   print(tool, json,
         arguments.out + ": " + std::string(format) + ", " + std::to_string(written.bytes) + " bytes\n" + written.text);
   return 0;

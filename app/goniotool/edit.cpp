@@ -100,14 +100,20 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
   Json json{{"edits", material.edits.size()},
             {"averagedAzimuths", averagedAzimuths(*material.shown.brdf, options.out)},
             {"out", options.out}};
-  json.update(written.json);
+  json.update(written.json());
   print(tool, json, options.out + ": " + std::to_string(material.edits.size()) + " edits\n" + written.text);
   return 0;
 }
 
-/// @param written with further keys for a file of the material.
+/// What happened to the values of an edited material on their way to a file; nothing for a document.
+struct EditedFile {
+  std::size_t capped = 0;
+  int averaged = 0;
+  WrittenMaterial written;
+};
+
 void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
-               const std::vector<models::ClampedParameter>& clamped, const WrittenMaterial& written,
+               const std::vector<models::ClampedParameter>& clamped, const EditedFile& file,
                const EditArguments& options, const Tool& tool) {
   const auto& change = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = change.model->spec();
@@ -124,10 +130,12 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
             {"composition", editing::compositionIds[std::size_t(change.composition)]},
             {"controls", parametersJson(editing::artistControls(), change.controls)},
             {"clamped", clampedJson(clamped)}};
-  json.update(written.json);
+  json["cappedValues"] = file.capped;
+  json["averagedAzimuths"] = file.averaged;
+  if (file.written.bytes > 0) json.update(file.written.json());
   json["seconds"] = fitted.seconds;
   json["out"] = options.out;
-  print(tool, json, text + written.text);
+  print(tool, json, text + file.written.text);
 }
 
 editing::Composition compositionOf(const EditArguments& options, const models::Model& model) {
@@ -174,20 +182,17 @@ int edit(const EditArguments& options, const Tool& tool) {
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
   std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
-  WrittenMaterial written{.json = {{"cappedValues", 0}, {"averagedAzimuths", 0}}};
+  EditedFile file;
   if (writesDocument(options)) {
     editing::writeDocument(documentOf(material, edit), options.out);
   } else {
     materials::EditedMaterial edited = materials::unedited(material);
     edited.edits = {edit};
-    std::size_t capped = 0;
-    edited.shown = materials::withEdits(material, edited.edits, tool.control("editing"), &capped);
-    WrittenMaterial file = writeMaterial(edited, options.out, tool);
-    written.json = {{"cappedValues", capped}, {"averagedAzimuths", averagedAzimuths(*edited.shown.brdf, options.out)}};
-    written.json.update(file.json);
-    written.text = file.text;
+    edited.shown = materials::withEdits(material, edited.edits, tool.control("editing"), &file.capped);
+    file.averaged = averagedAzimuths(*edited.shown.brdf, options.out);
+    file.written = writeMaterial(edited, options.out, tool);
   }
-  printEdit(edit, fitted, clamped, written, options, tool);
+  printEdit(edit, fitted, clamped, file, options, tool);
   return 0;
 }
 

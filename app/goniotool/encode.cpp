@@ -140,7 +140,7 @@ int decode(const EncodeArguments& options, const Tool& tool) {
   const WrittenMaterial written = writeMaterial(std::filesystem::path(options.material).stem().string(),
                                                 dictionary::decode(dictionary->ensemble, file.code), options.out, tool);
   Json json{{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}};
-  json.update(written.json);
+  json.update(written.json());
   json["out"] = options.out;
   print(tool, json,
         "wrote " + options.out + ", decoded from " + std::to_string(file.code.coefficients()) +

@@ -36,7 +36,7 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
   std::string writtenText;
   if (!options.out.empty()) {
     const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
-    json["written"] = written.json;
+    json["written"] = written.json();
     json["out"] = options.out;
     writtenText = written.text;
   }

@@ -53,7 +53,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
   std::string writtenText;
   if (!options.out.empty()) {
     const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
-    json["written"] = written.json;
+    json["written"] = written.json();
     json["out"] = options.out;
     writtenText = written.text;
   }

@@ -147,7 +147,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
     json["joint"] = options.joint;
     json["deviations"] = options.asPublished ? nodesOfLibrary : options.deviations.c_str();
   }
-  if (!written.json.is_null()) json["written"] = written.json;
+  if (written.bytes > 0) json["written"] = written.json();
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,

@@ -40,7 +40,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) {
-    json["written"] = written.json;
+    json["written"] = written.json();
     json["out"] = options.out;
   }
   print(tool, json,

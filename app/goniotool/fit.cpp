@@ -66,7 +66,7 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   if (!options.out.empty()) written = writeMaterial(material.name, fitted, options.out, tool, table->grid());
   Json json = fitJson(result);
   json["averagedAzimuths"] = options.out.empty() ? 0 : averagedAzimuths(*fitted, options.out);
-  if (!written.json.is_null()) json["written"] = written.json;
+  if (written.bytes > 0) json["written"] = written.json();
   json["metric"] = options.metric;
   std::string heading;
   if (!trials.empty()) {
@@ -169,7 +169,7 @@ void addFit(CLI::App& app, Tool& tool) {
       ->needs(command->get_option("--all"));
   command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
-  command->add_option("--out", options->out, outputHelp("File to write: the fitted model as a table"));
+  command->add_option("--out", options->out, outputHelp("File to write: the fitted model"));
   command->callback([options, &tool] { tool.run = [options, &tool] { return fit(*options, tool); }; });
 }
 

@@ -135,7 +135,7 @@ Json writeBlend(const Interpolation& interpolation, InterpolationSpace space, st
   if (tables) material.shown.table = interpolation.table(weights, tool.control("blending"));
   const auto own = nativeFormBlend(interpolation, space, weights, tool.control("blending"));
   if (own) material.base.brdf = own->brdf;
-  Json json = writeMaterial(material, out, tool).json;
+  Json json = writeMaterial(material, out, tool).json();
   if (own && json["losses"].empty()) json["nodes"] = own->nodesOf;
   return json;
 }

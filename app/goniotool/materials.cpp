@@ -8,15 +8,17 @@
 
 namespace gonio::tool {
 
+Json WrittenMaterial::json() const {
+  if (bytes == 0) return nullptr;
+  return {{"snr", decibelsJson(snr)}, {"brdfSnr", decibelsJson(brdfSnr)}, {"losses", losses}};
+}
+
 std::string outputHelp(const std::string& what) { return what + " (" + materials::writableSuffixText() + ")"; }
 
 WrittenMaterial writeMaterial(const materials::EditedMaterial& material, const std::string& out, const Tool& tool,
                               const materials::EncodeOptions& options) {
   const materials::Encoded made = materials::writeMaterial(material, out, options, tool.control("writing"));
-  WrittenMaterial written{
-      made.bytes.size(),
-      {{"snr", decibelsJson(made.snr)}, {"brdfSnr", decibelsJson(made.brdfSnr)}, {"losses", made.losses}},
-      {}};
+  WrittenMaterial written{made.bytes.size(), made.snr, made.brdfSnr, made.losses, {}};
   if (std::isfinite(made.snr))
     written.text = "  rendered SNR " + number(made.snr) + " dB, BRDF SNR " + number(made.brdfSnr) + " dB\n";
   for (const std::string& loss : made.losses) written.text += "  note: " + loss + "\n";

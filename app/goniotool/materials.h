@@ -20,11 +20,15 @@ inline std::string suffixOf(materials::FormatId id) { return std::string(materia
 /// The help of an option that names a material to write: "The material (.binary, .bsdf or .bin)".
 std::string outputHelp(const std::string& what);
 
-/// What a written file lost.
+/// What a written file lost; `bytes` is 0 if none was written.
 struct WrittenMaterial {
-  std::uint64_t bytes = 0;
-  Json json;         ///< keys snr, brdfSnr, losses
+  std::size_t bytes = 0;
+  double snr = 0, brdfSnr = 0;  ///< dB
+  std::vector<std::string> losses;
   std::string text;  ///< a line each
+
+  /// Keys snr, brdfSnr, losses; null if no file was written.
+  Json json() const;
 };
 /// Writes a material with materials::writeMaterial(). @throws Error that names the file.
 WrittenMaterial writeMaterial(const materials::EditedMaterial& material, const std::string& out, const Tool& tool,

@@ -50,8 +50,9 @@ int writeDirections(const MeasureFactorsArguments& options, const Tool& tool) {
 
 /// Computes the prediction and returns what writes it. Factors are the two curves themselves if the prediction is their
 /// product over theta_R and |Dp|; otherwise they approximate it.
-std::function<void()> preparePrediction(const MeasureFactorsArguments& options, const FactorMeasurement& curves,
-                                        const Brdf& predicted, const Tool& tool, Json& json, std::string& text) {
+std::function<WrittenMaterial()> preparePrediction(const MeasureFactorsArguments& options,
+                                                   const FactorMeasurement& curves, const Brdf& predicted,
+                                                   const Tool& tool, Json& json, std::string& text) {
   json["predicted"] = options.predict;
   const auto table = bakeTable(predicted, HalfDifferenceGrid(), tool.control("predicting"));
   if (materials::hasSuffixOf(materials::FormatId::pdv, options.predict)) {
@@ -68,10 +69,13 @@ std::function<void()> preparePrediction(const MeasureFactorsArguments& options, 
       json["factorsSnr"] = decibelsJson(snr);
       text += "BRDF SNR " + number(snr) + " dB against the prediction\n";
     }
-    return [factors, path = options.predict] { materials::writePdv(factors, path); };
+    return [factors, path = options.predict] {
+      materials::writePdv(factors, path);
+      return WrittenMaterial();
+    };
   }
   text += options.predict + ": the predicted material\n";
-  return [table, &tool, path = options.predict] { writeMaterial("prediction", table, path, tool); };
+  return [table, &tool, path = options.predict] { return writeMaterial("prediction", table, path, tool); };
 }
 
 Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) {
@@ -115,7 +119,7 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
   text += readings.plan.blocked > 0
               ? ", " + std::to_string(readings.plan.blocked) + " left out (unreachable by the rig)\n"
               : "\n";
-  std::function<void()> writePrediction;
+  std::function<WrittenMaterial()> writePrediction;
   if (!options.predict.empty()) writePrediction = preparePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
     const FactorQuality quality = factorQuality(*material, *predicted, smallComparisonPicture().samples, tool);
@@ -129,7 +133,11 @@ int measureFactors(const MeasureFactorsArguments& options, const Tool& tool) {
     acquisition::writeFactorReadings(readings.plan, readings.values, options.out);
     json["out"] = options.out;
   }
-  if (writePrediction) writePrediction();
+  if (writePrediction) {
+    const WrittenMaterial written = writePrediction();
+    if (written.bytes > 0) json["written"] = written.json();
+    text += written.text;
+  }
   print(tool, json, text);
   return 0;
 }

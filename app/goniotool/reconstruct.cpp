@@ -100,16 +100,12 @@ std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCell
 }
 
 void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
-            double seconds, double trainingSeconds, const Tool& tool) {
-  Json json{{"method", methodOf(options)},
-            {"samples", samples},
-            {"components", found.components},
-            {"ridge", found.ridge},
-            {"equalNoise", equalNoise},
-            {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
-            {"cappedValues", found.cappedCount},
-            {"seconds", seconds},
-            {"out", options.out}};
+            double seconds, double trainingSeconds, const WrittenMaterial& written, const Tool& tool) {
+  Json json{{"method", methodOf(options)},       {"samples", samples},
+            {"components", found.components},    {"ridge", found.ridge},
+            {"equalNoise", equalNoise},          {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
+            {"cappedValues", found.cappedCount}, {"seconds", seconds},
+            {"written", written.json()},         {"out", options.out}};
   std::string text = options.out + ": from " + std::to_string(samples) + " samples, " +
                      std::to_string(found.components) + " components, ridge " + number(found.ridge) + ", " +
                      number(seconds) + " s\n";
@@ -123,7 +119,7 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
   }
   if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
   if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
-  print(tool, json, text);
+  print(tool, json, text + written.text);
 }
 
 std::vector<std::string> reconstructionMethods() {
@@ -148,11 +144,11 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const Reconstruction found =
       acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeMaterial("reconstruction", found.table, options.out, tool);
+  const WrittenMaterial written = writeMaterial("reconstruction", found.table, options.out, tool);
   if (!options.uncertainty.empty())
     writeMaterial("deviation", deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty,
                   tool);
-  report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, tool);
+  report(options, chosen.equalNoise, found, plan.samples.size(), seconds, trainingSeconds, written, tool);
   return 0;
 }
 

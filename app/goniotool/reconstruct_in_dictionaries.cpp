@@ -39,7 +39,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const auto found = acquisition::reconstructInDictionaries(dictionary->ensemble, prior, plan, values, {},
                                                             tool.control("reconstructing"));
   const double seconds = secondsSince(start);
-  writeMaterial("reconstruction", found.table, request.out, tool);
+  const WrittenMaterial written = writeMaterial("reconstruction", found.table, request.out, tool);
   const Json json{{"method", dictionariesMethod},
                   {"samples", plan.samples.size()},
                   {"dictionary", found.dictionary},
@@ -48,11 +48,12 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
                   {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
                   {"seconds", seconds},
                   {"trainingSeconds", trainingSeconds},
+                  {"written", written.json()},
                   {"out", request.out}};
   print(tool, json,
         request.out + ": from " + std::to_string(plan.samples.size()) + " samples, dictionary " +
             std::to_string(found.dictionary + 1) + " of " + std::to_string(dictionary->ensemble.dictionaries.size()) +
-            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n");
+            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n" + written.text);
   return 0;
 }
 

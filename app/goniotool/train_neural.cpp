@@ -58,7 +58,7 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
             {"seconds", fit.seconds}};
   addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
-  if (!written.json.is_null()) json["written"] = written.json;
+  if (written.bytes > 0) json["written"] = written.json();
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(fit.weights.size()) + " weights, " + std::to_string(materials::neuralFileBytes) + " bytes, " +

@@ -18,7 +18,11 @@ namespace gonio::materials {
 
 namespace {
 
-bool isUnchanged(const EditedMaterial& material) { return material.shown.brdf == material.base.brdf; }
+/// Whether a reader of the file gets the material: it has no edits, and the file is read as readers do.
+bool isUnchanged(const EditedMaterial& material) {
+  return material.shown.brdf == material.base.brdf &&
+         incidentDirectionOf(*material.base.brdf).value_or(IncidentDirection::viewer) == IncidentDirection::viewer;
+}
 
 /// Whether the file that was read is already what is wanted.
 bool isOwnFile(const EditedMaterial& material, const MaterialFormat& format) {
@@ -43,10 +47,6 @@ std::vector<std::string> unheld(const EditedMaterial& material, const FormatCapa
   if (!holds.spectral && rgl && rgl->tables()->data.spectra)
     losses.push_back("the material has spectra: the file contains their colours under D65");
   return losses;
-}
-
-double decibelsBetween(const EditedMaterial& material, const Encoded& made) {
-  return metrics::brdfSignalToNoiseRatio(*material.shown.brdf, *made.readBack);
 }
 
 std::vector<const MaterialFormat*> withSuffix(const std::filesystem::path& path) {
@@ -82,7 +82,7 @@ Encoded encode(const EditedMaterial& material, const MaterialFormat& format, con
     const RenderedComparison pictures = comparisonOf(material, options, control.between(0.6, 0.8));
     made.snr = pictures.signalToNoiseRatio(pictures.render(*made.readBack, control.between(0.8, 0.9)));
   }
-  made.brdfSnr = decibelsBetween(material, made);
+  made.brdfSnr = metrics::brdfSignalToNoiseRatio(*material.shown.brdf, *made.readBack);
   control.throwIfStopped();
   return made;
 }

@@ -50,6 +50,7 @@ struct EncodedRgl {
   std::size_t negativeValues = 0;
 };
 
+/// Renders the material of an encodeRgl(), for RenderedComparison::signalToNoiseRatio(). @throws Cancelled.
 using ReferencePictures = std::function<RenderedComparison(const TaskControl&)>;
 
 /// Encodes a material, with the viewer as incident direction (IncidentDirection::viewer), in the parameterisation that

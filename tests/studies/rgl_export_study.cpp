@@ -10,7 +10,6 @@
 #include "core/fitting/fit.h"
 #include "core/materials/encode.h"
 #include "core/models/registry.h"
-#include "core/rgl/rgl_fields.h"
 #include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 

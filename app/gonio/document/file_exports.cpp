@@ -96,6 +96,7 @@ void FileExports::writeMaterial(const QString& path, const materials::MaterialFo
 }
 
 void FileExports::writeBytes(const QString& path, const FileBytes& bytes) {
+  if (refuses(path)) return;  // the document may have changed before the answer
   run<bool>(
       tr("Writing %1"), path,
       [path, bytes](const TaskControl&) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/materials/encode.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,9 @@
 
 #include "core/brdf/utia_brdf.h"
 #include "core/coordinates/grid_directions.h"
+#include "core/io/atomic_file.h"
 #include "core/io/utia_file.h"
+#include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "tests/core/export/published_reader.h"
 #include "tests/core/io/instrument_files.h"
@@ -132,6 +135,38 @@ class EncodeTest : public QObject {
       QCOMPARE(states("anisotropic"), !format->holds.anisotropic);
       QCOMPARE(states("not reciprocal"), !format->holds.nonReciprocal);
       QCOMPARE(states("negative"), format->id != FormatId::rgl);
+    }
+  }
+
+  /// A table of the whole circle keeps what is not reciprocal; a folded one does not.
+  void theWholeCircleKeepsBothOrders() {
+    const EditedMaterial paper = materials::unedited(materials::readMaterial("library:rgl/paper_blue"));
+    const Encoded circle = materials::encode(paper, materials::formatOf(FormatId::merlCircle));
+    QCOMPARE(circle.losses.size(), std::size_t(1));
+    QVERIFY(circle.snr > 40);
+    const Encoded folded = materials::encode(paper, materials::formatOf(FormatId::merl));
+    QCOMPARE(folded.losses.size(), std::size_t(2));
+    QVERIFY(folded.snr < circle.snr && folded.brdfSnr < circle.brdfSnr);
+  }
+
+  /// A file that is displayed with the light as its incident direction is not copied: readers take the viewer.
+  void theDisplayedIncidentDirectionIsWritten() {
+    for (const FormatId id : {FormatId::utia, FormatId::rgl}) {
+      const QTemporaryDir folder;
+      materials::Material base = materials::readMaterial("library:rgl/paper_blue");
+      if (id == FormatId::utia) {
+        const auto path = folder.filePath("cloth.bin").toStdString();
+        io::writeFileAtomically(path, io::encodeUtia(*dynamic_cast<const UtiaBrdf&>(*utia().brdf).values()));
+        base = materials::readMaterial(path);
+      }
+      const auto viewer = base.brdf;
+      base.brdf = withIncident(base.brdf, IncidentDirection::light);
+      const Encoded made = materials::encode(materials::unedited(base), materials::formatOf(id), small);
+      const auto read = materials::readMaterial(io::MemorySource(made.bytes)).brdf;
+      const double found = metrics::brdfSignalToNoiseRatio(*base.brdf, *read),
+                   asStored = metrics::brdfSignalToNoiseRatio(*base.brdf, *viewer);
+      QVERIFY2(found > asStored + 0.5, qPrintable(QString("%1: %2, %3 dB").arg(int(id)).arg(found).arg(asStored)));
+      QVERIFY(std::abs(made.brdfSnr - found) < 0.01);
     }
   }
 
