@@ -3,7 +3,7 @@
 # SPDX-FileCopyrightText: The Gonio authors
 """bundle_rgl.py OUT_DIR FILE_rgb.bsdf ...: RGL files for resources/library, a thirteenth of their size.
 
-Keeps the fields that core/io/rgl_file cannot compute from others, with the colours as half floats. The distribution that
+Keeps the fields that core/rgl/rgl_file cannot compute from others, with the colours as half floats. The distribution that
 vndf was made from, which differs from ndf toward the horizon, is kept as `visible_ndf`.
 """
 import math

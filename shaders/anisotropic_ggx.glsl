@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// Twins of the functions of core/brdf/visible_normal_lobe.h; x runs along the grain.
+// Twins of the functions of core/sampling/half_vector_densities.h; x runs along the grain.
 #include "math.glsl"
 
 float ggxDensity(vec3 h, vec2 alpha) {

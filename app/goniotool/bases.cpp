@@ -4,9 +4,9 @@
 
 #include <chrono>
 
-#include "core/documents/training_files.h"
 #include "core/io/sha256.h"
 #include "core/materials/material_formats.h"
+#include "core/study/training_files.h"
 #include "core/support/file_in_errors.h"
 
 namespace gonio::tool {
@@ -15,7 +15,7 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
                                                        const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  const auto materials = editing::trainingMaterials(editing::trainingFilesOrLibrary(sources, excluded));
+  const auto materials = study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded));
   auto basis = std::make_shared<materials::BasisFile>();
   basis->components = dictionary::learnPrincipalComponents(
       materials.names.size(), materials.load, {.maxComponents = maxComponents},

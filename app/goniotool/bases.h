@@ -12,7 +12,7 @@
 
 namespace gonio::tool {
 
-/// The principal components of the materials of editing::trainingFilesOrLibrary(). @param seconds receives the time of
+/// The principal components of the materials of study::trainingFilesOrLibrary(). @param seconds receives the time of
 /// reading and learning.
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
                                                        const std::vector<std::string>& excluded, int maxComponents,

@@ -3,6 +3,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/formats/formats.h"
 
 namespace gonio::tool {
 
@@ -18,7 +19,7 @@ int convert(const ConvertArguments& arguments, const Tool& tool) {
   materials::checkWritableSuffix(arguments.out);
   materials::EncodeOptions options{.snr = arguments.snr};
   if (arguments.wholeCircle) {
-    if (!materials::hasSuffixOf(materials::FormatId::merl, arguments.out))
+    if (!materials::hasSuffixOf(formats::merlFormat, arguments.out))
       throw UsageError("convert: --whole-circle is for .binary, found " + arguments.out);
     options.grid = {.phiDCount = 360, .reciprocal = false};
   }

@@ -7,10 +7,10 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/documents/training_files.h"
 #include "core/io/json_text.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/training_checkpoint.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -59,8 +59,8 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 }
 
 int train(const DictionaryArguments& options, const Tool& tool) {
-  const std::vector<std::string> files = editing::trainingFiles(options.sources, options.excluded);
-  const TrainingMaterials materials = editing::trainingMaterials(files, editing::trainingGrid(files));
+  const std::vector<std::string> files = study::trainingFiles(options.sources, options.excluded);
+  const TrainingMaterials materials = study::trainingMaterials(files, study::trainingGrid(files));
   const Error interrupted(options.out + ": not written, the training was interrupted");
   const TrainingResult result = [&] {
     try {
@@ -139,7 +139,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<DictionaryArguments>();
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
-  command->add_option("SOURCE", options->sources, editing::trainingHelp())->required();
+  command->add_option("SOURCE", options->sources, study::trainingHelp())->required();
   command->add_option("--out", options->out, "File to write (.dictionary)")->required();
   command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Dictionaries for each number of coefficients (8)")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/encode.h"
+#include "core/formats/formats.h"
 
 #include <algorithm>
 #include <optional>
@@ -14,7 +15,7 @@
 #include "app/goniotool/tool.h"
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/picture_encoding.h"
 
@@ -50,7 +51,7 @@ EncodeOptions encodeOptions(const EncodeArguments& options) {
   encoding.method = CodingMethod(std::ranges::find(codingMethodNames, options.method) - codingMethodNames.begin());
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
   encoding.quantised = !options.single;
-  if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, materials::codeHeaderBytes);
+  if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, formats::codeHeaderBytes);
   std::erase_if(encoding.transforms,
                 [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
   return encoding;
@@ -81,11 +82,11 @@ int encode(const EncodeArguments& options, const Tool& tool) {
     encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
   }
   const auto precision = options.single ? CodePrecision::single : CodePrecision::quantised;
-  const std::vector<std::byte> bytes = materials::encodeCode(encoded.code, dictionary->id, precision);
+  const std::vector<std::byte> bytes = formats::encodeCode(encoded.code, dictionary->id, precision);
   // Of what the file holds: with the values as they are rounded.
-  const auto decoded = decode(dictionary->ensemble, materials::readCode(io::MemorySource(bytes)).code);
+  const auto decoded = decode(dictionary->ensemble, formats::readCode(io::MemorySource(bytes)).code);
   const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
-  if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
+  if (!options.out.empty()) formats::writeCode(encoded.code, dictionary->id, options.out, precision);
   Json candidates = Json::array(), dictionaries = Json::array();
   std::string text;
   for (const EncodedCandidate& candidate : encoded.candidates) {
@@ -135,8 +136,8 @@ int encodeByMethod(const EncodeArguments& options, const CLI::App& command, cons
 int decode(const EncodeArguments& options, const Tool& tool) {
   materials::checkWritableSuffix(options.out);
   const auto dictionary = dictionaryOf(options);
-  const materials::CodeFile file = materials::readCode(options.material);
-  materials::checkDictionary(file, *dictionary);
+  const formats::CodeFile file = formats::readCode(options.material);
+  formats::checkDictionary(file, *dictionary);
   const WrittenMaterial written = writeMaterial(std::filesystem::path(options.material).stem().string(),
                                                 dictionary::decode(dictionary->ensemble, file.code), options.out, tool);
   Json json{{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}};
@@ -197,7 +198,7 @@ void addEncode(CLI::App& app, Tool& tool) {
                     "Published method: without cell scaling, invalid cells filled once before the projection, "
                     "unweighted gamma error");
   command->add_option("--out", options->out,
-                      "File to write: the code (" + suffixOf(materials::FormatId::code) +
+                      "File to write: the code (" + suffixOf(formats::codeFormat) +
                           "), or with --method components or k-svd " + outputHelp("the decoded material"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] { return encodeByMethod(*options, *command, tool); };
@@ -207,7 +208,7 @@ void addEncode(CLI::App& app, Tool& tool) {
 void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "Decodes a sparse code to a material");
-  command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
+  command->add_option("CODE", options->material, "A " + suffixOf(formats::codeFormat) + " file")->required();
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary with which the code was encoded (bundled dictionary)");
   command->add_option("--out", options->out, outputHelp("Material file to write"))->required();

@@ -10,8 +10,8 @@
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/patch_dictionary.h"
-#include "core/documents/training_files.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -26,8 +26,8 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const auto material = openMaterial(options.material, tool.control("reading"));
   auto start = Clock::now();
-  const std::vector<std::string> files = editing::trainingFilesOrLibrary(options.train, options.excluded);
-  const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
+  const std::vector<std::string> files = study::trainingFilesOrLibrary(options.train, options.excluded);
+  const auto training = study::trainingMaterials(files, study::trainingGrid(files));
   const auto patches = dictionary::learnPatchDictionary(
       training, {}, tool.control("learning from " + std::to_string(training.names.size()) + " materials"));
   tool.throwIfStopped();

@@ -29,7 +29,8 @@ std::string textOf(const exports::ExportResult& made, std::span<const exports::E
   std::string text;
   for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
-  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  images are identical\n";
+  if (made.brdf)
+    text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  images are identical\n";
   for (const std::string& loss : made.losses) text += "  note: " + loss + "\n";
   for (const std::string& warning : made.warnings) text += "  warning: " + warning + "\n";
   return text;

@@ -10,7 +10,8 @@
 #include "app/goniotool/tool.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/formats.h"
+#include "core/formats/pdv.h"
 #include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
@@ -56,18 +57,18 @@ struct FactorArguments {
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
 
-bool isFactorsFile(const std::string& path) { return materials::hasSuffixOf(materials::FormatId::pdv, path); }
+bool isFactorsFile(const std::string& path) { return materials::hasSuffixOf(formats::pdvFormat, path); }
 
 /// The factors of FILE: its own, where it is a file of factors.
 PdvFactorization factorsOf(const FactorArguments& options, const materials::Material& material,
                            const TabulatedBrdf& table, const Tool& tool) {
-  if (!materials::isPdv(options.material))
+  if (!formats::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven || options.choosesNodesOrWeights())
     throw UsageError("factor: " + options.material +
                      " contains factors already: leave out --form, --transform, --weights, --deviations, "
                      "--joint, --compact and --as-published");
-  return {.factors = materials::readPdv(options.material).truncated(options.terms),
+  return {.factors = formats::readPdv(options.material).truncated(options.terms),
           .residuals = {},
           .cells = 0,
           .seconds = 0};
@@ -76,7 +77,7 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
 /// The factors of another material for a swap: one term over the same nodes, where they are not given.
 PdvFactors otherFactors(const std::string& other, const FactorArguments& options, const PdvFactors& target,
                         const Tool& tool) {
-  if (materials::isPdv(other)) return materials::readPdv(other);
+  if (formats::isPdv(other)) return formats::readPdv(other);
   const materials::Material material = openMaterial(other, tool.control("reading " + other));
   return factorizePdv(*material.tabulated(tool.control("tabulating")),
                       {.form = target.form,
@@ -126,7 +127,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   // Before the factors: an interrupted command leaves no file.
   for (const std::string& path : {options.decode, options.out})
     if (!path.empty() && !isFactorsFile(path)) written = writeMaterial(material.name, brdf, path, tool, table->grid());
-  if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
+  if (isFactorsFile(options.out)) formats::writePdv(result.factors, options.out);
 
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
@@ -136,12 +137,12 @@ int factor(const FactorArguments& options, const Tool& tool) {
             {"form", formNames[std::size_t(f.form)]},
             {"transform", dataTransformNames[std::size_t(f.transform)]},
             {"grid", {f.thetaNodes.size(), f.deviationNodes.size(), f.phiNodes.size()}},
-            {"bytes", materials::pdvFileBytes(f)},
+            {"bytes", formats::pdvFileBytes(f)},
             {"residuals", result.residuals},
             {"seconds", result.seconds}};
   addQuality(json, quality);
   std::string tableText;
-  if (!materials::isPdv(options.material)) {
+  if (!formats::isPdv(options.material)) {
     tableText = addTableQuality(json, *material.brdf, *table);
     json["weights"] = options.asPublished ? pdvWeightNames[0] : std::string_view(options.weights);
     json["joint"] = options.joint;
@@ -152,7 +153,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
         std::to_string(f.terms()) + (f.terms() == 1 ? " term, " : " terms, ") +
-            std::to_string(materials::pdvFileBytes(f)) + " bytes, relative residual " +
+            std::to_string(formats::pdvFileBytes(f)) + " bytes, relative residual " +
             (result.residuals.empty() ? "unknown" : number(result.residuals.back())) + ", " +
             qualityText(quality, result.seconds) + tableText + written.text);
   return 0;
@@ -223,7 +224,7 @@ void addFactor(CLI::App& app, Tool& tool) {
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
-                      "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +
+                      "File to write: factors (" + suffixOf(formats::pdvFormat) + "), or " +
                           outputHelp("the material that they represent"));
   const std::vector<CLI::Option*> pdvOptions = addPdvOptions(*command, options);
   command->callback([options, bytes, pdvOptions, &tool] {

@@ -8,6 +8,7 @@
 #include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "core/baselines/baselines.h"
+#include "core/formats/formats.h"
 
 namespace gonio::tool {
 
@@ -18,7 +19,7 @@ std::vector<std::string> baselineIds() {
 }
 
 int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
-  if (materials::hasSuffixOf(materials::FormatId::pdv, options.out))
+  if (materials::hasSuffixOf(formats::pdvFormat, options.out))
     throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const factorization::Baseline& baseline = factorization::findBaseline(options.method);

@@ -13,7 +13,7 @@ BrdfQuality brdfQuality(const Brdf& measurement, const Brdf& test) {
 }
 
 std::string addTableQuality(Json& json, const Brdf& measurement, const TabulatedBrdf& table) {
-  if (measurement.asTable() == &table) return {};
+  if (formOf<TabulatedBrdf>(measurement) == &table) return {};
   const BrdfQuality quality = brdfQuality(measurement, table);
   json["table"] = {{"errors", errorsJson(quality.errors)}, {"brdfSnr", decibelsJson(quality.brdfSnr)}};
   return "the table that the method works on: BRDF SNR " + number(quality.brdfSnr) + " dB against the material\n";

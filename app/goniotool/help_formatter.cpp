@@ -109,13 +109,13 @@ std::size_t defaultPosition(const CLI::Option& option) {
 /// ".binary (MERL file), .bsdf (RGL file, Zemax BSDF, LightTools BSDF), ...".
 std::string formatsText() {
   std::vector<std::pair<std::string, std::string>> suffixes;
-  for (const materials::MaterialFormat& format : materials::materialFormats())
-    for (const std::string_view suffix : format.suffixes) {
+  for (const materials::MaterialFormat* format : materials::materialFormats())
+    for (const std::string_view suffix : format->suffixes) {
       const auto known = std::ranges::find_if(suffixes, [&](const auto& one) { return one.first == suffix; });
       if (known == suffixes.end())
-        suffixes.emplace_back(suffix, format.label);
+        suffixes.emplace_back(suffix, format->label);
       else
-        known->second += ", " + std::string(format.label);
+        known->second += ", " + std::string(format->label);
     }
   std::string text;
   for (const auto& [suffix, labels] : suffixes) text += (text.empty() ? "" : ", ") + suffix + " (" + labels + ")";

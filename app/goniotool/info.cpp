@@ -7,6 +7,7 @@
 #include "app/goniotool/usage.h"
 #include "core/brdf/statistics.h"
 #include "core/rendering/rendered_comparison.h"
+#include "core/sampling/directional_albedo.h"
 
 namespace gonio::tool {
 
@@ -69,7 +70,7 @@ int info(const InfoArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
-  json["shownAs"] = material.brdf->asTable() ? "table" : "native";
+  json["shownAs"] = formOf<TabulatedBrdf>(*material.brdf) ? "table" : "native";
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {

@@ -9,9 +9,10 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
+#include "core/formats/code.h"
+#include "core/formats/formats.h"
+#include "core/formats/pdv.h"
 #include "core/interpolation/native_form_blend.h"
-#include "core/materials/code_file.h"
-#include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
 #include "core/models/registry.h"
 #include "core/support/file_in_errors.h"
@@ -21,7 +22,6 @@ namespace gonio::tool {
 namespace {
 
 using namespace editing;
-using materials::FormatId;
 using materials::hasSuffixOf;
 
 constexpr int maxMaterials = 16, maxSteps = 1000;
@@ -64,16 +64,16 @@ void checkOptions(const InterpolateArguments& options) {
   } catch (const Error& error) {
     throw UsageError(std::string("interpolate: ") + error.what());
   }
-  if (hasSuffixOf(FormatId::pdv, options.out)) {
+  if (hasSuffixOf(formats::pdvFormat, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::factors)
       throw UsageError("interpolate: " + options.out + " is a factor file, which needs --space factors");
-  } else if (hasSuffixOf(FormatId::code, options.out)) {
+  } else if (hasSuffixOf(formats::codeFormat, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
   } else if (options.spaceChosen() == InterpolationSpace::factors) {
-    materials::checkWritableSuffix(options.out, materials::formatOf(FormatId::pdv).suffix());
+    materials::checkWritableSuffix(options.out, formats::pdvFormat.suffix());
   } else if (options.spaceChosen() == InterpolationSpace::dictionary) {
-    materials::checkWritableSuffix(options.out, materials::formatOf(FormatId::code).suffix());
+    materials::checkWritableSuffix(options.out, formats::codeFormat.suffix());
   } else {
     materials::checkWritableSuffix(options.out);
   }
@@ -81,19 +81,19 @@ void checkOptions(const InterpolateArguments& options) {
 
 /// The code of a file over another dictionary than the one that comes with Gonio.
 InterpolationMaterial openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
-  const materials::CodeFile file = materials::readCode(path);
-  withFileInErrors(path, [&] { materials::checkDictionary(file, dictionary); });
+  const formats::CodeFile file = formats::readCode(path);
+  withFileInErrors(path, [&] { formats::checkDictionary(file, dictionary); });
   return {.table = dictionary::decode(dictionary.ensemble, file.code),
           .code = std::make_shared<const dictionary::SparseCode>(file.code)};
 }
 
 /// @param other a dictionary that was given, or null.
 InterpolationMaterial openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
-  if (other && hasSuffixOf(FormatId::code, material)) return openCode(material, *other);
+  if (other && hasSuffixOf(formats::codeFormat, material)) return openCode(material, *other);
   const materials::Material opened = openMaterial(material, tool.control("reading " + material));
   InterpolationMaterial end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
-  if (materials::isPdv(material))
-    end.factors = std::make_shared<const factorization::PdvFactors>(materials::readPdv(material));
+  if (formats::isPdv(material))
+    end.factors = std::make_shared<const factorization::PdvFactors>(formats::readPdv(material));
   if (!other) end.code = opened.code;
   if (!opened.table) end.base = opened.brdf;
   return end;
@@ -147,10 +147,10 @@ Json blend(const Interpolation& interpolation, InterpolationSpace space, const m
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
-  if (hasSuffixOf(FormatId::pdv, out))
-    materials::writePdv(factors.value(), out);
-  else if (hasSuffixOf(FormatId::code, out))
-    materials::writeCode(code.value(), dictionary, out);
+  if (hasSuffixOf(formats::pdvFormat, out))
+    formats::writePdv(factors.value(), out);
+  else if (hasSuffixOf(formats::codeFormat, out))
+    formats::writeCode(code.value(), dictionary, out);
   else
     json.update(writeBlend(interpolation, space, weights, names, out, tool));
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
@@ -247,8 +247,8 @@ void addInterpolate(CLI::App& app, Tool& tool) {
   command
       ->add_option("--out", options->out,
                    outputHelp("Material file to write") + "; for --space factors also the curves (" +
-                       suffixOf(FormatId::pdv) + "), for --space dictionary also the code (" +
-                       suffixOf(FormatId::code) + ")")
+                       suffixOf(formats::pdvFormat) + "), for --space dictionary also the code (" +
+                       suffixOf(formats::codeFormat) + ")")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "app/goniotool/materials.h"
-#include "core/documents/training_files.h"
 #include "core/models/registry.h"
 #include "core/study/study_csv.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -114,7 +114,7 @@ std::vector<Representation> MaterialStudy::representationsFor(const std::string&
 void MaterialStudy::learnComponents(RepresentationChoice& choice) {
   if (options_.componentsFrom.empty())
     throw UsageError("study: no principal components are bundled; give a training set with --components-from FOLDER");
-  const auto materials = editing::trainingMaterials(editing::trainingFiles(options_.componentsFrom));
+  const auto materials = study::trainingMaterials(study::trainingFiles(options_.componentsFrom));
   const dictionary::PcaOptions pca{.maxComponents = *std::ranges::max_element(choice.components)};
   study_.build.components =
       std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
@@ -128,8 +128,8 @@ void MaterialStudy::learnComponents(RepresentationChoice& choice) {
 }
 
 void MaterialStudy::learnPatches() {
-  const std::vector<std::string> files = editing::trainingFiles(options_.patchesFrom);
-  const auto materials = editing::trainingMaterials(files, editing::trainingGrid(files));
+  const std::vector<std::string> files = study::trainingFiles(options_.patchesFrom);
+  const auto materials = study::trainingMaterials(files, study::trainingGrid(files));
   study_.build.patches = std::make_shared<const dictionary::PatchDictionary>(
       dictionary::learnPatchDictionary(materials, {}, tool_.control("learning a dictionary of patches")));
   inputs_.patches = materials.names;

@@ -42,7 +42,7 @@ std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double
                                              const TaskControl& control) {
   if (nanometres == 0) return openMaterial(argument, control).brdf;
   const materials::EditedMaterial opened = editing::openWithEdits(argument, control);
-  const RglBrdf* file = opened.base.brdf->asRgl();
+  const RglBrdf* file = formOf<RglBrdf>(*opened.base.brdf);
   if (!file || !file->tables()->data.spectra)
     throw Error(argument + ": found a material without spectra, expected a spectral RGL file for --wavelength");
   std::shared_ptr<const Brdf> edited;

@@ -16,7 +16,7 @@ using editing::isDocument;
 using editing::openMaterial;
 
 /// For help texts: ".pdv".
-inline std::string suffixOf(materials::FormatId id) { return std::string(materials::formatOf(id).suffix()); }
+inline std::string suffixOf(const materials::MaterialFormat& format) { return std::string(format.suffix()); }
 /// The help of an option that names a material to write: "The material (.binary, .bsdf or .bin)".
 std::string outputHelp(const std::string& what);
 

@@ -9,7 +9,8 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/factor_readings_file.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/formats.h"
+#include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 
 namespace gonio::tool {
@@ -55,7 +56,7 @@ std::function<WrittenMaterial()> preparePrediction(const MeasureFactorsArguments
                                                    const Tool& tool, Json& json, std::string& text) {
   json["predicted"] = options.predict;
   const auto table = bakeTable(predicted, HalfDifferenceGrid(), tool.control("predicting"));
-  if (materials::hasSuffixOf(materials::FormatId::pdv, options.predict)) {
+  if (materials::hasSuffixOf(formats::pdvFormat, options.predict)) {
     const bool isProduct =
         curves.axes == FactorAxes::projectedDeviation && factorBoundNamed(options.bound) == FactorBound::none;
     const factorization::PdvFactors factors =
@@ -70,7 +71,7 @@ std::function<WrittenMaterial()> preparePrediction(const MeasureFactorsArguments
       text += "BRDF SNR " + number(snr) + " dB against the prediction\n";
     }
     return [factors, path = options.predict] {
-      materials::writePdv(factors, path);
+      formats::writePdv(factors, path);
       return WrittenMaterial();
     };
   }
@@ -89,7 +90,7 @@ Json supportJson(const FactorMeasurement& curves, const FactorSupport& support) 
 void checkOutputsOf(const MeasureFactorsArguments& options) {
   if (!options.values.empty() && !options.out.empty())
     throw UsageError("measure: --values and --out cannot be used together: the readings are already in a file");
-  if (!options.predict.empty() && !materials::hasSuffixOf(materials::FormatId::pdv, options.predict))
+  if (!options.predict.empty() && !materials::hasSuffixOf(formats::pdvFormat, options.predict))
     materials::checkWritableSuffix(options.predict);
 }
 

@@ -9,8 +9,8 @@
 #include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/plan_file.h"
 #include "core/acquisition/values_file.h"
-#include "core/documents/training_files.h"
 #include "core/materials/dictionary_file.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -29,7 +29,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const auto dictionary =
       request.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(request.dictionary);
   const auto materials =
-      editing::trainingMaterials(editing::trainingFiles(request.train, request.excluded), dictionary->ensemble.grid);
+      study::trainingMaterials(study::trainingFiles(request.train, request.excluded), dictionary->ensemble.grid);
   auto start = std::chrono::steady_clock::now();
   const auto prior = acquisition::learnDictionaryPrior(
       dictionary->ensemble, materials, {},

@@ -9,8 +9,8 @@
 #include "app/goniotool/study_output.h"
 #include "app/goniotool/study_shards.h"
 #include "app/goniotool/usage.h"
-#include "core/documents/training_files.h"
 #include "core/models/registry.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
@@ -35,7 +35,7 @@ void checkArguments(const StudyArguments& options) {
 
 /// The materials, those of folders too. Each has files of its name.
 std::vector<std::string> materialsOf(const StudyArguments& options) {
-  std::vector<std::string> materials = editing::trainingFiles(options.materials);
+  std::vector<std::string> materials = study::trainingFiles(options.materials);
   std::set<std::string> names{"summary"};
   if (!options.shard.empty()) names.insert(shardStem);
   for (const std::string& material : materials)

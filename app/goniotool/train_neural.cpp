@@ -6,8 +6,9 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/tool.h"
 #include "core/baselines/neural_fit.h"
+#include "core/formats/formats.h"
+#include "core/formats/neural.h"
 #include "core/io/byte_source.h"
-#include "core/materials/neural_file.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/file_in_errors.h"
 
@@ -38,7 +39,7 @@ neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
 }
 
 int trainNeural(const NeuralArguments& options, const Tool& tool) {
-  if (!options.out.empty() && !materials::hasSuffixOf(materials::FormatId::neural, options.out))
+  if (!options.out.empty() && !materials::hasSuffixOf(formats::neuralFormat, options.out))
     materials::checkWritableSuffix(options.out);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
@@ -48,12 +49,12 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
   const auto brdf = std::make_shared<const NeuralBrdf>(fit.weights);
   const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
   WrittenMaterial written;
-  if (materials::hasSuffixOf(materials::FormatId::neural, options.out))
-    materials::writeNeural(fit.weights, options.out);
+  if (materials::hasSuffixOf(formats::neuralFormat, options.out))
+    formats::writeNeural(fit.weights, options.out);
   else if (!options.out.empty())
     written = writeMaterial(material.name, brdf, options.out, tool, table->grid());
   Json json{{"weights", fit.weights.size()},
-            {"bytes", materials::neuralFileBytes},
+            {"bytes", formats::neuralFileBytes},
             {"losses", fit.losses},
             {"seconds", fit.seconds}};
   addQuality(json, quality);
@@ -61,7 +62,7 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
   if (written.bytes > 0) json["written"] = written.json();
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
-        std::to_string(fit.weights.size()) + " weights, " + std::to_string(materials::neuralFileBytes) + " bytes, " +
+        std::to_string(fit.weights.size()) + " weights, " + std::to_string(formats::neuralFileBytes) + " bytes, " +
             (fit.losses.empty() ? "" : "loss " + number(fit.losses.back()) + ", ") + qualityText(quality, fit.seconds) +
             tableText + written.text);
   return 0;
@@ -90,7 +91,7 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
-                      "File to write: the network (" + suffixOf(materials::FormatId::neural) + "), or " +
+                      "File to write: the network (" + suffixOf(formats::neuralFormat) + "), or " +
                           outputHelp("the material that it represents"));
   command->callback([options, &tool] { tool.run = [options, &tool] { return trainNeural(*options, tool); }; });
 }

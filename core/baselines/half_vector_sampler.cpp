@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 #include "core/coordinates/half_out.h"
 #include "core/math/linear_ramp.h"
 #include "core/math/monotone_cubic.h"
@@ -70,7 +70,7 @@ double HalfVectorSampler::total(double thetaO) const {
 DirectionSample HalfVectorSampler::sample(const Direction& wo, const glm::dvec3& u) const {
   const double thetaO = polarAngle(wo), all = total(thetaO), share = all > 0 ? cosineFraction : 1;
   if (u.x < share) {
-    const Direction wi = CosineLobe().sample(wo, {u.y, u.z});
+    const Direction wi = CosineDensity().sample(wo, {u.y, u.z});
     return {wi, pdf(wi, wo)};
   }
   double wanted = (u.x - share) / (1 - share) * all;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 #include "core/coordinates/half_out.h"
 #include "core/math/monotone_cubic.h"
 
@@ -65,7 +65,7 @@ DirectionSample TensorHalfVectorSampler::sample(const Direction& wo, const glm::
   const Choice choice = choiceOf(std::atan2(std::hypot(wo.x, wo.y), wo.z));
   double pick = u.x;
   if (choice.count == 0 || choose(pick, tensorCosineFraction)) {
-    const Direction wi = CosineLobe().sample(wo, {u.y, u.z});
+    const Direction wi = CosineDensity().sample(wo, {u.y, u.z});
     return {wi, pdf(wi, wo)};
   }
   const bool isFirst = choice.count == 1 || choose(pick, choice.weights[0]);

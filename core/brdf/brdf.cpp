@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/brdf/brdf.h"
 
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 
 namespace gonio {
 

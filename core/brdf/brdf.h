@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
 
 #include "core/brdf/direction_sample.h"
+#include "core/brdf/incident_direction.h"
 
 namespace gonio {
-
-class RglBrdf;
-class TabulatedBrdf;
 
 /// A BRDF. Values are linear RGB, 1/sr, without the cosine; core/math/types.h defines the conventions. Immutable: every
 /// method may be called from several threads at once.
@@ -42,10 +42,13 @@ class Brdf {
   /// Whether the value of a pair is known: false below the horizon and where a measurement has no data. There
   /// evaluate() returns 0, or the extrapolation that the class documents.
   virtual bool hasData(const DirectionPair& pair) const { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
-  /// This BRDF if it is a table, to read its nodes exactly; otherwise null.
-  virtual const TabulatedBrdf* asTable() const { return nullptr; }
-  /// This BRDF if it is an RGL file in its own parameterisation; otherwise null.
-  virtual const RglBrdf* asRgl() const { return nullptr; }
+
+  /// How a measurement that stores which direction was the incident one is read; empty for other BRDFs.
+  virtual std::optional<IncidentDirection> incidentDirection() const { return std::nullopt; }
+  /// The same measurement read with an incident direction; null for other BRDFs.
+  virtual std::shared_ptr<const Brdf> readWith(IncidentDirection) const { return nullptr; }
+  /// Whether a measurement has spectra; its values are their colours.
+  virtual bool isSpectral() const { return false; }
 
   /// Whether sample() follows this BRDF better than cosine-weighted sampling does.
   virtual bool hasImportanceSampling() const { return false; }
@@ -61,5 +64,21 @@ class Brdf {
   /// 0 below the horizon.
   virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
+
+/// A BRDF as the form that it has, such as TabulatedBrdf, to read its nodes exactly; null if it has another form.
+template <class Form>
+const Form* formOf(const Brdf& brdf) {
+  return dynamic_cast<const Form*>(&brdf);
+}
+template <class Form>
+std::shared_ptr<const Form> formOf(const std::shared_ptr<const Brdf>& brdf) {
+  return std::dynamic_pointer_cast<const Form>(brdf);
+}
+
+/// The BRDF read with this incident direction; the same object if it is already read so or stores no incident
+/// direction.
+inline std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection incident) {
+  return brdf->incidentDirection().value_or(incident) == incident ? brdf : brdf->readWith(incident);
+}
 
 }  // namespace gonio

@@ -2,10 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <memory>
-#include <optional>
-
-#include "core/brdf/brdf.h"
+#include "core/math/types.h"
 
 namespace gonio {
 
@@ -19,13 +16,9 @@ enum class IncidentDirection {
 inline constexpr IncidentDirection allIncidentDirections[] = {IncidentDirection::viewer, IncidentDirection::light,
                                                               IncidentDirection::mean};
 /// The name in files: "viewer", "light" or "mean".
-const char* incidentDirectionId(IncidentDirection incident);
-
-/// How an RGL or UTIA file is read; empty for other BRDFs, which have no stored incident direction.
-std::optional<IncidentDirection> incidentDirectionOf(const Brdf& brdf);
-/// The BRDF read with this incident direction; the same object if it is already read so or stores no incident
-/// direction.
-std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection incident);
+constexpr const char* incidentDirectionId(IncidentDirection incident) {
+  return incident == IncidentDirection::light ? "light" : incident == IncidentDirection::mean ? "mean" : "viewer";
+}
 
 /// The value of a pair when it is read with an incident direction. @param stored callable as Rgb(incident, outgoing)
 /// with the file's own incident and outgoing directions.

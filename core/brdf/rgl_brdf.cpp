@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 #include "core/brdf/normal_square.h"
 #include "core/math/fast_atan2.h"
 
@@ -120,9 +120,9 @@ struct RglLobe {
   }
 };
 
-LobeMixture<CosineLobe, RglLobe> lobesOf(const Tables& tables) {
+DensityMixture<CosineDensity, RglLobe> lobesOf(const Tables& tables) {
   constexpr double cosineFraction = 0.1;
-  return {{cosineFraction, 1 - cosineFraction}, CosineLobe{}, RglLobe{tables}};
+  return {{cosineFraction, 1 - cosineFraction}, CosineDensity{}, RglLobe{tables}};
 }
 
 /// A file without a luminance of its own, and values that are none, leave the choice to the visible normals.

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 #include "core/math/marginal_warp.h"
 
 namespace gonio {
@@ -51,7 +51,8 @@ class RglBrdf final : public Brdf {
   explicit RglBrdf(RglData data, IncidentDirection incident = IncidentDirection::viewer);
   /// The same file read with another setting of IncidentDirection; shares the data.
   std::shared_ptr<const RglBrdf> withIncident(IncidentDirection incident) const;
-  IncidentDirection incidentDirection() const { return incident_; }
+  std::optional<IncidentDirection> incidentDirection() const override { return incident_; }
+  std::shared_ptr<const Brdf> readWith(IncidentDirection incident) const override { return withIncident(incident); }
   /// The same parameterisation with other values and without spectra. @param rgb of the size of the data's `rgb`.
   /// @param luminance for sampling, one slice per incident direction.
   std::shared_ptr<const RglBrdf> withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const;
@@ -60,7 +61,7 @@ class RglBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return tables_->data.isotropic; }
   bool isReciprocal() const override { return incident_ == IncidentDirection::mean; }
-  const RglBrdf* asRgl() const override { return this; }
+  bool isSpectral() const override { return tables_->data.spectra != nullptr; }
 
   /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident
   /// direction, mixed with a tenth of cosine-weighted directions. The density does not depend on the setting

@@ -46,7 +46,6 @@ class TabulatedBrdf final : public Brdf {
 
   bool isReciprocal() const override { return grid_.reciprocal; }
   bool hasData(const DirectionPair& pair) const override;
-  const TabulatedBrdf* asTable() const override { return this; }
 
   const HalfDifferenceGrid& grid() const { return grid_; }
   std::span<const Value> values() const { return values_; }

@@ -13,7 +13,7 @@ namespace gonio {
 
 namespace {
 
-constexpr std::size_t directions = UtiaBrdf::directionCount, azimuths = UtiaBrdf::azimuthCount;
+constexpr std::size_t utiaDirections = UtiaBrdf::directionCount, utiaAzimuths = UtiaBrdf::azimuthCount;
 
 /// Rounding of directions at the last polar angle.
 constexpr double angleTolerance = 1e-9;
@@ -27,10 +27,11 @@ struct UtiaNodes {
     const double theta = std::min(polarAngle(w), UtiaBrdf::maxPolarAngle) / UtiaBrdf::polarStep;
     const auto below = std::min(std::size_t(theta), UtiaBrdf::polarCount - 2);
     const double turn = azimuth(w) / UtiaBrdf::azimuthStep, floor = std::floor(turn);
-    const std::size_t left = std::size_t(floor + double(azimuths)) % azimuths, right = (left + 1) % azimuths;
+    const std::size_t left = std::size_t(floor + double(utiaAzimuths)) % utiaAzimuths,
+                      right = (left + 1) % utiaAzimuths;
     const double up = theta - double(below), aside = turn - floor;
-    index = {below * azimuths + left, below * azimuths + right, (below + 1) * azimuths + left,
-             (below + 1) * azimuths + right};
+    index = {below * utiaAzimuths + left, below * utiaAzimuths + right, (below + 1) * utiaAzimuths + left,
+             (below + 1) * utiaAzimuths + right};
     weight = {(1 - up) * (1 - aside), (1 - up) * aside, up * (1 - aside), up * aside};
   }
 };
@@ -38,18 +39,18 @@ struct UtiaNodes {
 /// Replaces values at polar angle 0, `stride` apart from `first`, by their mean.
 void unitePole(std::vector<glm::vec3>& values, std::size_t first, std::size_t stride) {
   glm::dvec3 mean(0);
-  for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) mean += glm::dvec3(values[first + azimuth * stride]);
-  mean /= double(azimuths);
-  for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) values[first + azimuth * stride] = mean;
+  for (std::size_t azimuth = 0; azimuth < utiaAzimuths; ++azimuth) mean += glm::dvec3(values[first + azimuth * stride]);
+  mean /= double(utiaAzimuths);
+  for (std::size_t azimuth = 0; azimuth < utiaAzimuths; ++azimuth) values[first + azimuth * stride] = mean;
 }
 
 void checkUtia(const std::vector<glm::vec3>& values) {
-  if (values.size() != directions * directions)
+  if (values.size() != utiaDirections * utiaDirections)
     throw Error("found " + std::to_string(values.size()) + " values, expected 288 x 288");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i].x + values[i].y + values[i].z))
-      throw Error("the value of incident direction " + std::to_string(i / directions) + " and viewing direction " +
-                  std::to_string(i % directions) + " is not a finite number");
+      throw Error("the value of incident direction " + std::to_string(i / utiaDirections) + " and viewing direction " +
+                  std::to_string(i % utiaDirections) + " is not a finite number");
 }
 
 /// The value at the file's own incident and viewing directions.
@@ -58,7 +59,7 @@ Rgb storedValues(const UtiaBrdf::Values& values, const Direction& incident, cons
   Rgb value(0);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t v = 0; v < 4; ++v)
-      value += rows.weight[i] * columns.weight[v] * Rgb(values[rows.index[i] * directions + columns.index[v]]);
+      value += rows.weight[i] * columns.weight[v] * Rgb(values[rows.index[i] * utiaDirections + columns.index[v]]);
   return value;
 }
 
@@ -71,8 +72,8 @@ UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident) : 
       clampedCount_ += value[channel] < 0;
       value[channel] = std::max(value[channel], 0.0f);
     }
-  for (std::size_t other = 0; other < directions; ++other) unitePole(values, other, directions);
-  for (std::size_t other = 0; other < directions; ++other) unitePole(values, other * directions, 1);
+  for (std::size_t other = 0; other < utiaDirections; ++other) unitePole(values, other, utiaDirections);
+  for (std::size_t other = 0; other < utiaDirections; ++other) unitePole(values, other * utiaDirections, 1);
   values_ = std::make_shared<const Values>(std::move(values));
 }
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 
 namespace gonio {
 
@@ -30,7 +30,8 @@ class UtiaBrdf final : public Brdf {
   explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentDirection incident = IncidentDirection::viewer);
   /// The same file read with another setting of IncidentDirection; shares the values.
   std::shared_ptr<const UtiaBrdf> withIncident(IncidentDirection incident) const;
-  IncidentDirection incidentDirection() const { return incident_; }
+  std::optional<IncidentDirection> incidentDirection() const override { return incident_; }
+  std::shared_ptr<const Brdf> readWith(IncidentDirection incident) const override { return withIncident(incident); }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/dictionary/mapped_columns.h"
-#include "core/io/scratch_file.h"
+#include "core/io/atomic_file.h"
 #include "core/support/error.h"
 
 namespace gonio::dictionary {

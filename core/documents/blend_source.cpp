@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/documents/edit_document_json.h"
+#include "core/documents/edit_document.h"
 #include "core/interpolation/native_form_blend.h"
 #include "core/io/json_text.h"
 #include "core/io/sha256.h"
@@ -86,7 +86,7 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
                                             const std::shared_ptr<const TabulatedBrdf>& unedited,
                                             const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits) {
   InterpolationMaterial end{.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
-  if (!base->asTable()) {
+  if (!formOf<TabulatedBrdf>(*base)) {
     end.base = base;
     end.edits = edits;
   }

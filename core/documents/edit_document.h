@@ -10,6 +10,7 @@
 
 #include "core/brdf/incident_direction.h"
 #include "core/editing/edit.h"
+#include "core/support/json_object.h"
 
 namespace gonio::editing {
 
@@ -59,5 +60,13 @@ std::filesystem::path resolveSource(const EditDocument& document, const std::fil
 
 /// The document with its source path, or those of all materials of its blend, as resolveSource() returns them.
 EditDocument resolved(EditDocument document, const std::filesystem::path& documentPath);
+
+/// The JSON that documents and the materials of blends share: "source" and "edits".
+nlohmann::json contentToJson(const EditDocument& document);
+/// @param depth number of enclosing blends. @throws Error as documentFromJson().
+EditDocument contentFromJson(const JsonObject& object, int version, int depth = 0);
+
+/// The model named under "model". @throws Error that names the key.
+const models::Model& modelFromJson(const JsonObject& object);
 
 }  // namespace gonio::editing

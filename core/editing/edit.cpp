@@ -310,7 +310,7 @@ std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Tabul
 
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,
                                                const TaskControl& control) {
-  if (const TabulatedBrdf* table = base->asTable())
+  if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*base))
     return bakeEdits(std::shared_ptr<const TabulatedBrdf>(base, table), edits, control);
   return bakeTable(*applyEdits(base, edits), {}, control, bakedAzimuths);
 }

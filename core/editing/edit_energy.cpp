@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/editing/edit_energy.h"
 
-#include "core/brdf/statistics.h"
+#include "core/sampling/directional_albedo.h"
 
 namespace gonio::editing {
 
@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t sampleCount = 1 << 13;
 
 Energy energyOf(const Brdf& brdf) {
-  const SamplingLobe lobe = estimateSamplingLobe(brdf);
+  const SamplingDensity lobe = estimateSamplingDensity(brdf);
   return {luminance(directionalAlbedo(brdf, 0, lobe, sampleCount)),
           luminance(directionalAlbedo(brdf, grazingView, lobe, sampleCount))};
 }

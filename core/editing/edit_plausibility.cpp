@@ -13,7 +13,7 @@ std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_
     for (metrics::PlausibilityCheck& check : checks)
       if (check.name == name) ordered.push_back(std::move(check));
   ordered.insert(ordered.begin() + 2, metrics::checkNegative(*applyEditsUnclamped(base, edits), *base));
-  if (const TabulatedBrdf* table = base->asTable()) ordered.push_back(metrics::checkCoverage(*table));
+  if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*base)) ordered.push_back(metrics::checkCoverage(*table));
   return ordered;
 }
 

@@ -2,12 +2,30 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_files.h"
 
+#include <cstdio>
+
 #include "core/io/atomic_file.h"
 #include "core/support/error.h"
 
 namespace gonio::exports {
 
 namespace fs = std::filesystem;
+
+ExportPart textPart(std::string_view suffix, std::string_view text) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  return {std::string(suffix), {bytes, bytes + text.size()}};
+}
+
+std::string decimalText(double number) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", number + 0.0);  // no "-0"
+  return digits;
+}
+
+std::string colourText(const Rgb& colour, std::string_view separator) {
+  return decimalText(colour.x) + std::string(separator) + decimalText(colour.y) + std::string(separator) +
+         decimalText(colour.z);
+}
 
 void checkTargets(std::span<const fs::path> paths, std::span<const fs::path> sources, bool overwrite) {
   for (const fs::path& path : paths) {

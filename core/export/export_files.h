@@ -2,11 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/math/types.h"
+
+/// Files of exports, and numbers in those that are text.
 namespace gonio::exports {
 
 /// One file of an export, in memory.
@@ -14,6 +19,14 @@ struct ExportPart {
   std::string suffix;  ///< appended to the name of the export
   std::vector<std::byte> bytes;
 };
+
+/// A text file as a part of an export.
+ExportPart textPart(std::string_view suffix, std::string_view text);
+
+/// A number with up to six significant digits: "0.25", "1e-05".
+std::string decimalText(double number);
+/// The channels with a separator, e.g. "0.8, 0.4, 0.1".
+std::string colourText(const Rgb& colour, std::string_view separator = ", ");
 
 /// One file to write.
 struct ExportFile {

@@ -2,21 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_target.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <iterator>
 
-#include "core/brdf/statistics.h"
 #include "core/editing/edit_summary.h"
-#include "core/export/blender_target.h"
-#include "core/export/file_targets.h"
-#include "core/export/glsl_target.h"
-#include "core/export/gltf_target.h"
-#include "core/export/materialx_targets.h"
-#include "core/export/principled_target.h"
-#include "core/export/slices_target.h"
-#include "core/export/values_target.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/sampling/directional_albedo.h"
 #include "core/support/plain_text.h"
 
 namespace gonio::exports {
@@ -78,27 +69,12 @@ fs::path ExportTarget::nameOf(const fs::path& file) const {
   return file;
 }
 
-std::span<const ExportTarget> exportTargets() {
-  static const std::vector<ExportTarget> targets{
-      mitsubaTarget(), pbrtTarget(),      blenderTarget(), principledTarget(),
-      gltfTarget(),    materialXTarget(), openPbrTarget(), standardSurfaceTarget(),
-      valuesTarget(),  glslTarget(),      merlTarget(),    merlCircleTarget(),
-      utiaTarget(),    csvTarget(),       slicesTarget()};
-  return targets;
-}
-
-const ExportTarget* findExportTarget(std::string_view id) {
-  const auto targets = exportTargets();
-  const auto found = std::ranges::find(targets, id, &ExportTarget::id);
-  return found == targets.end() ? nullptr : &*found;
-}
-
 ExportResult makeExport(const ExportTarget& target, const materials::EditedMaterial& source,
                         const ExportOptions& options, const TaskControl& control) {
   constexpr double warned = 0.02, poorSnr = 10;
   std::vector<std::string> warnings = exportWarnings(*source.shown.brdf);
   ExportResult made = target.make(source, options, control.between(warned, 0.95));
-  made.brdfSnr = metrics::brdfSignalToNoiseRatio(*source.shown.brdf, *made.brdf);
+  if (made.brdf) made.brdfSnr = metrics::brdfSignalToNoiseRatio(*source.shown.brdf, *made.brdf);
   if (made.snr < poorSnr)
     made.warnings.push_back(
         "this target cannot represent the material: renderings of the export look clearly different");

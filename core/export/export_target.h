@@ -3,13 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
 
 #include "core/export/export_files.h"
-#include "core/export/scene_files.h"
+#include "core/export/scenes/scene_files.h"
 #include "core/materials/encode.h"
 
 namespace gonio::exports {
@@ -25,9 +26,11 @@ struct ExportFact {
 /// An export in memory.
 struct ExportResult {
   std::vector<ExportPart> parts;
-  double snr = 0;                    ///< rendered SNR of `brdf` against the material, dB; +infinity for equal pictures
-  double brdfSnr = 0;                ///< BRDF SNR of `brdf`, dB; set by makeExport()
-  std::shared_ptr<const Brdf> brdf;  ///< the files as the renderer evaluates them, by the target's own formula
+  /// Rendered SNR of `brdf` against the material, dB; +infinity for equal pictures.
+  double snr = std::numeric_limits<double>::quiet_NaN();
+  double brdfSnr = snr;              ///< BRDF SNR of `brdf`, dB; set by makeExport()
+  std::shared_ptr<const Brdf> brdf;  ///< the files as the renderer evaluates them, by the target's own formula; null
+                                     ///< for values at individual directions, which have no SNR
   std::vector<ExportFact> facts;
   std::vector<std::string> losses;    ///< what the files do not hold, for the user
   std::vector<std::string> warnings;  ///< for the user

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/file_targets.h"
 
-#include <limits>
-
-#include "core/export/export_report.h"
-#include "core/export/mitsuba_scene.h"
-#include "core/export/pbrt_scene.h"
-#include "core/export/surface_target.h"
+#include "core/export/export_files.h"
+#include "core/export/scenes/scene_files.h"
+#include "core/export/target_table.h"
+#include "core/formats/formats.h"
+#include "core/formats/rgl.h"
 #include "core/io/csv_text.h"
+#include "core/io/exr_codec.h"
+#include "core/plots/slice.h"
 
 namespace gonio::exports {
-
-using materials::FormatId;
 
 namespace {
 
@@ -22,11 +20,11 @@ constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf
 template <bool spectral>
 ExportResult makeBsdf(const materials::EditedMaterial& source, const ExportOptions& options,
                       const TaskControl& control) {
-  rgl::EncodedRgl files = materials::encodeRgl(source, options, control);
+  rgl::EncodedRgl files = formats::encodeRgl(source, options, control);
   ExportResult made;
   made.snr = spectral ? files.spectralSnr : files.rgbSnr;
   made.brdf = spectral ? files.spectralBrdf : files.rgbBrdf;
-  made.losses = materials::lossesOf(files);
+  made.losses = formats::lossesOf(files);
   made.facts = {{"thetaCount", "Incident polar angles", files.size.thetaCount},
                 {"size", "Grid size per incident direction", files.size.size},
                 {"ownParameterisation", "Nodes of the source", files.ownParameterisation},
@@ -44,16 +42,16 @@ ExportResult makeBsdf(const materials::EditedMaterial& source, const ExportOptio
 }
 
 /// One file in one of Gonio's formats.
-template <FormatId id>
+template <const materials::MaterialFormat& format>
 ExportResult makeFile(const materials::EditedMaterial& source, const ExportOptions& options,
                       const TaskControl& control) {
-  materials::Encoded file = materials::encode(source, materials::formatOf(id), options, control);
+  materials::Encoded file = materials::encode(source, format, options, control);
   ExportResult made;
   made.snr = file.snr;
   made.brdf = std::move(file.readBack);
   made.losses = std::move(file.losses);
-  made.parts.push_back({std::string(id == FormatId::merlCircle ? "_360.binary" : materials::formatOf(id).suffix()),
-                        std::move(file.bytes)});
+  made.parts.push_back(
+      {std::string(&format == &formats::merlCircleFormat ? "_360.binary" : format.suffix()), std::move(file.bytes)});
   return made;
 }
 
@@ -63,6 +61,7 @@ constexpr int lightPolarStep = 15, lightPolarEnd = 75, lightAzimuthStep = 30, vi
 
 ExportResult makeCsv(const materials::EditedMaterial& source, const ExportOptions&, const TaskControl& control) {
   const bool isotropic = source.shown.brdf->isIsotropic();
+  std::size_t count = 0;
   std::string text =
       io::csvComment(materials::originOf(source)) +
       "# BRDF values, linear sRGB in 1/sr without the cosine. Angles in degrees: polar from the normal, azimuth from "
@@ -76,12 +75,45 @@ ExportResult makeCsv(const materials::EditedMaterial& source, const ExportOption
                                                         fromSpherical(radians(thetaO), radians(phiO)));
           for (const int angle : {thetaI, phiI, thetaO, phiO}) text += std::to_string(angle) + ",";
           text += colourText(value, ",") + "\n";
+          ++count;
         }
     }
   ExportResult made;
-  made.snr = std::numeric_limits<double>::infinity();
-  made.brdf = source.shown.brdf;
+  made.losses.push_back("the file contains values at " + std::to_string(count) +
+                        " pairs of directions and nothing between them");
   made.parts.push_back(textPart(".csv", text));
+  return made;
+}
+
+constexpr std::string_view slicesSuffix = "_slices.exr";
+constexpr int slicesSide = 180;
+/// Degrees. A reciprocal material that is the same on both sides of the plane of incidence has no others.
+constexpr int slicesPhiD[] = {0, 30, 60, 90};
+
+ExportResult makeSlices(const materials::EditedMaterial& source, const ExportOptions&, const TaskControl& control) {
+  Image image(int(std::size(slicesPhiD)) * slicesSide, slicesSide);
+  std::string azimuths;
+  for (std::size_t i = 0; i < std::size(slicesPhiD); ++i) {
+    control.throwIfStopped();
+    const plots::Slice slice =
+        plots::halfDifferenceSlice(*source.shown.brdf, radians(slicesPhiD[i]), plots::ThetaHSpacing::squareRoot,
+                                   plots::CosineFactor::none, nullptr, slicesSide);
+    for (int row = 0; row < slicesSide; ++row)
+      for (int column = 0; column < slicesSide; ++column)
+        image.at(int(i) * slicesSide + column, slicesSide - 1 - row) =
+            glm::vec3(slice.cells.values[slice.index(column, row)]);
+    azimuths += (i ? ", " : "") + std::to_string(slicesPhiD[i]);
+  }
+  ExportResult made;
+  made.losses.push_back("the image contains values at " + std::to_string(std::size(slicesPhiD)) +
+                        " azimuths phi_d and nothing between them");
+  made.parts.push_back(
+      {std::string(slicesSuffix),
+       io::encodeExr(image, {{"comments", materials::originOf(source)},
+                             {"slices", "from left to right: phi_d = " + azimuths +
+                                            " degrees; along x: theta_h = 90 u^2 degrees, u from 0 to 1; along y: "
+                                            "theta_d from 0 at the bottom to 90 degrees at the top; linear sRGB, 1/sr "
+                                            "without the cosine; 0 where a direction is below the surface"}})});
   return made;
 }
 
@@ -125,7 +157,7 @@ ExportTarget merlTarget() {
           .description = "A file in the layout of the MERL database, which research code and several renderers read.",
           .limitations = "Isotropic, reciprocal materials at 90 x 90 x 180 half-difference angles.",
           .suffixes = {".binary"},
-          .make = makeFile<FormatId::merl>};
+          .make = makeFile<formats::merlFormat>};
 }
 
 ExportTarget merlCircleTarget() {
@@ -136,7 +168,7 @@ ExportTarget merlCircleTarget() {
               "do not.",
           .limitations = "Isotropic materials at 90 x 90 x 360 half-difference angles; not necessarily reciprocal.",
           .suffixes = {"_360.binary"},
-          .make = makeFile<FormatId::merlCircle>};
+          .make = makeFile<formats::merlCircleFormat>};
 }
 
 ExportTarget utiaTarget() {
@@ -147,7 +179,7 @@ ExportTarget utiaTarget() {
               "Isotropic and anisotropic materials at 288 x 288 directions: 15 degrees of polar angle by 7.5 of "
               "azimuth, too coarse for sharp highlights.",
           .suffixes = {".bin"},
-          .make = makeFile<FormatId::utia>};
+          .make = makeFile<formats::utiaFormat>};
 }
 
 ExportTarget csvTarget() {
@@ -160,6 +192,17 @@ ExportTarget csvTarget() {
           "steps of 15; for anisotropic materials also the azimuth of the light in steps of 30.",
       .suffixes = {".csv"},
       .make = makeCsv};
+}
+
+ExportTarget slicesTarget() {
+  return {.id = "slices",
+          .label = "Slices (OpenEXR)",
+          .description = "An image of four planes of half-difference space, theta_h by theta_d, for figures.",
+          .limitations =
+              "Values at phi_d of 0, 30, 60 and 90 degrees; for an anisotropic material with the half vector "
+              "tilted towards x, the brushing direction. No renderer reads this file.",
+          .suffixes = {slicesSuffix},
+          .make = makeSlices};
 }
 
 }  // namespace gonio::exports

@@ -216,7 +216,7 @@ class PdvBrdf final : public Brdf {
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors) { return std::make_shared<const PdvBrdf>(factors); }
 
 std::shared_ptr<const PdvFactors> pdvFactorsOf(const Brdf& brdf) {
-  const auto* pdv = dynamic_cast<const PdvBrdf*>(&brdf);
+  const auto* pdv = formOf<PdvBrdf>(brdf);
   return pdv ? pdv->factors() : nullptr;
 }
 

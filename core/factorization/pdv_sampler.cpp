@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/math/monotone_cubic.h"
 
@@ -141,7 +141,7 @@ DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) con
   const double cosine = cosineFraction(viewer.theta);
   Direction wi;
   if (u.x < cosine) {
-    wi = CosineLobe().sample(wo, {u.y, u.z});
+    wi = CosineDensity().sample(wo, {u.y, u.z});
     wi.z = std::max(wi.z, smallestSampledCosine);
   } else {
     const std::size_t bin = rows_.sampleBin(viewer.theta, (u.x - cosine) / (1 - cosine));

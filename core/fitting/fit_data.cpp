@@ -21,14 +21,7 @@ constexpr double searchTolerance = 1e-7, polishTolerance = 1e-13;
 
 /// What is fitted as a table but is none.
 std::shared_ptr<const TabulatedBrdf> tableOf(const Brdf& base) {
-  return base.asTable() || !base.isIsotropic() ? nullptr : bakeTable(base);
-}
-
-/// The measurement at the nodes at which models are compared with it: each is read for every model. Null where the data
-/// of the fit hold them, or where there is no such table.
-std::shared_ptr<const TabulatedBrdf> nodesOf(const Brdf& measurement) {
-  if (measurement.asTable() || !measurement.isIsotropic() || measurement.isReciprocal()) return nullptr;
-  return bakeTable(measurement, {.reciprocal = false});
+  return formOf<TabulatedBrdf>(base) || !base.isIsotropic() ? nullptr : bakeTable(base);
 }
 
 }  // namespace
@@ -36,10 +29,9 @@ std::shared_ptr<const TabulatedBrdf> nodesOf(const Brdf& measurement) {
 FitData::FitData(const Brdf& base, const Brdf& measurement, const FitOptions& options)
     : base_(base),
       measurement_(measurement),
-      nodes_(nodesOf(measurement)),
       options_(options),
       baked_(tableOf(base)),
-      table_(baked_ ? baked_.get() : base.asTable()) {
+      table_(baked_ ? baked_.get() : formOf<TabulatedBrdf>(base)) {
   if (table_) {
     selection_ = selectCells(*table_, options.maxPolarAngle);
     warnings_ = measurementWarnings(*table_, selection_);
@@ -50,9 +42,7 @@ FitData::FitData(const Brdf& base, const Brdf& measurement, const FitOptions& op
 }
 
 std::vector<double> FitData::errors(const Brdf& fitted) const {
-  const bool isInTable = table_ && measurement_.isIsotropic() && measurement_.isReciprocal();
-  const Brdf& reference = nodes_ ? *nodes_ : isInTable ? static_cast<const Brdf&>(*table_) : measurement_;
-  return metrics::brdfErrors(reference, fitted, options_.maxPolarAngle, options_.gamma);
+  return measurement_.errors(fitted, options_.maxPolarAngle, options_.gamma);
 }
 
 FitTarget FitData::makeTarget(Part part, double costTolerance) const {

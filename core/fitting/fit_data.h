@@ -7,6 +7,7 @@
 #include "core/fitting/azimuth_cells.h"
 #include "core/fitting/fit.h"
 #include "core/fitting/projected_problem.h"
+#include "core/metrics/brdf_metrics.h"
 
 namespace gonio::fitting {
 
@@ -43,8 +44,8 @@ class FitData {
   enum class Part { search, fine, coarse };
   FitTarget makeTarget(Part part, double costTolerance) const;
 
-  const Brdf &base_, &measurement_;
-  std::shared_ptr<const TabulatedBrdf> nodes_;  ///< of a measurement that is not reciprocal, over the whole circle
+  const Brdf& base_;
+  metrics::SampledReference measurement_;
   FitOptions options_;
   std::shared_ptr<const TabulatedBrdf> baked_;  ///< if the base is isotropic but not a table
   const TabulatedBrdf* table_;                  ///< null for anisotropic data

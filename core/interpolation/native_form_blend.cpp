@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/moment_probes.h"
 #include "core/brdf/utia_brdf.h"
 #include "core/rgl/rgl_edit.h"
+#include "core/sampling/fitted_densities.h"
 
 namespace gonio::editing {
 
 namespace {
 
-const UtiaBrdf* utiaOf(const InterpolationMaterial& end) { return dynamic_cast<const UtiaBrdf*>(end.base.get()); }
+const UtiaBrdf* utiaOf(const InterpolationMaterial& end) { return formOf<UtiaBrdf>(*end.base); }
 
 std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& control) {
   constexpr std::size_t side = UtiaBrdf::directionCount;
@@ -60,7 +60,7 @@ NativeFormBlend bestRglBlend(std::span<const InterpolationMaterial> ends, std::s
   NativeFormBlend best{.accuracy = -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (!(weights[i] > 0)) continue;
-    std::shared_ptr<const RglBrdf> candidate = rglBlend(*ends[i].base->asRgl(), blend, control);
+    std::shared_ptr<const RglBrdf> candidate = rglBlend(*formOf<RglBrdf>(*ends[i].base), blend, control);
     if (const double found = accuracyOf(*candidate, probes, blend); !best.brdf || found > best.accuracy)
       best = {std::move(candidate), i, found};
   }
@@ -88,7 +88,7 @@ std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolatio
   const std::vector<InterpolationMaterial>& ends = interpolation.ends();
   if (all(ends, weights, utiaOf)) return NativeFormBlend{utiaBlend(*blend, control)};
   const auto isRgl = [&](const InterpolationMaterial& end) {
-    return end.base->asRgl() && end.base->isIsotropic() == blend->isIsotropic();
+    return formOf<RglBrdf>(*end.base) && end.base->isIsotropic() == blend->isIsotropic();
   };
   if (!all(ends, weights, isRgl)) return std::nullopt;
   NativeFormBlend best = bestRglBlend(ends, weights, *blend, control);

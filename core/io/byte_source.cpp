@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <string>
 #include <utility>
 
 #include "core/support/error.h"
@@ -63,6 +62,18 @@ void MemorySource::readAt(std::uint64_t offset, std::span<std::byte> target) con
     throw Error("ends at byte " + std::to_string(bytes_.size()) + ", expected " + std::to_string(target.size()) +
                 " bytes from byte " + std::to_string(offset));
   if (!target.empty()) std::memcpy(target.data(), bytes_.data() + offset, target.size());
+}
+
+std::string base64Text(std::span<const std::byte> bytes) {
+  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes.size() ? unsigned(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
 }
 
 }  // namespace gonio::io

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace gonio::io {
@@ -56,5 +57,8 @@ class MemorySource final : public ByteSource {
  private:
   std::span<const std::byte> bytes_;
 };
+
+/// Bytes as base64 text (RFC 4648, with padding), for data URIs.
+std::string base64Text(std::span<const std::byte> bytes);
 
 }  // namespace gonio::io

@@ -14,7 +14,6 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
-#include "core/io/exr_header_check.h"
 #include "core/support/file_in_errors.h"
 
 namespace gonio::io {

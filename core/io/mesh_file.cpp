@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include "core/io/gltf_file.h"
-#include "core/io/obj_file.h"
-#include "core/io/ply_file.h"
 #include "core/support/error.h"
 #include "core/support/file_in_errors.h"
 #include "core/support/lower_case.h"

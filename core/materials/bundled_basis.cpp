@@ -7,8 +7,7 @@
 #include <mutex>
 
 #include "core/brdf/neural_brdf.h"
-#include "core/materials/measured_library.h"
-#include "core/materials/near_measured_library.h"
+#include "core/materials/bundled_library.h"
 
 namespace gonio::materials {
 

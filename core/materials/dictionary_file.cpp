@@ -8,6 +8,12 @@
 #include "core/materials/grid_json.h"
 #include "core/support/file_in_errors.h"
 
+extern "C" {
+// Of the file that the build takes in (bundled_files.S).
+extern const std::byte gonioBundledDictionary[];
+extern const std::byte gonioBundledDictionaryEnd[];
+}
+
 namespace gonio::materials {
 
 namespace {
@@ -69,6 +75,12 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
 
 std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return readDictionary(io::FileSource(path)); });
+}
+
+std::shared_ptr<const NamedEnsemble> bundledEnsemble() {
+  static const std::shared_ptr<const NamedEnsemble> dictionary = readDictionary(
+      io::MemorySource({gonioBundledDictionary, std::size_t(gonioBundledDictionaryEnd - gonioBundledDictionary)}));
+  return dictionary;
 }
 
 }  // namespace gonio::materials

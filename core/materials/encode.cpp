@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
-#include "core/brdf/utia_brdf.h"
 #include "core/io/atomic_file.h"
-#include "core/materials/material_file.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/rgl/rgl_fields.h"
+#include "core/rgl/rgl_file.h"
 #include "core/support/file_in_errors.h"
 #include "core/support/lower_case.h"
 
@@ -21,15 +21,15 @@ namespace {
 /// Whether a reader of the file gets the material: it has no edits, and the file is read as readers do.
 bool isUnchanged(const EditedMaterial& material) {
   return material.shown.brdf == material.base.brdf &&
-         incidentDirectionOf(*material.base.brdf).value_or(IncidentDirection::viewer) == IncidentDirection::viewer;
+         material.base.brdf->incidentDirection().value_or(IncidentDirection::viewer) == IncidentDirection::viewer;
 }
 
-/// Whether the file that was read is already what is wanted.
-bool isOwnFile(const EditedMaterial& material, const MaterialFormat& format) {
-  const Material& base = material.base;
-  if (!isUnchanged(material) || base.source.format != format.name || base.source.path.empty()) return false;
-  // Of RGL files the encoder decides, of UTIA files the suffix: OpenEXR images are not written.
-  return base.table || (format.id == FormatId::utia && base.source.path.extension() == format.suffix());
+/// Whether the file that was read is already what is wanted: read in this format, and with the suffix that is written
+/// (of UTIA files, OpenEXR images are not).
+bool isOwnFile(const EditedMaterial& material, const MaterialFormat& format, const EncodeOptions& options) {
+  const MaterialSource& source = material.base.source;
+  return isUnchanged(material) && !options.size && source.format == format.name &&
+         format.isOwnForm(*material.base.brdf) && lowerCase(source.path.extension().string()) == format.suffix();
 }
 
 /// What a material is that a format cannot hold.
@@ -43,8 +43,7 @@ std::vector<std::string> unheld(const EditedMaterial& material, const FormatCapa
     losses.push_back(
         "the material is not reciprocal: the file contains the mean of each value and the value with light and viewer "
         "exchanged");
-  const RglBrdf* rgl = material.base.brdf->asRgl();
-  if (!holds.spectral && rgl && rgl->tables()->data.spectra)
+  if (!holds.spectral && material.base.brdf->isSpectral())
     losses.push_back("the material has spectra: the file contains their colours under D65");
   return losses;
 }
@@ -52,8 +51,8 @@ std::vector<std::string> unheld(const EditedMaterial& material, const FormatCapa
 std::vector<const MaterialFormat*> withSuffix(const std::filesystem::path& path) {
   const std::string suffix = lowerCase(path.extension().string());
   std::vector<const MaterialFormat*> found;
-  for (const MaterialFormat& format : materialFormats())
-    if (format.encode && format.suffix() == suffix) found.push_back(&format);
+  for (const MaterialFormat* format : materialFormats())
+    if (format->encode && format->suffix() == suffix) found.push_back(format);
   return found;
 }
 
@@ -72,13 +71,12 @@ Encoded encode(const EditedMaterial& material, const MaterialFormat& format, con
   if (!format.encode)
     throw Error("found the format " + std::string(format.name) + ", which is only read, expected " +
                 writableSuffixText());
-  const bool isCopy = isOwnFile(material, format);
+  const bool isCopy = isOwnFile(material, format, options);
   Encoded made = isCopy ? Encoded{materialFile(material.base.source), material.shown.brdf}
                         : format.encode(material, options, control.between(0, 0.6));
   if (made.readBack == material.shown.brdf) return made;
   std::ranges::copy(unheld(material, format.holds), std::back_inserter(made.losses));
-  // The encoder of RGL files has rendered them.
-  if (format.id != FormatId::rgl) {
+  if (std::isinf(made.snr)) {
     const RenderedComparison pictures = comparisonOf(material, options, control.between(0.6, 0.8));
     made.snr = pictures.signalToNoiseRatio(pictures.render(*made.readBack, control.between(0.8, 0.9)));
   }
@@ -95,52 +93,15 @@ Encoded writeMaterial(const EditedMaterial& material, const std::filesystem::pat
   return made;
 }
 
-namespace {
-
-bool changesOnlyColours(const editing::Edit& edit) {
-  const auto* change = std::get_if<editing::DifferentialEdit>(&edit.content);
-  return edit.isIdentity() || (change && !change->changesModel());
-}
-
-}  // namespace
-
-rgl::EncodedRgl encodeRgl(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control) {
-  std::optional<rgl::RglFileSource> source;
-  const Material& base = material.base;
-  if (const RglBrdf* rgl = base.brdf->asRgl()) {
-    source = {.brdf = {base.brdf, rgl}};
-    source->bytes = base.source.format == formatOf(FormatId::rgl).name && !base.source.path.empty()
-                        ? materialFile(base.source)
-                        : rgl::encodeRglData(rgl::wholeData(*rgl->tables()), originOf(material), rgl::RglColours::rgb);
-    source->onlyColoursChanged = std::ranges::all_of(material.edits, changesOnlyColours);
-  }
-  const auto pictures = [&](const TaskControl& part) { return comparisonOf(material, options, part); };
-  return rgl::encodeRgl(*material.shown.brdf, source ? &*source : nullptr, originOf(material),
-                        {.snr = options.snr, .size = options.size}, pictures, control);
-}
-
-std::vector<std::string> lossesOf(const rgl::EncodedRgl& files) {
-  std::vector<std::string> losses;
-  const auto count = [](std::size_t number) { return std::to_string(number); };
-  if (!files.ownParameterisation)
-    losses.push_back("the values were sampled at " + count(files.size.thetaCount) + " polar angles x " +
-                     count(files.size.size) + " x " + count(files.size.size) + " nodes");
-  if (!files.keepsSpectra)
-    losses.push_back("the material has spectra: the file contains smooth spectra of their colours");
-  return losses;
-}
-
 std::vector<const MaterialFormat*> writableFormats(const Brdf& material) {
   const auto score = [&](const MaterialFormat* format) {
-    const TabulatedBrdf* table = material.asTable();
-    const bool isTable = format->id == FormatId::merl || format->id == FormatId::merlCircle;
-    if (table && isTable) return table->grid().reciprocal == !format->holds.nonReciprocal ? 4 : 3;
-    if (dynamic_cast<const UtiaBrdf*>(&material) && format->id == FormatId::utia) return 5;
-    return format->id == FormatId::rgl ? 2 : format->id == FormatId::utia ? -1 : format->holds.nonReciprocal ? 1 : 0;
+    const FormatCapabilities& holds = format->holds;
+    if (format->isOwnForm(material)) return 4;
+    return format->isSuffixAmbiguous ? -1 : int(holds.nonReciprocal) + int(holds.anisotropic) + int(holds.spectral);
   };
   std::vector<const MaterialFormat*> formats;
-  for (const MaterialFormat& format : materialFormats())
-    if (format.encode) formats.push_back(&format);
+  for (const MaterialFormat* format : materialFormats())
+    if (format->encode) formats.push_back(format);
   std::ranges::stable_sort(formats, std::greater(), score);
   return formats;
 }
@@ -149,11 +110,10 @@ const MaterialFormat& writableFormat(const std::filesystem::path& path, const Br
                                      const EncodeOptions& options) {
   checkWritableSuffix(path);
   const std::vector<const MaterialFormat*> found = withSuffix(path);
-  const TabulatedBrdf* table = material.asTable();
-  const bool wholeCircle = options.grid ? !options.grid->reciprocal : table && !table->grid().reciprocal;
-  for (const MaterialFormat* format : found)
-    if (format->holds.nonReciprocal == wholeCircle) return *format;
-  return *found.front();
+  const auto wanted = std::ranges::find_if(found, [&](const MaterialFormat* format) {
+    return options.grid ? format->holds.nonReciprocal == !options.grid->reciprocal : format->isOwnForm(material);
+  });
+  return wanted == found.end() ? *found.front() : **wanted;
 }
 
 void checkWritableSuffix(const std::filesystem::path& path, std::string_view other) {
@@ -166,9 +126,9 @@ std::string shortfall(const Encoded& made, const MaterialFormat& format, const E
   if (!(made.snr < options.snr)) return {};
   char text[96];
   std::snprintf(text, sizeof text, "rendered SNR %.1f dB, less than %.0f dB", made.snr, options.snr);
-  const char* help = format.id != FormatId::rgl ? "an RGL file (.bsdf) is usually closer to the material"
-                     : options.size             ? "without a given size, the size follows the material"
-                                                : "no larger file comes closer";
+  const char* help = !format.holds.spectral ? "an RGL file (.bsdf) is usually closer to the material"
+                     : options.size         ? "without a given size, the size follows the material"
+                                            : "no larger file comes closer";
   return std::string(text) + ": " + help;
 }
 

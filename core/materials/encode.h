@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "core/materials/edited_material.h"
 #include "core/materials/material_formats.h"
@@ -24,7 +25,8 @@ struct Encoded {
   std::vector<std::byte> bytes;
   std::shared_ptr<const Brdf> readBack;  ///< the file as a reader evaluates it
   std::vector<std::string> losses = {};  ///< what the file does not hold, one sentence each, for the user
-  double snr = std::numeric_limits<double>::infinity();      ///< rendered SNR against the material, dB
+  double snr = std::numeric_limits<double>::infinity();      ///< rendered SNR against the material, dB; an encoder
+                                                             ///< that has not measured it leaves it infinite
   double brdfSnr = std::numeric_limits<double>::infinity();  ///< BRDF SNR (metrics::brdfSignalToNoiseRatio()), dB
 };
 
@@ -50,12 +52,6 @@ void checkWritableSuffix(const std::filesystem::path& path, std::string_view oth
 
 /// Whether an SNR misses what was asked for, as a sentence that states what would help; empty if it does not.
 std::string shortfall(const Encoded& made, const MaterialFormat& format, const EncodeOptions& options);
-
-/// Both files of a material as RGL files: encode() returns one of them. @throws as encode().
-rgl::EncodedRgl encodeRgl(const EditedMaterial& material, const EncodeOptions& options = {},
-                          const TaskControl& control = {});
-/// What such a pair of files does not hold, for the user.
-std::vector<std::string> lossesOf(const rgl::EncodedRgl& files);
 
 /// Renders a material with the picture size and samples of the options, for RenderedComparison::signalToNoiseRatio().
 /// @throws Cancelled.

@@ -62,4 +62,13 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
   });
 }
 
+std::vector<std::byte> materialFile(const MaterialSource& source) {
+  if (source.path.native().starts_with(libraryScheme)) return bundledFile(source.path.string());
+  return withFileInErrors(source.path, [&] {
+    std::vector<std::byte> found = io::FileSource(source.path).readAll();
+    if (io::sha256Hex(found) != source.sha256) throw Error("the file has changed since it was read; open it again");
+    return found;
+  });
+}
+
 }  // namespace gonio::materials

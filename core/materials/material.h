@@ -45,13 +45,17 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
 /// The same for bytes; the material has no name and no path, and errors name no file.
 Material readMaterial(const io::ByteSource& source, const TaskControl& control = {});
 
+/// The bytes from which a material was read: its file, or that of a bundled measured material ("library:rgl/NAME").
+/// @throws Error that names the file, if it cannot be read or its hash has changed, or if the material has no file.
+std::vector<std::byte> materialFile(const MaterialSource& source);
+
 /// Where the data of a bundled material come from.
 enum class LibraryOrigin { measured, nearMeasured, publishedFit };
 /// The name for display: "measured", "near-measured copy", "published fit".
 std::string_view libraryOriginName(LibraryOrigin origin);
 
 struct LibraryEntry {
-  std::string id;           ///< source (core/materials/library_list.h) and name, e.g. "sgd/chrome"
+  std::string id;           ///< source (core/materials/bundled_library.h) and name, e.g. "sgd/chrome"
   std::string name;         ///< for display, e.g. "chrome"
   std::string description;  ///< for display, e.g. "SGD fit of MERL chrome, Bagher et al. 2012"
   LibraryOrigin origin = LibraryOrigin::measured;

@@ -15,8 +15,6 @@
 /// use. How to add one: CONTRIBUTING.md, "Add a material format".
 namespace gonio::materials {
 
-enum class FormatId { merl, merlCircle, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code, neural };
-
 /// What a format can represent beyond reciprocal, isotropic RGB.
 struct FormatCapabilities {
   bool nonReciprocal = false, anisotropic = false, spectral = false;
@@ -27,35 +25,38 @@ struct EncodeOptions;
 struct Encoded;
 
 struct MaterialFormat {
-  FormatId id;
   std::string_view name;                       ///< MaterialSource::format, e.g. "MERL"
   std::string_view label;                      ///< for display, e.g. "MERL file"
   std::span<const std::string_view> suffixes;  ///< with the dot; files are written with the first
-  bool isSuffixAmbiguous;  ///< whether files that are not materials often have the suffix (.bin, .exr, .txt, .dat), so
-                           ///< that it does not identify a material
-  bool isMeasurement;      ///< false: modelled or reconstructed from a measurement; training sets exclude it
-  FormatCapabilities holds;
+  bool isSuffixAmbiguous = false;  ///< whether files that are not materials often have the suffix (.bin, .exr, .txt,
+                                   ///< .dat), so that it does not identify a material
+  bool isMeasurement = false;      ///< false: modelled or reconstructed from a measurement; training sets exclude it
+  FormatCapabilities holds = {};
   /// Recognises a file by its start and size. @throws FormatMismatch that states what was found and what was expected.
   void (*sniff)(const io::ByteSource& source);
   /// Reads a file that `sniff` accepted: sets all members of the material except name, path, format and hash.
   void (*read)(const io::ByteSource& source, const TaskControl& control, Material& material);
   /// The file of a material and what it loses, for encode() alone (core/materials/encode.h); null if the format is only
   /// read.
-  Encoded (*encode)(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control);
+  Encoded (*encode)(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control) = nullptr;
+  /// Whether `read` returns BRDFs of this kind, so that the format is the first choice for writing one; null where
+  /// `encode` is.
+  bool (*isOwnForm)(const Brdf& brdf) = nullptr;
 
   std::string_view suffix() const { return suffixes.front(); }
 };
 
-/// All formats, in the order of recognition.
-std::span<const MaterialFormat> materialFormats();
-const MaterialFormat& formatOf(FormatId id);
+/// All formats, in the order of lists for people: formats::allFormats, which core/formats defines.
+std::span<const MaterialFormat* const> materialFormats();
 
 /// The first format with the suffix of a name, in upper or lower case (RGL for `.bsdf`); null if there is none or the
 /// suffix is ambiguous (isSuffixAmbiguous).
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path);
 /// Whether formatBySuffix() returns this format: never for a format with an ambiguous suffix, nor for Zemax and
 /// LightTools, which share `.bsdf` with RGL.
-bool hasSuffixOf(FormatId id, const std::filesystem::path& path);
+inline bool hasSuffixOf(const MaterialFormat& format, const std::filesystem::path& path) {
+  return formatBySuffix(path) == &format;
+}
 
 /// The format by content, or by suffix if no format accepts the content (a damaged file); null for other files.
 const MaterialFormat* formatOfFile(const std::filesystem::path& path);

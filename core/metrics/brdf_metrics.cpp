@@ -26,31 +26,38 @@ namespace gonio::metrics {
 
 namespace {
 
-/// The directions at which two BRDFs are compared: the nodes of a grid.
+/// The directions at which two BRDFs are compared: the nodes of the reference if it is a table, else points in the
+/// cells of a grid, since the nodes of a table that was made of the reference would be its best values.
 class Nodes {
  public:
   Nodes(const Brdf& reference, const Brdf& test)
       : grid_(gridOf(reference, test)),
-        directions_(grid_),
+        areNodes_(formOf<TabulatedBrdf>(reference) != nullptr),
+        directions_(grid_, areNodes_ ? GridPoints::nodes : GridPoints::scattered),
         isIsotropic_(reference.isIsotropic() && test.isIsotropic()) {}
 
   const HalfDifferenceGrid& grid() const { return grid_; }
+  bool areNodes() const { return areNodes_; }
   bool isIsotropic() const { return isIsotropic_; }
 
-  /// With both cosines at least 0. Where a BRDF is anisotropic, each node has an azimuth of its own; all are spread
-  /// evenly over the circle.
-  DirectionPair pair(std::size_t node) const {
-    DirectionPair pair = directions_.at(node).pair;
+  /// The directions of a node or cell, both with a cosine of at least `minCosine`. Tables contain nodes a little below
+  /// the horizon, where a cosine counts as 0; points in cells are above it. Where a BRDF is anisotropic, each pair has
+  /// an azimuth of its own; all are spread evenly over the circle.
+  std::optional<DirectionPair> pair(std::size_t index, double minCosine) const {
+    auto [pair, aboveHorizon] = directions_.at(index);
+    if (!areNodes_ && !aboveHorizon) return std::nullopt;
     pair.wi.z = std::max(0.0, pair.wi.z);
     pair.wo.z = std::max(0.0, pair.wo.z);
+    if (pair.wi.z < minCosine || pair.wo.z < minCosine) return std::nullopt;
     if (isIsotropic_) return pair;
-    const double turns = double(node) * (std::numbers::phi - 1);
+    const double turns = double(index) * (std::numbers::phi - 1);
     return AzimuthRotation(2 * pi * (turns - std::floor(turns)))(pair);
   }
 
  private:
   static HalfDifferenceGrid gridOf(const Brdf& reference, const Brdf& test) {
-    const TabulatedBrdf* table = reference.asTable() ? reference.asTable() : test.asTable();
+    const TabulatedBrdf* table =
+        formOf<TabulatedBrdf>(reference) ? formOf<TabulatedBrdf>(reference) : formOf<TabulatedBrdf>(test);
     HalfDifferenceGrid grid = table ? table->grid() : HalfDifferenceGrid();
     if (!grid.reciprocal || (reference.isReciprocal() && test.isReciprocal())) return grid;
     grid.reciprocal = false;
@@ -60,6 +67,7 @@ class Nodes {
   }
 
   HalfDifferenceGrid grid_;
+  bool areNodes_;
   GridDirections directions_;
   bool isIsotropic_;
 };
@@ -104,20 +112,8 @@ void lookUp(const TabulatedBrdf& table, const Nodes& nodes, std::span<const std:
   }
 }
 
-/// The values of a BRDF at the cells. Leaves out those at which it has no data.
-void evaluateCells(const Brdf& brdf, const Nodes& nodes, Cells& cells, std::vector<Rgb> Cells::*of) {
-  std::vector<Rgb>& values = cells.*of;
-  values.assign(cells.pairs.size(), Rgb(0));
-  std::vector<bool> known(values.size(), true);
-  if (const TabulatedBrdf* table = brdf.asTable()) {
-    lookUp(*table, nodes, cells.indices, values, known);
-  } else {
-    if (nodes.isIsotropic())
-      evaluateNodes(brdf, nodes.grid(), cells.indices, cells.pairs, values);
-    else
-      brdf.evaluate(cells.pairs, values);
-    for (std::size_t i = 0; i < values.size(); ++i) known[i] = values[i] != Rgb(0) || brdf.hasData(cells.pairs[i]);
-  }
+/// Leaves out the cells that are not known.
+void keepKnown(const std::vector<bool>& known, Cells& cells) {
   if (std::ranges::all_of(known, std::identity())) return;
   const auto keep = [&](auto& list) {
     std::size_t kept = 0;
@@ -131,18 +127,44 @@ void evaluateCells(const Brdf& brdf, const Nodes& nodes, Cells& cells, std::vect
   keep(cells.test);
 }
 
-/// The cells of [begin, end) whose cosines are at least `minCosine`; below the horizon a cosine counts as 0.
-Cells cellsOfBlock(const Brdf& reference, const Brdf& test, const Nodes& nodes, std::size_t begin, std::size_t end,
-                   double minCosine) {
+/// The values of a BRDF at the cells. Leaves out those at which it has no data.
+void evaluateCells(const Brdf& brdf, const Nodes& nodes, Cells& cells, std::vector<Rgb> Cells::*of) {
+  std::vector<Rgb>& values = cells.*of;
+  values.assign(cells.pairs.size(), Rgb(0));
+  std::vector<bool> known(values.size(), true);
+  const TabulatedBrdf* table = formOf<TabulatedBrdf>(brdf);
+  if (table && nodes.areNodes()) {
+    lookUp(*table, nodes, cells.indices, values, known);
+  } else {
+    if (nodes.isIsotropic())
+      evaluateNodes(brdf, nodes.grid(), cells.indices, cells.pairs, values);
+    else
+      brdf.evaluate(cells.pairs, values);
+    // Tables extrapolate where they have no data; other forms are 0 there.
+    for (std::size_t i = 0; i < values.size(); ++i)
+      known[i] = (!table && values[i] != Rgb(0)) || brdf.hasData(cells.pairs[i]);
+  }
+  keepKnown(known, cells);
+}
+
+/// The directions of the cells of [begin, end) with cosines of at least `minCosine`.
+Cells directionsOfBlock(const Nodes& nodes, std::size_t begin, std::size_t end, double minCosine) {
   Cells cells;
   cells.indices.reserve(end - begin);
   cells.pairs.reserve(end - begin);
   for (std::size_t node = begin; node < end; ++node) {
-    const DirectionPair pair = nodes.pair(node);
-    if (pair.wi.z < minCosine || pair.wo.z < minCosine) continue;
+    const std::optional<DirectionPair> pair = nodes.pair(node, minCosine);
+    if (!pair) continue;
     cells.indices.push_back(node);
-    cells.pairs.push_back(pair);
+    cells.pairs.push_back(*pair);
   }
+  return cells;
+}
+
+/// The same with the values of both BRDFs, where both have data.
+Cells cellsOfBlock(const Brdf& reference, const Brdf& test, const Nodes& nodes, std::size_t begin, std::size_t end,
+                   double minCosine) {
+  Cells cells = directionsOfBlock(nodes, begin, end, minCosine);
   evaluateCells(reference, nodes, cells, &Cells::reference);
   evaluateCells(test, nodes, cells, &Cells::test);
   return cells;
@@ -288,18 +310,25 @@ std::vector<double> errorsOf(std::span<const Sums> blocks) {
   return errors;
 }
 
-/// In the order of metricRecords(); 0 for metrics that are not wanted.
+/// In the order of metricRecords(); 0 for metrics that are not wanted. @param cellsOf the cells of [begin, end).
+template <typename CellsOf>
+std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const HalfDifferenceGrid& grid, double gamma,
+                             const CellsOf& cellsOf) {
+  const std::size_t count = grid.size();
+  std::vector<Sums> blocks((count + block - 1) / block);
+  parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
+    blocks[begin / block] = sumsOfBlock(wanted, grid, cellsOf(begin, end), gamma);
+  });
+  return errorsOf(blocks);
+}
+
 std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const Brdf& reference, const Brdf& test,
                              double maxPolarAngle, double gamma) {
   const Nodes nodes(reference, test);
-  const std::size_t count = nodes.grid().size();
   const double minCosine = smallestCosine(maxPolarAngle);
-  std::vector<Sums> blocks((count + block - 1) / block);
-  parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
-    const Cells cells = cellsOfBlock(reference, test, nodes, begin, end, minCosine);
-    blocks[begin / block] = sumsOfBlock(wanted, nodes.grid(), cells, gamma);
+  return errorsBy(wanted, nodes.grid(), gamma, [&](std::size_t begin, std::size_t end) {
+    return cellsOfBlock(reference, test, nodes, begin, end, minCosine);
   });
-  return errorsOf(blocks);
 }
 
 }  // namespace
@@ -310,6 +339,40 @@ double brdfError(BrdfMetric metric, const Brdf& reference, const Brdf& test, dou
 
 std::vector<double> brdfErrors(const Brdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
   return errorsBy(allBrdfMetrics(), reference, test, maxPolarAngle, gamma);
+}
+
+SampledReference::SampledReference(const Brdf& reference) : reference_(reference) {
+  if (formOf<TabulatedBrdf>(reference) || !reference.isIsotropic()) return;
+  const Nodes nodes(reference, reference);
+  grid_ = nodes.grid();
+  values_.resize(grid_.size());
+  known_.resize(grid_.size());
+  parallelForBlocks(grid_.size(), block, [&](std::size_t begin, std::size_t end) {
+    Cells cells = directionsOfBlock(nodes, begin, end, 0);
+    evaluateCells(reference, nodes, cells, &Cells::reference);
+    for (std::size_t i = 0; i < cells.indices.size(); ++i) {
+      values_[cells.indices[i]] = glm::vec3(cells.reference[i]);
+      known_[cells.indices[i]] = 1;
+    }
+  });
+}
+
+std::vector<double> SampledReference::errors(const Brdf& test, double maxPolarAngle, double gamma) const {
+  const Nodes nodes(reference_, test);
+  if (values_.empty() || nodes.grid() != grid_ || !nodes.isIsotropic())
+    return brdfErrors(reference_, test, maxPolarAngle, gamma);
+  const double minCosine = smallestCosine(maxPolarAngle);
+  return errorsBy(allBrdfMetrics(), grid_, gamma, [&](std::size_t begin, std::size_t end) {
+    Cells cells = directionsOfBlock(nodes, begin, end, minCosine);
+    std::vector<bool> known;
+    for (const std::size_t cell : cells.indices) {
+      cells.reference.push_back(Rgb(values_[cell]));
+      known.push_back(known_[cell] != 0);
+    }
+    keepKnown(known, cells);
+    evaluateCells(test, nodes, cells, &Cells::test);
+    return cells;
+  });
 }
 
 double brdfSignalToNoiseRatio(const Brdf& reference, const Brdf& test) {

@@ -8,9 +8,11 @@
 #include <iomanip>
 #include <sstream>
 
-#include "core/brdf/statistics.h"
+#include "core/brdf/rgl_brdf.h"
+#include "core/brdf/tabulated_brdf.h"
 #include "core/coordinates/half_difference.h"
 #include "core/math/sampling.h"
+#include "core/sampling/directional_albedo.h"
 
 namespace gonio::metrics {
 
@@ -127,7 +129,7 @@ std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskCon
   brdf.evaluate(exchanged, back);
   std::vector<PlausibilityCheck> checks{
       reciprocity(pairs, forth, back), energy(brdf, control), {}, nonFinite(pairs, forth)};
-  if (brdf.asRgl())
+  if (formOf<RglBrdf>(brdf))
     for (Rgb& value : forth) value = Rgb(luminance(value));
   checks[2] = negative(pairs, forth, 0);
   return checks;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/tabulated_normals.h"
 #include "core/models/abc_lobe.h"
 #include "core/models/registry.h"
 #include "core/models/v_cavity.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -49,7 +48,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
       [=](const SurfaceGeometry& g) {
         return kd + a * (abcLobe(g.oneMinusCosH, b, c) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
-      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{TabulatedNormals([=](double thetaH) {
                        const double s = std::sin(thetaH / 2);
                        return abcLobe(2 * s * s, b, c);
                      })}));

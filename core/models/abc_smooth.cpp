@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
 
-#include "core/brdf/disk_lobe.h"
 #include "core/models/abc_lobe.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -56,7 +56,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
       },
       // The integral over the plane is pi times that over the squared radius.
       diffuseMixture(maxChannel(p.values[diffuse]), pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine),
-                     DiskLobe{RationalRadial{b, c}}));
+                     DiskDensity{RationalRadial{b, c}}));
 }
 
 }  // namespace

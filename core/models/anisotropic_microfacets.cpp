@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
 
-#include "core/brdf/rotated_lobe.h"
-#include "core/brdf/visible_normal_lobe.h"
 #include "core/models/anisotropic_parameters.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
+#include "core/sampling/half_vector_densities.h"
 
 /// Microfacets with a width along the grain and another across it, under Smith's masking: of GGX and of Beckmann.
 namespace gonio::models {
@@ -66,12 +66,12 @@ constexpr ModelSpec beckmannSpec = {
 struct Ggx {
   static double density(const Direction& h, double x, double y) { return ggxDensity(h, x, y); }
   static double shadowedCosine(const Direction& w, double x, double y) { return ggxCosineOverG1(w, x, y); }
-  using Lobe = VisibleNormalLobe;
+  using Lobe = VisibleNormalDensity;
 };
 struct Beckmann {
   static double density(const Direction& h, double x, double y) { return beckmannDensity(h, x, y); }
   static double shadowedCosine(const Direction& w, double x, double y) { return beckmannCosineOverG1(w, x, y); }
-  using Lobe = BeckmannVisibleLobe;
+  using Lobe = BeckmannVisibleDensity;
 };
 
 template <typename Facets>
@@ -90,7 +90,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + ks * (Facets::density(toGrain(g.half), alphaX, alphaY) * fresnel(g.cosD) / cosines);
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     RotatedLobe(typename Facets::Lobe{alphaX, alphaY}, angle)),
+                     RotatedDensity(typename Facets::Lobe{alphaX, alphaY}, angle)),
       alphaX == alphaY);
 }
 

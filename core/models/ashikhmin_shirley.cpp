@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/rotated_lobe.h"
 #include "core/models/anisotropic_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -70,7 +70,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return (coupled * (entering(g.cosI) * entering(g.cosO)) + (1 - coupled)) * kd + ks * lobe;
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
-                     RotatedLobe(HalfVectorLobe{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
+                     RotatedDensity(HalfVectorDensity{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
       nx == ny);
 }
 

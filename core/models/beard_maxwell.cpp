@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
 #include "core/math/fast_atan2.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -77,7 +77,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + kv / (g.cosI + g.cosO) + ks * surface;
       },
       diffuseMixture(maxChannel(p.values[diffuse] + p.values[volume]),
-                     maxChannel(p.values[specular]) * fresnel(typicalCosine), HalfVectorLobe{BeckmannNormals{m, m}}));
+                     maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                     HalfVectorDensity{BeckmannNormals{m, m}}));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/half_vector_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -47,7 +47,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
   return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
                           diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                                         HalfVectorLobe{CosinePowerNormals{n, n}}));
+                                         HalfVectorDensity{CosinePowerNormals{n, n}}));
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
 
-#include "core/brdf/half_vector_lobe.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/v_cavity.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -103,13 +103,13 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
     return maxChannel(all[std::size_t(n)].strength) * 4 * all[std::size_t(n)].fresnel(typicalCosine);
   };
   const auto normals = [&](int n) {
-    return HalfVectorLobe{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
+    return HalfVectorDensity{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
   };
   const Rgb kd = p.values[diffuse] / pi;
   return makeGeometryBrdf(
       [kd, all](const SurfaceGeometry& g) { return kd + (all[0](g) + all[1](g) + all[2](g)) * vCavityOverCosines(g); },
-      LobeMixture(lobeFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
-                  CosineLobe{}, normals(0), normals(1), normals(2)));
+      DensityMixture(mixtureFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
+                     CosineDensity{}, normals(0), normals(1), normals(2)));
 }
 
 }  // namespace

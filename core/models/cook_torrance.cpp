@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/half_vector_lobe.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
 #include "core/models/v_cavity.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -57,7 +57,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
+                     HalfVectorDensity{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/rim_disk_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -40,7 +40,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
       [=](const SurfaceGeometry& g) {
         return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
       },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerDensity{n}), true,
       edwardsDiskSpec.reciprocal);
 }
 

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/lobe_mixture.h"
-#include "core/brdf/tabulated_normals.h"
+#include "core/brdf/density_mixture.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -12,11 +11,12 @@ namespace gonio::models {
 /// highlight at theta_d = 0. @param diffuseAlbedo of the diffuse part. @param excess callable with theta_h (rad),
 /// returns the BRDF value of the highlight without the diffuse part, 1/sr, of any sign.
 template <typename Excess>
-LobeMixture<CosineLobe, HalfVectorLobe<TabulatedNormals>> excessSampler(double diffuseAlbedo, const Excess& excess) {
+DensityMixture<CosineDensity, HalfVectorDensity<TabulatedNormals>> excessSampler(double diffuseAlbedo,
+                                                                                 const Excess& excess) {
   // d omega_i = 4 cos theta_d d omega_h, and about the mirror direction of a vertical viewer theta_d = theta_h.
   const TabulatedNormals normals(
       [&](double thetaH) { return 4 * std::max(0.0, excess(thetaH)) * std::cos(thetaH) * std::cos(thetaH); });
-  return diffuseMixture(diffuseAlbedo, normals.total(), HalfVectorLobe{normals});
+  return diffuseMixture(diffuseAlbedo, normals.total(), HalfVectorDensity{normals});
 }
 
 }  // namespace gonio::models

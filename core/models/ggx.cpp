@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/brdf/visible_normal_lobe.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -62,7 +62,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
-                     VisibleNormalLobe{p.values[roughness].x}));
+                     VisibleNormalDensity{p.values[roughness].x}));
 }
 
 std::vector<ModelLobe> parts(const ParameterValues& p) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
 #include "core/math/fast_exp.h"
 #include "core/models/common_parameters.h"
 #include "core/models/he_series.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -92,7 +92,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + ks * lobe * common;
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     HalfVectorLobe{BeckmannNormals{width, width}}));
+                     HalfVectorDensity{BeckmannNormals{width, width}}));
 }
 
 }  // namespace

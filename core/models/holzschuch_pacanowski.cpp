@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/tabulated_normals.h"
 #include "core/math/fast_exp.h"
 #include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/exponential_power.h"
 #include "core/models/registry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -143,7 +142,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                  return kd + ks * Rgb(lobe(nano[0]), lobe(nano[1]), lobe(nano[2])) * common;
                }},
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     HalfVectorLobe{normals}));
+                     HalfVectorDensity{normals}));
 }
 
 /// Behind the values stand ln D(0), the mean slope, the mean square slope and the masking's nodes, three an entry:

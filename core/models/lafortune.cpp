@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/cosine_power_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -74,7 +74,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         return kd + ks * powerOfComplement(complementOfCosine(g, a, b, backward), n);
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n),
-                     CosinePowerLobe{n, {xy, xy, z}}));
+                     CosinePowerDensity{n, {xy, xy, z}}));
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "core/brdf/visible_normal_lobe.h"
 #include "core/math/fast_exp.h"
 #include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/half_vector_densities.h"
 
 /// A body, microfacet lobes that differ in width, and two lobes of fabrics and coatings: what a sum of simple lobes can
 /// say of a measured material.
@@ -167,7 +167,7 @@ Direction mirrored(const Direction& w) { return {-w.x, -w.y, w.z}; }
 
 /// A lobe about the direction of the viewer in place of that about its mirror direction.
 struct RetroLobe {
-  VisibleNormalLobe lobe;
+  VisibleNormalDensity lobe;
   Direction sample(const Direction& wo, const glm::dvec2& u) const { return lobe.sample(mirrored(wo), u); }
   double density(const Direction& w, const Direction& wo) const { return lobe.density(w, mirrored(wo)); }
 };
@@ -189,13 +189,13 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb backward = isOn(p, retroSwitch) ? p.values[retro] : Rgb(0);
   const double alphaR = p.values[retroRoughness].x;
   const MicrofacetLobe back{backward, backward, alphaR * alphaR};
-  const auto normals = [&](int lobe) { return VisibleNormalLobe{p.values[firstOf(lobe) + 2].x}; };
+  const auto normals = [&](int lobe) { return VisibleNormalDensity{p.values[firstOf(lobe) + 2].x}; };
   // The glow of fibres is wide: cosine-weighted directions serve it.
   const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(fibres.strength), albedoOf(lobes[base]),
                                       albedoOf(lobes[flakes]), albedoOf(lobes[coat]), albedoOf(back)};
-  const LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe, RetroLobe> sampler(
-      lobeFractions(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
-      RetroLobe{VisibleNormalLobe{alphaR}});
+  const DensityMixture<CosineDensity, VisibleNormalDensity, VisibleNormalDensity, VisibleNormalDensity, RetroLobe>
+      sampler(mixtureFractions(albedos), CosineDensity{}, normals(base), normals(flakes), normals(coat),
+              RetroLobe{VisibleNormalDensity{alphaR}});
   const auto highlights = [=](const SurfaceGeometry& g) {
     return kd + lobes[base](g) + lobes[flakes](g) + lobes[coat](g);
   };

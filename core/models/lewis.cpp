@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/cosine_power_lobe.h"
-#include "core/brdf/half_vector_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -45,10 +45,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   if (chosen(p.values[lobeKind].x) == 0)
     return makeGeometryBrdf(
         [=, ks = ks * reflectionNormalisation(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-        diffuseMixture(diffuseAlbedo, albedo, CosinePowerLobe{n}));
+        diffuseMixture(diffuseAlbedo, albedo, CosinePowerDensity{n}));
   return makeGeometryBrdf(
       [=, ks = ks * halfVectorNormalisation(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
-      diffuseMixture(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
+      diffuseMixture(diffuseAlbedo, albedo, HalfVectorDensity{CosinePowerNormals{n, n}}));
 }
 
 }  // namespace

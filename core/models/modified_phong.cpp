@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/cosine_power_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -37,7 +37,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * reflectionNormalisation(n);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerLobe{n}));
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerDensity{n}));
 }
 
 }  // namespace

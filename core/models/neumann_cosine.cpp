@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "core/brdf/cosine_power_lobe.h"
-#include "core/brdf/half_vector_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
+#include "core/sampling/half_vector_densities.h"
 
 /// The lobes of Blinn and Phong divided by the larger cosine.
 namespace gonio::models {
@@ -71,13 +71,13 @@ std::unique_ptr<const Brdf> createBlinn(const ParameterValues& p) {
   const double n = p.values[exponent].x;
   return makeCosineBrdf(
       p, (n + 1) / (8 * pi), [n](const SurfaceGeometry& g) { return halfVectorPower(g, n); },
-      HalfVectorLobe{CosinePowerNormals{n, n}});
+      HalfVectorDensity{CosinePowerNormals{n, n}});
 }
 
 std::unique_ptr<const Brdf> createPhong(const ParameterValues& p) {
   const double n = p.values[exponent].x;
   return makeCosineBrdf(
-      p, (n + 1) / (2 * pi), [n](const SurfaceGeometry& g) { return reflectionPower(g, n); }, CosinePowerLobe{n});
+      p, (n + 1) / (2 * pi), [n](const SurfaceGeometry& g) { return reflectionPower(g, n); }, CosinePowerDensity{n});
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/brdf/disk_lobe.h"
 #include "core/math/fast_exp.h"
 #include "core/math/fast_roots_logs.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -62,10 +62,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
   if (chosen(p.values[falloff].x) == gaussian)
     return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * fastExp(-squaredDistance(g) / s2); },
-                            diffuseMixture(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
+                            diffuseMixture(diffuseAlbedo, albedo, DiskDensity{GaussianRadial{p.values[width].x}}));
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) { return kd + ks * ((c - 1) * fastExp(-c * fastLog1p(squaredDistance(g) / s2))); },
-      diffuseMixture(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
+      diffuseMixture(diffuseAlbedo, albedo, DiskDensity{RationalRadial{1 / s2, c}}));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/cosine_power_lobe.h"
 #include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
@@ -33,9 +33,9 @@ constexpr ModelSpec phongSpec = {
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double n = p.values[exponent].x;
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n), CosinePowerLobe{n}));
+  return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+                          diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n),
+                                         CosinePowerDensity{n}));
 }
 
 }  // namespace

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/tabulated_normals.h"
 #include "core/math/fast_atan2.h"
 #include "core/math/fast_exp.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -155,7 +154,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                    evaluateChannel(channels[2], g, angles));
       },
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                     HalfVectorLobe{makeNormals(channels)}));
+                     HalfVectorDensity{makeNormals(channels)}));
 }
 
 /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.

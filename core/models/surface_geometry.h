@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/brdf/brdf.h"
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 
 namespace gonio::models {
 
@@ -97,7 +97,7 @@ template <typename Prepare, typename Finish>
 TwoSteps(Prepare, Finish) -> TwoSteps<Prepare, Finish>;  // clang does not deduce it before version 17
 
 /// A Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`, 1/sr, without the cosine, or of TwoSteps, and a
-/// LobeMixture for importance sampling.
+/// DensityMixture for importance sampling.
 template <typename Evaluate, typename Sampler>
 class GeometryBrdf final : public Brdf {
  public:

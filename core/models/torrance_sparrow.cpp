@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/tabulated_normals.h"
 #include "core/math/fast_atan2.h"
 #include "core/math/fast_exp.h"
 #include "core/math/quadrature.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/v_cavity.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -74,7 +73,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double thetaH = fastAtan2(std::sqrt(g.sin2H), g.half.z);
         return kd + ks * (fastExp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
       },
-      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{TabulatedNormals([=](double thetaH) {
                        return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
                      })}));
 }

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/brdf/half_vector_lobe.h"
-#include "core/brdf/rotated_lobe.h"
 #include "core/math/fast_exp.h"
 #include "core/models/surface_geometry.h"
+#include "core/sampling/direction_densities.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -43,7 +43,7 @@ std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double al
   return makeGeometryBrdf([kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY, rotation),
                            fade](const SurfaceGeometry& g) { return kd + ks * (lobe(g) * fade(g)); },
                           diffuseMixture(maxChannel(kd), maxChannel(ks),
-                                         RotatedLobe(HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}, rotation)),
+                                         RotatedDensity(HalfVectorDensity{BeckmannNormals{alphaX, alphaY}}, rotation)),
                           alphaX == alphaY);
 }
 

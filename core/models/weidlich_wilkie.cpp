@@ -4,12 +4,12 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 
-#include "core/brdf/half_vector_lobe.h"
 #include "core/math/fast_exp.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/v_cavity.h"
+#include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
@@ -112,10 +112,10 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const double surface = beckmannDistribution(g, coatSharpness) * coatFresnel(g.cosD) * folded;
         return kc * surface + (kd + ks * base) * absorbed * leaving;
       },
-      LobeMixture(
-          lobeFractions(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
-                                   maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
-          CosineLobe{}, HalfVectorLobe{BeckmannNormals{m1, m1}}, HalfVectorLobe{BeckmannNormals{m2, m2}}));
+      DensityMixture(
+          mixtureFractions(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
+                                      maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
+          CosineDensity{}, HalfVectorDensity{BeckmannNormals{m1, m1}}, HalfVectorDensity{BeckmannNormals{m2, m2}}));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/brdf/statistics.h"
 #include "core/math/parallel.h"
+#include "core/sampling/directional_albedo.h"
 
 namespace gonio::plots {
 
@@ -15,7 +15,7 @@ Curve albedoCurve(const Brdf& brdf, int count, int samples, const TaskControl& c
   Curve curve{std::vector<double>(size), {std::vector<Rgb>(size), std::vector<PointState>(size, PointState::known)}};
   for (std::size_t i = 0; i < size; ++i)
     curve.angles[i] = last * (1 - std::pow(1 - double(i) / double(count - 1), 1.5));
-  const SamplingLobe lobe = estimateSamplingLobe(brdf);
+  const SamplingDensity lobe = estimateSamplingDensity(brdf);
   parallelForBlocks(
       size, 1,
       [&](std::size_t begin, std::size_t finish) {

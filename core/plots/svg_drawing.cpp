@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/io/base64.h"
+#include "core/io/byte_source.h"
 #include "core/math/types.h"
 #include "core/support/plain_text.h"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/rendering/render_material.h"
 
-#include "core/brdf/moment_probes.h"
+#include "core/sampling/fitted_densities.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -29,16 +29,16 @@ class DiffuseBrdf final : public Brdf {
 /// time.
 /// @param tabulated null: made where it is needed.
 RenderMaterial::Density RenderMaterial::chosenDensity(const Brdf& brdf,
-                                                      std::shared_ptr<const TabulatedLobe> tabulated) {
+                                                      std::shared_ptr<const TabulatedDensity> tabulated) {
   constexpr double nearTheLeast = 1.1;  // costs are known to a tenth, and no moment is below 1
   const bool hasOwn = brdf.hasImportanceSampling();
   const std::vector<MomentProbe> probes = hasOwn ? momentProbes(brdf) : std::vector<MomentProbe>();
   const double own = samplerMoment(probes, brdf) * brdf.samplingCost();
   if (hasOwn && own < nearTheLeast) return {};
-  if (!tabulated) tabulated = std::make_shared<const TabulatedLobe>(brdf);
-  const std::optional<SamplingLobe>& symmetric = tabulated->symmetricLobe();
+  if (!tabulated) tabulated = std::make_shared<const TabulatedDensity>(brdf);
+  const std::optional<SamplingDensity>& symmetric = tabulated->symmetricDensity();
   if (hasOwn && own < (symmetric ? samplerMoment(probes, *symmetric)
-                                 : samplerMoment(probes, tabulatedMixture(*tabulated)) * TabulatedLobe::cost))
+                                 : samplerMoment(probes, tabulatedMixture(*tabulated)) * TabulatedDensity::cost))
     return {};
   if (symmetric) return {.lobe = symmetric};
   return {.tabulated = std::move(tabulated)};
@@ -49,12 +49,12 @@ RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, Density density
       density_(std::move(density)),
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
-RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe, LobeUse use)
+RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingDensity> lobe, LobeUse use)
     : RenderMaterial(brdf, lobe && (use == LobeUse::always || !brdf->hasImportanceSampling())
                                ? Density{.lobe = lobe}
                                : chosenDensity(*brdf, nullptr)) {}
 
-RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe)
+RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedDensity> lobe)
     : RenderMaterial(brdf, chosenDensity(*brdf, std::move(lobe))) {}
 
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance) {

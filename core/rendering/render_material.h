@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "core/brdf/sampling_lobe.h"
-#include "core/brdf/tabulated_lobe.h"
 #include "core/rendering/reflection_bound.h"
 #include "core/rendering/scene.h"
+#include "core/sampling/fitted_densities.h"
+#include "core/sampling/tabulated_density.h"
 
 namespace gonio {
 
@@ -18,12 +18,13 @@ class RenderMaterial {
   enum class LobeUse { whereNeeded, always };
 
   /// The density is `lobe` if given and the BRDF has no importance sampling of its own (or LobeUse::always). Otherwise
-  /// it is the BRDF's own (models, factors, RGL files), a TabulatedLobe or its closed-form lobe, whichever gives the
-  /// least noise at equal time. Takes a few ms; up to 50 ms for a sparse code, about 0.1 s for anisotropic materials.
-  explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
+  /// it is the BRDF's own (models, factors, RGL files), a TabulatedDensity or its closed-form density, whichever gives
+  /// the least noise at equal time. Takes a few ms; up to 50 ms for a sparse code, about 0.1 s for anisotropic
+  /// materials.
+  explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingDensity> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
   /// The same with an existing tabulated lobe.
-  RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe);
+  RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedDensity> lobe);
 
   const Brdf& brdf() const { return *brdf_; }
   /// As Brdf::sample() and pdf().
@@ -44,10 +45,10 @@ class RenderMaterial {
 
   /// At most one of the two; none: the BRDF's own density.
   struct Density {
-    std::optional<SamplingLobe> lobe = {};
-    std::shared_ptr<const TabulatedLobe> tabulated = {};
+    std::optional<SamplingDensity> lobe = {};
+    std::shared_ptr<const TabulatedDensity> tabulated = {};
   };
-  static Density chosenDensity(const Brdf& brdf, std::shared_ptr<const TabulatedLobe> lobe);
+  static Density chosenDensity(const Brdf& brdf, std::shared_ptr<const TabulatedDensity> lobe);
   RenderMaterial(std::shared_ptr<const Brdf> brdf, Density density);
 
   std::shared_ptr<const Brdf> brdf_;

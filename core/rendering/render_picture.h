@@ -12,7 +12,7 @@ struct RenderOptions {
   std::uint64_t seed = 1;
   /// Density for importance sampling; empty: RenderMaterial chooses one. For comparisons use the same lobe and seed for
   /// all pictures, so that they share their noise.
-  std::optional<SamplingLobe> lobe;
+  std::optional<SamplingDensity> lobe;
 };
 
 /// The render material for a BRDF with these options.

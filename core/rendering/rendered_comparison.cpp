@@ -32,7 +32,7 @@ RenderedComparison::RenderedComparison(const Brdf& reference, RenderOptions opti
 RenderedComparison::RenderedComparison(Scene scene, const Brdf& reference, RenderOptions options,
                                        const TaskControl& control)
     : scene_(std::move(scene)) {
-  if (!options.lobe) options.lobe = estimateSamplingLobe(reference);
+  if (!options.lobe) options.lobe = estimateSamplingDensity(reference);
   options.samples = (options.samples + 1) / 2;
   options_ = {options, options};
   options_[1].seed ^= otherSeed;

@@ -7,10 +7,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/io/rgl_file.h"
 #include "core/math/parallel.h"
 #include "core/rgl/rgb_spectra.h"
-#include "core/rgl/rgl_fields.h"
+#include "core/rgl/rgl_file.h"
 
 namespace gonio::rgl {
 
@@ -265,7 +264,7 @@ class Encoder {
     result.spectralBrdf = std::move(made.spectralBrdf);
     // The source's spectra change by SpectralEdit.
     if (made.own && made.own->changed && sourceData().spectra) {
-      result.spectralBrdf = io::readRgl(io::MemorySource(result.spectral)).brdf;
+      result.spectralBrdf = readRgl(io::MemorySource(result.spectral)).brdf;
       result.spectralSnr = snrOf(*result.spectralBrdf, control);
     }
     return result;

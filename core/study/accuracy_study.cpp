@@ -49,9 +49,10 @@ MeasuredRepresentation measure(const Representation& representation, const Built
   studied.picture = std::move(picture.image);
   stop.throwIfStopped();
   const fitting::FitOptions& fit = options.build.fit;
+  const bool useNodes = built.nodes && formOf<TabulatedBrdf>(measurement);
   record.errors =
       built.fit ? built.fit->errors
-                : metrics::brdfErrors(measurement, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf,
+                : metrics::brdfErrors(measurement, useNodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf,
                                       fit.maxPolarAngle, fit.gamma);
   stop.throwIfStopped();
   return studied;

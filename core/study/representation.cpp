@@ -8,7 +8,7 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "core/support/number_text.h"
@@ -76,7 +76,7 @@ void addBaselines(List& list, const RepresentationChoice& choice) {
     std::size_t before = 0;
     for (const int terms : choice.terms) {
       if (before > 0 && before >= baseline->maxBytes) continue;
-      before = materials::pdvFileBytes(factorization::PdvForm::threeFactors, terms);
+      before = formats::pdvFileBytes(factorization::PdvForm::threeFactors, terms);
       list.push_back(baselineOf(*baseline, before));
     }
   }

@@ -11,9 +11,9 @@
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/materials/code_file.h"
-#include "core/materials/neural_file.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/code.h"
+#include "core/formats/neural.h"
+#include "core/formats/pdv.h"
 #include "core/models/registry.h"
 
 namespace gonio::study {
@@ -164,7 +164,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
     const PdvFactorization joint = factorizePdv(*subject_.table, pdvOptionsOf(representation, terms), control);
     return {.brdf = makePdvBrdf(joint.factors),
             .nodes = nullptr,
-            .bytes = materials::pdvFileBytes(joint.factors),
+            .bytes = formats::pdvFileBytes(joint.factors),
             .encodeSeconds = joint.seconds};
   }
   if (!factorizations_.contains(representation.id)) {
@@ -178,7 +178,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const PdvFactors factors = all.factors.truncated(terms);
   return {.brdf = makePdvBrdf(factors),
           .nodes = nullptr,
-          .bytes = materials::pdvFileBytes(factors),
+          .bytes = formats::pdvFileBytes(factors),
           .encodeSeconds = all.termSeconds[std::size_t(terms)]};
 }
 
@@ -189,9 +189,9 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
     codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
   }
   const dictionary::EncodeResult encoded = encoder_->encode(*codedTable_, encodeOptionsOf(representation), control);
-  const std::vector<std::byte> file = materials::encodeCode(encoded.code, options_.dictionary->id);
+  const std::vector<std::byte> file = formats::encodeCode(encoded.code, options_.dictionary->id);
   // Of what the file holds: with the values as they are rounded.
-  const dictionary::SparseCode stored = materials::readCode(io::MemorySource(file)).code;
+  const dictionary::SparseCode stored = formats::readCode(io::MemorySource(file)).code;
   const dictionary::Ensemble& ensemble = options_.dictionary->ensemble;
   const bool sameNodes = subject_.table->grid() == ensemble.grid;
   BuiltRepresentation built{.brdf = dictionary::makeCodeBrdf(ensemble, stored),
@@ -257,7 +257,7 @@ BuiltRepresentation RepresentationBuilder::neuralBrdf(const TaskControl& control
   const neural::NeuralFit fit = neural::fitNeural(*subject_.table, options_.neural, control);
   return {.brdf = std::make_shared<const NeuralBrdf>(fit.weights),
           .nodes = nullptr,
-          .bytes = materials::neuralFileBytes,
+          .bytes = formats::neuralFileBytes,
           .encodeSeconds = fit.seconds};
 }
 

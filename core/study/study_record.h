@@ -20,7 +20,7 @@ struct StudyRecord {
                                  ///< RepresentationFamily::publishedNonparametric, which was fitted elsewhere
   EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
   double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads
-  std::vector<double> errors;    ///< against the table, at its nodes, in the order of metrics::allBrdfMetrics()
+  std::vector<double> errors;    ///< against the measurement, in the order of metrics::allBrdfMetrics()
   double renderedSnr = 0;        ///< in comparisonScene(), dB; +infinity for equal pictures, NaN for a black reference
 };
 

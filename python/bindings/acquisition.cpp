@@ -8,9 +8,9 @@
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/values_file.h"
-#include "core/documents/training_files.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/bundled_basis.h"
+#include "core/study/training_files.h"
 #include "python/bindings/representations.h"
 
 namespace gonio::python {
@@ -34,7 +34,7 @@ PyBasis readBasis(const std::string& path) {
 PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded, int components,
                    const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const auto training = editing::trainingMaterials(editing::trainingFilesOrLibrary(sources, excluded));
+    const auto training = study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded));
     return PyBasis{std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
                        training.names.size(), training.load, {.maxComponents = components}, control)),
                    training.names};
@@ -56,7 +56,7 @@ py::tuple learnSeparatedBasis(const std::vector<std::string>& sources, const std
                               int components, const py::object& progress) {
   std::vector<std::string> names;
   auto learned = resultOf(progress, [&](const TaskControl& control) {
-    const auto training = editing::trainingMaterials(editing::trainingFilesOrLibrary(sources, excluded));
+    const auto training = study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded));
     names = training.names;
     return dictionary::learnSeparatedComponents(training.names.size(), training.load, {.maxComponents = components},
                                                 control);

@@ -112,7 +112,7 @@ void bindEdits(py::module_& module) {
       "blend",
       [](const Interpolation& interpolation, const std::vector<double>& weights, const std::string& name) {
         std::shared_ptr<const Brdf> brdf = interpolation.brdf(weights);
-        if (const TabulatedBrdf* table = brdf->asTable())
+        if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*brdf))
           return newMaterial(name, "blend", std::shared_ptr<const TabulatedBrdf>(brdf, table));
         return newMaterial(name, "blend", std::move(brdf));
       },

@@ -13,6 +13,7 @@
 #include "core/materials/encode.h"
 #include "core/math/parallel.h"
 #include "core/metrics/plausibility.h"
+#include "core/sampling/directional_albedo.h"
 
 namespace gonio::python {
 

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "core/baselines/neural_fit.h"
-#include "core/materials/neural_file.h"
+#include "core/formats/neural.h"
 #include "python/bindings/arrays.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/task.h"
@@ -31,7 +31,7 @@ NeuralFit fromWeights(const std::vector<float>& weights) {
 }
 
 NeuralFit readFile(const std::string& path) {
-  const NeuralBrdf read = materials::readNeural(std::filesystem::path(path));
+  const NeuralBrdf read = formats::readNeural(std::filesystem::path(path));
   NeuralFit fit;
   std::ranges::copy(read.weights(), fit.weights.begin());
   return fit;
@@ -50,8 +50,8 @@ void bindNeural(py::module_& module) {
            [](const NeuralFit& fit, const std::string& name) {
              return newMaterial(name, "neural BRDF", std::make_shared<const NeuralBrdf>(fit.weights));
            })
-      .def("save", [](const NeuralFit& fit, const std::string& path) { materials::writeNeural(fit.weights, path); });
-  module.attr("neural_bytes") = materials::neuralFileBytes;
+      .def("save", [](const NeuralFit& fit, const std::string& path) { formats::writeNeural(fit.weights, path); });
+  module.attr("neural_bytes") = formats::neuralFileBytes;
   module.def("train_neural", train);
   module.def("neural_from_weights", fromWeights);
   module.def("read_neural", readFile);

@@ -207,7 +207,8 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   row["bytes"] = made.bytes();
   row["facts"] = facts;
   row["warnings"] = toTexts(made.warnings);
-  row["material"] = newMaterial(material.shown().name, std::string(target.label), made.brdf);
+  row["material"] = py::none();
+  if (made.brdf) row["material"] = newMaterial(material.shown().name, std::string(target.label), made.brdf);
   return row;
 }
 

@@ -14,8 +14,8 @@
 #include "core/dictionary/decode.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/code_file.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/code.h"
+#include "core/formats/pdv.h"
 #include "core/study/picture_encoding.h"
 
 namespace gonio::python {
@@ -163,7 +163,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
   options.quantised = true;
   if (asPublished && options.method != dictionary::CodingMethod::orthogonalMatchingPursuit)
     throw Error("method: found '" + method + "', expected omp because as_published projects once");
-  if (bytes) options.bytes = *bytes - std::min(*bytes, materials::codeHeaderBytes);
+  if (bytes) options.bytes = *bytes - std::min(*bytes, formats::codeHeaderBytes);
   options.transforms.clear();
   for (const std::string& transform : transforms) options.transforms.push_back(transformOf(transform));
   return resultOf(progress, [&](const TaskControl& control) {
@@ -181,8 +181,8 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
       encoded = encoder.encode(*sampled, options, control.between(0.1, 1));
     }
     // The coefficients as in the file.
-    const auto file = materials::encodeCode(encoded.code, result.dictionary->id);
-    result.code = materials::readCode(io::MemorySource(file)).code;
+    const auto file = formats::encodeCode(encoded.code, result.dictionary->id);
+    result.code = formats::readCode(io::MemorySource(file)).code;
     result.bytes = file.size();
     result.seconds = encoded.seconds;
     return result;
@@ -190,10 +190,10 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
 }
 
 PyCode readCode(const std::string& path, const PyDictionaryPtr& given) {
-  const materials::CodeFile file = materials::readCode(path);
+  const formats::CodeFile file = formats::readCode(path);
   PyCode result{.code = file.code, .dictionary = orBundled(given)};
-  materials::checkDictionary(file, *result.dictionary);
-  result.bytes = materials::encodeCode(file.code, file.dictionaryId, file.precision).size();
+  formats::checkDictionary(file, *result.dictionary);
+  result.bytes = formats::encodeCode(file.code, file.dictionaryId, file.precision).size();
   return result;
 }
 
@@ -243,7 +243,7 @@ void bindFactors(py::module_& module) {
       .def_property_readonly("form", [](const PyFactors& f) { return formNames[std::size_t(f.factors->form)]; })
       .def_property_readonly("transform", [](const PyFactors& f) { return nameOf(f.factors->transform); })
       .def_property_readonly("terms", [](const PyFactors& f) { return f.factors->terms(); })
-      .def_property_readonly("bytes", [](const PyFactors& f) { return materials::pdvFileBytes(*f.factors); })
+      .def_property_readonly("bytes", [](const PyFactors& f) { return formats::pdvFileBytes(*f.factors); })
       .def_property_readonly("residuals", [](const PyFactors& f) { return toArray(f.residuals); })
       .def_property_readonly("seconds", [](const PyFactors& f) { return f.seconds; })
       .def_property_readonly("theta_nodes", [](const PyFactors& f) { return toArray(f.factors->thetaNodes); })
@@ -263,13 +263,13 @@ void bindFactors(py::module_& module) {
            [](const PyFactors& f, const std::string& name) {
              return newMaterial(name, "PDV factors", makePdvBrdf(*f.factors));
            })
-      .def("save", [](const PyFactors& f, const std::string& path) { materials::writePdv(*f.factors, path); });
+      .def("save", [](const PyFactors& f, const std::string& path) { formats::writePdv(*f.factors, path); });
   module.def("factorize", factorize);
   module.def("published_deviation_nodes", publishedNodes);
   module.def("factorize_baseline", factorizeByBaseline);
   module.def("baselines", baselineReferences);
   module.def("read_factors", [](const std::string& path) {
-    return PyFactors{std::make_shared<const PdvFactors>(materials::readPdv(path)), {}, 0};
+    return PyFactors{std::make_shared<const PdvFactors>(formats::readPdv(path)), {}, 0};
   });
 }
 
@@ -307,7 +307,7 @@ void bindRepresentations(py::module_& module) {
       .def_property_readonly("channels", coefficientsOf)
       .def("material", decodeCode, py::call_guard<py::gil_scoped_release>())
       .def("save",
-           [](const PyCode& c, const std::string& path) { materials::writeCode(c.code, c.dictionary->id, path); });
+           [](const PyCode& c, const std::string& path) { formats::writeCode(c.code, c.dictionary->id, path); });
   using Given = std::shared_ptr<materials::NamedEnsemble>;
   module.def("encode", [](const PyMaterial& material, std::size_t coefficients, const Given& dictionary,
                           const std::vector<std::string>& transforms, double gamma, std::optional<double> relativeError,

@@ -7,8 +7,8 @@
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/patch_dictionary.h"
 #include "core/dictionary/training.h"
-#include "core/documents/training_files.h"
 #include "core/materials/dictionary_file.h"
+#include "core/study/training_files.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
 #include "python/bindings/task.h"
@@ -36,8 +36,8 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
   options.subspaceLoss = subspaceLoss;
   options.seed = seed;
   const auto result = resultOf(progress, [&](const TaskControl& control) {
-    const std::vector<std::string> files = editing::trainingFiles(sources, excluded);
-    auto trained = dictionary::train(editing::trainingMaterials(files, editing::trainingGrid(files)), options, control);
+    const std::vector<std::string> files = study::trainingFiles(sources, excluded);
+    auto trained = dictionary::train(study::trainingMaterials(files, study::trainingGrid(files)), options, control);
     if (trained.complete) materials::writeDictionary(trained.ensemble, out);
     return trained;
   });
@@ -49,8 +49,8 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
 PyPatchDictionaryPtr learnPatches(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
                                   const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const std::vector<std::string> files = editing::trainingFilesOrLibrary(sources, excluded);
-    const auto training = editing::trainingMaterials(files, editing::trainingGrid(files));
+    const std::vector<std::string> files = study::trainingFilesOrLibrary(sources, excluded);
+    const auto training = study::trainingMaterials(files, study::trainingGrid(files));
     return std::make_shared<dictionary::PatchDictionary>(dictionary::learnPatchDictionary(training, {}, control));
   });
 }

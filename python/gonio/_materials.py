@@ -264,8 +264,8 @@ def open(path: PathLike, progress: Progress = None) -> Material:
     """Opens a material. The format is recognised by the content of the file, not by its suffix (docs/formats.md).
 
     Args:
-        path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file; PDV factors (.pdv); a sparse code (.code); a neural BRDF (.nbrdf); a
-            row of a table of non-parametric factors ("npf.bin#chrome"); a .gonio document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
+        path: A file of any format that Gonio reads (docs/formats.md); a row of a table of non-parametric factors ("npf.bin#chrome"); a .gonio
+            document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:

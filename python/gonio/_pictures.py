@@ -221,9 +221,9 @@ class Export:
     """Paths of the files that were written."""
     snr: float
     """Rendered SNR in dB of the exported material, as the renderer shows it, against the material; infinite for equal
-    images."""
+    images, nan for "csv" and "slices", which contain values at individual directions."""
     brdf_snr: float
-    """BRDF SNR in dB of the exported material; infinite for equal values."""
+    """BRDF SNR in dB of the exported material; infinite for equal values, nan as `snr`."""
     losses: list[str]
     """What the files do not hold, one sentence each."""
     bytes: int
@@ -233,8 +233,8 @@ class Export:
     warnings: list[str]
     """Warnings, one sentence each: a low SNR, or a material that reflects more light than it
     receives; usually empty."""
-    material: Material = field(repr=False)
-    """The exported material as the renderer shows it, by the formula of the target."""
+    material: Optional[Material] = field(repr=False)
+    """The exported material as the renderer shows it, by the formula of the target; None for "csv" and "slices"."""
 
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
@@ -260,5 +260,6 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
     theta_count, side = grid or (0, 0)
     row = _core.export(material._handle, os.fsencode(path), target, snr, theta_count, side, os.fsencode(scene),
                        os.fsencode(environment), overwrite, progress)
-    row["material"] = Material(row["material"])
+    if row["material"] is not None:
+        row["material"] = Material(row["material"])
     return Export(**row)

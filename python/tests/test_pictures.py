@@ -105,9 +105,10 @@ def test_export_writes_what_it_says(paint, tmp_path):
     assert {"mitsuba", "blender"} <= set(gonio.targets())
     made = gonio.export(paint, tmp_path / "paint", "csv")
     assert made.files and sum((tmp_path / name).stat().st_size for name in made.files) == made.bytes
-    # A table in text is the table.
-    assert made.snr == np.inf
-    np.testing.assert_array_equal(made.material.evaluate([0, 0, 1.0], [0, 0.6, 0.8]), paint.evaluate([0, 0, 1.0], [0, 0.6, 0.8]))
+    # Values at some directions are no material.
+    assert made.material is None and np.isnan(made.snr) and np.isnan(made.brdf_snr) and "nothing between" in made.losses[0]
+    table = gonio.export(paint, tmp_path / "table", "merl")
+    np.testing.assert_array_equal(table.material.evaluate([0, 0, 1.0], [0, 0.6, 0.8]), gonio.open(tmp_path / "table.binary").evaluate([0, 0, 1.0], [0, 0.6, 0.8]))
     with pytest.raises(gonio.Error, match="paint"):
         gonio.export(paint, tmp_path / "paint", "csv")
     gonio.export(paint, tmp_path / "paint", "csv", overwrite=True)

@@ -10,7 +10,7 @@
 
 const int PARAMETER_COUNT_BECKMANN_ANISOTROPIC = 10;
 
-// Twins of core/brdf/visible_normal_lobe.h.
+// Twins of core/sampling/half_vector_densities.h.
 float beckmannDensity(vec3 h, vec2 alpha) {
   vec2 slope = h.xy / (alpha * h.z);
   // cos^4 leaves float toward the horizon: it goes into the exponent.

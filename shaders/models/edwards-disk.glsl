@@ -5,7 +5,7 @@
 
 const int PARAMETER_COUNT_EDWARDS_DISK = 3;
 
-// Twin of core/brdf/rim_disk_lobe.h.
+// Twin of core/sampling/direction_densities.h.
 float squaredRimFraction(vec2 deviation, vec3 wo) {
   float squared = dot(deviation, deviation), along = dot(deviation, wo.xy);
   if (!(squared > 0.0)) return 0.0;

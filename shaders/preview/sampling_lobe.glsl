@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/brdf/tabulated_lobe.h: a cosine part, half vectors drawn from the material's own values, tabulated for
+// Twin of core/sampling/tabulated_density.h: a cosine part, half vectors drawn from the material's own values, tabulated for
 // some viewers, and visible normals along the grain of an anisotropic material, or of a round highlight that serves in
-// place of the table (core/brdf/grain_lobe.h).
+// place of the table (core/sampling/fitted_densities.h).
 #include "preview/marginal_warp.glsl"
 #include "math.glsl"
 #include "grain.glsl"
@@ -100,7 +100,7 @@ vec3 sampleLobe(vec3 wo, vec3 u) {
   float before = lobeCosineShare + lobeGrainShare;
   if (u.x < before || (lobeTableShare() == 0.0 && lobeGrainShare > 0.0)) {
     vec3 wi = sampleGrain(inGrain(wo, lobeGrain.zw), u.yz);
-    // Half vectors seen from nearby the horizon reach below it: they are folded up, as in core/brdf/lobe_mixture.h.
+    // Half vectors seen from nearby the horizon reach below it: they are folded up, as in core/brdf/density_mixture.h.
     return inGrain(vec3(wi.xy, abs(wi.z)), vec2(lobeGrain.z, -lobeGrain.w));
   }
   // One of the two viewers about it is chosen: their densities blend all the same.

@@ -5,8 +5,8 @@
 // threads.
 #include <benchmark/benchmark.h>
 
-#include "core/io/rgl_file.h"
 #include "core/rendering/scene_file.h"
+#include "core/rgl/rgl_file.h"
 #include "tests/benchmarks/preview_fixture.h"
 
 namespace {
@@ -18,7 +18,7 @@ using editing::Composition;
 std::shared_ptr<const Brdf> measuredBase(bool rgl) {
   if (!rgl) return PreviewFixture::instance().table;
   const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/rgl/satin_purple_rgb.bsdf";
-  return std::filesystem::exists(path) ? io::readRgl(io::FileSource(path)).brdf : nullptr;
+  return std::filesystem::exists(path) ? rgl::readRgl(io::FileSource(path)).brdf : nullptr;
 }
 
 /// All three lobes change their width, the most that a step can ask for.
@@ -30,7 +30,7 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
   const models::Model& model = models::layered();
   editing::DifferentialEdit edit{
       .model = &model, .fitted = models::defaultParameters(model.spec()), .composition = composition};
-  const auto lobe = std::make_shared<const TabulatedLobe>(*base);
+  const auto lobe = std::make_shared<const TabulatedDensity>(*base);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   double factor = 1;
   const auto next = [&] {

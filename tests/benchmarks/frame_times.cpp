@@ -87,7 +87,7 @@ class Session {
   void run() {
     const PreviewSubject ggx = modelAlone("ggx", 0.3);
     const auto table = bakeTable(*widgets::subjectBrdf(ggx));
-    const auto lobe = std::make_shared<const TabulatedLobe>(*table);
+    const auto lobe = std::make_shared<const TabulatedDensity>(*table);
     measure("nothing: the empty window", [](int) {});
     measure("open a material", [&](int) { preview_.content().setSubject(widgets::measuredSubject(table, lobe)); });
     measure(

@@ -9,7 +9,7 @@
 #include "core/geometry/bundled_meshes.h"
 #include "core/geometry/embree_device.h"
 #include "core/geometry/mesh_intersector.h"
-#include "core/io/obj_file.h"
+#include "core/io/mesh_file.h"
 
 using namespace gonio;
 

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <benchmark/benchmark.h>
 
-#include "core/brdf/sampling_lobe.h"
-#include "core/brdf/statistics.h"
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/plausibility.h"
+#include "core/sampling/directional_albedo.h"
+#include "core/sampling/fitted_densities.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
@@ -46,10 +46,10 @@ void albedoOfTable(benchmark::State& state) {
 }
 BENCHMARK(albedoOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void samplingLobeOfTable(benchmark::State& state) {
+void samplingDensityOfTable(benchmark::State& state) {
   const auto table = benchmarks::plasticTable();
-  for (auto _ : state) benchmark::DoNotOptimize(estimateSamplingLobe(*table));
+  for (auto _ : state) benchmark::DoNotOptimize(estimateSamplingDensity(*table));
 }
-BENCHMARK(samplingLobeOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(samplingDensityOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

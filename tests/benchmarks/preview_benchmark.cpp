@@ -8,11 +8,11 @@
 #include "core/brdf/utia_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/rgl_file.h"
+#include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
-#include "core/materials/sgd_library.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
+#include "core/rgl/rgl_file.h"
 #include "tests/benchmarks/preview_fixture.h"
 #include "tests/support/code_files.h"
 #include "widgets/interpolation/prepared_blend.h"
@@ -52,7 +52,7 @@ void runFormFrames(benchmark::State& state, bool environment, std::shared_ptr<co
   PreviewFixture& fixture = PreviewFixture::instance();
   if (asTable) brdf = bakeTable(*brdf);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
-  fixture.renderer.setSubject(widgets::measuredSubject(brdf, std::make_shared<const TabulatedLobe>(*brdf)));
+  fixture.renderer.setSubject(widgets::measuredSubject(brdf, std::make_shared<const TabulatedDensity>(*brdf)));
   fixture.accumulate(1);
   for (auto _ : state) {
     fixture.renderer.restart();
@@ -64,7 +64,7 @@ void runFormFrames(benchmark::State& state, bool environment, std::shared_ptr<co
 void runRglFrames(benchmark::State& state, bool environment, bool asTable) {
   const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/rgl/satin_purple_rgb.bsdf";
   if (!std::filesystem::exists(path)) return state.SkipWithError("the development data is absent");
-  runFormFrames(state, environment, io::readRgl(io::FileSource(path)).brdf, asTable);
+  runFormFrames(state, environment, rgl::readRgl(io::FileSource(path)).brdf, asTable);
 }
 void directionalRglTable(benchmark::State& state) { runRglFrames(state, false, true); }
 void directionalRgl(benchmark::State& state) { runRglFrames(state, false, false); }

@@ -45,7 +45,7 @@ class PreviewFixture {
     edit.model = &model;
     edit.fitted = models::defaultParameters(model.spec());
     table = bakeTable(*model.instantiate(edit.fitted));
-    lobe_ = std::make_shared<const TabulatedLobe>(*table);
+    lobe_ = std::make_shared<const TabulatedDensity>(*table);
     show();
     renderer.setSize({512, 512});
   }
@@ -55,7 +55,7 @@ class PreviewFixture {
   char* arguments_[2] = {name_, nullptr};
   QGuiApplication application_;
   std::unique_ptr<test::OffscreenContext> context_;
-  std::shared_ptr<const TabulatedLobe> lobe_;
+  std::shared_ptr<const TabulatedDensity> lobe_;
 };
 
 }  // namespace gonio::benchmarks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/material_formats.h"
+#include "core/formats/formats.h"
 #include "tests/fuzz/reader_targets.h"
 
 namespace {
@@ -8,9 +8,9 @@ namespace {
 /// Files of individual directions are left to the fuzzer `scattered`: the reconstruction of a table from one of them
 /// takes longer than thousands of other inputs.
 bool isReconstructed(std::span<const std::byte> bytes) {
-  using gonio::materials::FormatId;
-  const FormatId id = gonio::materials::sniffFormat(gonio::io::MemorySource(bytes)).id;
-  return id == FormatId::astm || id == FormatId::goniophotometer || id == FormatId::curet;
+  namespace formats = gonio::formats;
+  const auto* format = &gonio::materials::sniffFormat(gonio::io::MemorySource(bytes));
+  return format == &formats::astmFormat || format == &formats::goniophotometerFormat || format == &formats::curetFormat;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <functional>
@@ -30,6 +31,8 @@ void* operator new(std::size_t bytes) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 #endif
+
+Q_DECLARE_METATYPE(const gonio::materials::MaterialFormat*)
 
 namespace reader_mutation_test {
 using namespace gonio;
@@ -127,18 +130,25 @@ void check(const std::string& name, const Bytes& seed, const Target& target) {
   QVERIFY2(failure.empty(), failure.c_str());
 }
 
+/// The formats whose files are read as materials here; the others have a target of their own.
+std::vector<const materials::MaterialFormat*> readAsMaterials() {
+  std::vector<const materials::MaterialFormat*> result;
+  for (const materials::MaterialFormat* format : materials::materialFormats())
+    if (!std::ranges::count(std::array{&formats::astmFormat, &formats::goniophotometerFormat, &formats::curetFormat,
+                                       &formats::pdvFormat, &formats::codeFormat, &formats::neuralFormat},
+                            format))
+      result.push_back(format);
+  return result;
+}
+
 class ReaderMutationTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void seedsAreValid() {
-    readMaterialBytes(merlSeed());
-    readMaterialBytes(rglSeed());
-    readMaterialBytes(utiaSeed());
-    readMaterialBytes(zemaxSeed());
-    readMaterialBytes(lightToolsSeed());
-    readScatteredBytes<io::readAstm>(astmSeed());
-    readScatteredBytes<io::readGoniophotometer>(goniophotometerSeed());
-    readScatteredBytes<io::readCuret>(curetSeed());
+    for (const materials::MaterialFormat* format : readAsMaterials()) readMaterialBytes(formatSeed(*format));
+    readScatteredBytes<formats::readAstm>(astmSeed());
+    readScatteredBytes<formats::readGoniophotometer>(goniophotometerSeed());
+    readScatteredBytes<formats::readCuret>(curetSeed());
     readPdvBytes(pdvSeed());
     readNeuralBytes(neuralSeed());
     readNpfBytes(npfSeed());
@@ -159,14 +169,19 @@ class ReaderMutationTest : public QObject {
     readBasisBytes(basisSeed());
   }
 
-  void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
-  void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
-  void utia() { check("utia.bin", utiaSeed(), readMaterialBytes); }
-  void zemax() { check("table.bsdf", zemaxSeed(), readMaterialBytes); }
-  void lightTools() { check("blocks.bsdf", lightToolsSeed(), readMaterialBytes); }
-  void astm() { check("points.astm", astmSeed(), readScatteredBytes<io::readAstm>); }
-  void goniophotometer() { check("points.txt", goniophotometerSeed(), readScatteredBytes<io::readGoniophotometer>); }
-  void curet() { check("points.dat", curetSeed(), readScatteredBytes<io::readCuret>); }
+  void material_data() {
+    QTest::addColumn<const materials::MaterialFormat*>("format");
+    for (const materials::MaterialFormat* format : readAsMaterials()) QTest::newRow(format->label.data()) << format;
+  }
+  void material() {
+    QFETCH(const materials::MaterialFormat*, format);
+    check(std::string(format->name).append(format->suffix()), formatSeed(*format), readMaterialBytes);
+  }
+  void astm() { check("points.astm", astmSeed(), readScatteredBytes<formats::readAstm>); }
+  void goniophotometer() {
+    check("points.txt", goniophotometerSeed(), readScatteredBytes<formats::readGoniophotometer>);
+  }
+  void curet() { check("points.dat", curetSeed(), readScatteredBytes<formats::readCuret>); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void neural() { check("network.nbrdf", neuralSeed(), readNeuralBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }

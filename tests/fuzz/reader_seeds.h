@@ -2,14 +2,18 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "core/formats/code.h"
+#include "core/formats/formats.h"
+#include "core/formats/neural.h"
 #include "core/materials/basis_file.h"
-#include "core/materials/code_file.h"
-#include "core/materials/neural_file.h"
-#include "tests/core/io/instrument_files.h"
+#include "core/materials/encode.h"
+#include "tests/core/formats/instrument_files.h"
 #include "tests/core/io/synthetic_tensors.h"
+#include "tests/support/function_brdf.h"
 #include "tests/support/smooth_materials.h"
 
 /// Small valid files of every format, from which mutations start.
@@ -78,13 +82,27 @@ inline Bytes codeSeed() {
                               .channels = {}};
   for (dictionary::ChannelCode& channel : code.channels)
     channel = {.dictionary = 1, .coefficients = {{7, 3.0f}, {59, -1.5f}, {0, 0.25f}}, .highest = 4};
-  return materials::encodeCode(code, 1234);
+  return formats::encodeCode(code, 1234);
 }
 
 inline Bytes neuralSeed() {
   std::vector<float> weights(NeuralBrdf::weightCount);
   for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = 0.05f * float(i % 13) - 0.25f;
-  return materials::encodeNeural(std::span<const float, NeuralBrdf::weightCount>(weights));
+  return formats::encodeNeural(std::span<const float, NeuralBrdf::weightCount>(weights));
+}
+
+/// A file of a format of materials: one as other programs write it, or a small one; of other formats what Gonio writes.
+inline Bytes formatSeed(const materials::MaterialFormat& format) {
+  const std::map<const materials::MaterialFormat*, Bytes (*)()> seeds{
+      {&formats::merlFormat, merlSeed},   {&formats::merlCircleFormat, merlCircleSeed},
+      {&formats::rglFormat, rglSeed},     {&formats::utiaFormat, utiaSeed},
+      {&formats::zemaxFormat, zemaxSeed}, {&formats::lightToolsFormat, lightToolsSeed},
+      {&formats::astmFormat, astmSeed},   {&formats::goniophotometerFormat, goniophotometerSeed},
+      {&formats::curetFormat, curetSeed}, {&formats::pdvFormat, pdvSeed},
+      {&formats::codeFormat, codeSeed},   {&formats::neuralFormat, neuralSeed}};
+  if (const auto found = seeds.find(&format); found != seeds.end()) return found->second();
+  const auto material = materials::unedited("ggx", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.04));
+  return materials::encode(material, format, {.snr = 20, .pictureSize = 16, .samples = 4}).bytes;
 }
 
 /// Two dictionaries of unit matrices over a grid of 2 x 3 x 2.

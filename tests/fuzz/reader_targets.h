@@ -13,21 +13,17 @@
 #include "core/acquisition/values_file.h"
 #include "core/documents/edit_document.h"
 #include "core/figures/figure_description.h"
+#include "core/formats/code.h"
+#include "core/formats/neural.h"
+#include "core/formats/pdv.h"
+#include "core/formats/scattered_samples.h"
 #include "core/geometry/mesh_intersector.h"
-#include "core/io/astm_file.h"
-#include "core/io/curet_file.h"
-#include "core/io/gltf_file.h"
-#include "core/io/goniophotometer_file.h"
 #include "core/io/image_io.h"
 #include "core/io/json_text.h"
-#include "core/io/obj_file.h"
-#include "core/io/ply_file.h"
+#include "core/io/mesh_file.h"
 #include "core/materials/basis_file.h"
-#include "core/materials/code_file.h"
 #include "core/materials/material.h"
-#include "core/materials/neural_file.h"
 #include "core/materials/npf_file.h"
-#include "core/materials/pdv_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
 
@@ -41,7 +37,7 @@ inline void checkValues(const Brdf& brdf) {
     for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
       const Rgb value = brdf.evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
       for (int channel = 0; channel < 3; ++channel)
-        if (!std::isfinite(value[channel]) || (value[channel] < 0 && !brdf.asRgl()))
+        if (!std::isfinite(value[channel]) || (value[channel] < 0 && !formOf<RglBrdf>(brdf)))
           throw std::logic_error("a value that is no BRDF's");
     }
 }
@@ -56,9 +52,9 @@ inline void readMaterialBytes(std::span<const std::byte> bytes) {
 
 /// What was read holds a finite value, 0 or more, for each pair of directions above the horizon. The material of it is
 /// not made: that takes longer than all the rest.
-template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
+template <formats::ScatteredSamples (*read)(const io::ByteSource& source)>
 void readScatteredBytes(std::span<const std::byte> bytes) {
-  const io::ScatteredSamples samples = read(io::MemorySource(bytes));
+  const formats::ScatteredSamples samples = read(io::MemorySource(bytes));
   if (samples.values.size() != samples.directions.size()) throw std::logic_error("not one value per pair");
   for (std::size_t i = 0; i < samples.values.size(); ++i) {
     const auto& [wi, wo] = samples.directions[i];
@@ -70,11 +66,11 @@ void readScatteredBytes(std::span<const std::byte> bytes) {
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {
-  checkValues(*factorization::makePdvBrdf(materials::readPdv(io::MemorySource(bytes))));
+  checkValues(*factorization::makePdvBrdf(formats::readPdv(io::MemorySource(bytes))));
 }
 
 inline void readNeuralBytes(std::span<const std::byte> bytes) {
-  checkValues(materials::readNeural(io::MemorySource(bytes)));
+  checkValues(formats::readNeural(io::MemorySource(bytes)));
 }
 
 /// The names of the rows end at the first byte 0.
@@ -105,9 +101,9 @@ inline void readFactorReadingsBytes(std::span<const std::byte> bytes) {
 
 /// What was read packs and unpacks again.
 inline void readCodeBytes(std::span<const std::byte> bytes) {
-  const materials::CodeFile file = materials::readCode(io::MemorySource(bytes));
+  const formats::CodeFile file = formats::readCode(io::MemorySource(bytes));
   const auto again =
-      materials::readCode(io::MemorySource(materials::encodeCode(file.code, file.dictionaryId, file.precision)));
+      formats::readCode(io::MemorySource(formats::encodeCode(file.code, file.dictionaryId, file.precision)));
   if (again.code.coefficients() != file.code.coefficients()) throw std::logic_error("a code that is lost in its file");
 }
 

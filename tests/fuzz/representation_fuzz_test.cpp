@@ -54,7 +54,7 @@ class RepresentationFuzzTest : public QObject {
     const auto material = materials::readMaterial(io::MemorySource(bytes));
     const Brdf& brdf = *material.brdf;
     const RenderMaterial rendered(material.brdf);
-    const bool mayBeNegative = brdf.asRgl() != nullptr;
+    const bool mayBeNegative = formOf<RglBrdf>(brdf) != nullptr;
     const std::size_t count = test::longTests() ? 1'000'000 : 20'000;
     std::atomic<std::size_t> bad = 0;
     parallelForBlocks(count, 1000, [&](std::size_t begin, std::size_t end) {

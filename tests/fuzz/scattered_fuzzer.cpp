@@ -5,9 +5,9 @@
 /// libFuzzer: all readers of scattered points, without the reconstruction that makes a material of them.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));
-  for (const auto read : {gonio::fuzz::readScatteredBytes<gonio::io::readAstm>,
-                          gonio::fuzz::readScatteredBytes<gonio::io::readGoniophotometer>,
-                          gonio::fuzz::readScatteredBytes<gonio::io::readCuret>}) {
+  for (const auto read : {gonio::fuzz::readScatteredBytes<gonio::formats::readAstm>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readGoniophotometer>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readCuret>}) {
     try {
       read(bytes);
     } catch (const gonio::Error&) {

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "core/materials/bundled_library.h"
-#include "core/materials/sgd_library.h"
 #include "core/models/registry.h"
 
 namespace gonio {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/export/export_target.h"
-#include "core/materials/material_file.h"
+#include "core/materials/material.h"
 #include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 

@@ -23,8 +23,8 @@
 
 #include "core/baselines/baselines.h"
 #include "core/factorization/pdv_factors.h"
+#include "core/formats/pdv.h"
 #include "core/materials/npf_file.h"
-#include "core/materials/pdv_file.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_judge.h"
@@ -78,7 +78,7 @@ std::vector<std::size_t> byteBudgets() {
                      .channels = {}};
   for (const int terms : budgetTerms) {
     for (auto& channel : factors.channels) channel.resize(std::size_t(terms));
-    budgets.push_back(materials::pdvFileBytes(factors));
+    budgets.push_back(formats::pdvFileBytes(factors));
   }
   return budgets;
 }
@@ -95,7 +95,7 @@ struct Contestant {
 };
 
 std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
-  const auto bytesOf = [](const PdvFactors& f) { return materials::pdvFileBytes(f); };
+  const auto bytesOf = [](const PdvFactors& f) { return formats::pdvFileBytes(f); };
   const PdvFactors one = factorizePdv(table, {.form = form, .terms = 1}).factors;
   const std::size_t first = bytesOf(one);
   PdvFactors two = one;
@@ -121,7 +121,7 @@ std::vector<ComparedModel> buildJointPdv(const TabulatedBrdf& table, bool compac
     const PdvFactors factors = factorizePdv(table, compact ? compactPdvOptions({.terms = 2 * terms, .joint = true})
                                                            : PdvOptions{.terms = terms, .joint = true})
                                    .factors;
-    models.push_back({makePdvBrdf(factors), materials::pdvFileBytes(factors)});
+    models.push_back({makePdvBrdf(factors), formats::pdvFileBytes(factors)});
   }
   return models;
 }

@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/brdf/sampling_lobe.h"
 #include "core/interpolation/interpolation.h"
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_picture.h"
+#include "core/sampling/fitted_densities.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::interpolation_study {
@@ -72,7 +72,7 @@ void print(const Ends& ends) {
   const double middle = std::sqrt(ends.firstRoughness * ends.secondRoughness);
   const auto truth = ggx(diffuse, middle);
   const Scene scene = comparisonScene();
-  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .lobe = estimateSamplingLobe(*truth)};
+  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .lobe = estimateSamplingDensity(*truth)};
   const Image picture = renderPicture(*truth, scene, render);
   Family family;
   constexpr int members = 25;

@@ -15,14 +15,14 @@
 
 #include "core/acquisition/factor_prediction.h"
 #include "core/baselines/baselines.h"
-#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/density_mixture.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/factorization/pdv_sampler.h"
 #include "core/fitting/fit.h"
+#include "core/formats/pdv.h"
 #include "core/materials/material.h"
-#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
@@ -67,7 +67,7 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
   const factorization::PrintedPdvSampler printed(*first, factors.thetaNodes, factors.deviationNodes);
   const fitting::FitResult fit = fitting::fit(table, models::ggx(), {});
   const auto ggx = models::ggx().instantiate(fit.parameters);
-  const std::size_t bytes[] = {materials::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};
+  const std::size_t bytes[] = {formats::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};
   const auto baseline = [&](const char* id) {
     return factorization::findBaseline(id).build(table, std::span<const std::size_t>(bytes), {}).front().brdf;
   };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/fitting/fit.h"
+#include "core/formats/rgl.h"
 #include "core/materials/encode.h"
 #include "core/models/registry.h"
 #include "core/study/evaluation_time.h"
@@ -43,7 +44,7 @@ struct Tally {
   void add(const char* name, const std::string& edit, const materials::EditedMaterial& material,
            const materials::EncodeOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    const rgl::EncodedRgl file = materials::encodeRgl(material, options);
+    const rgl::EncodedRgl file = formats::encodeRgl(material, options);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     std::printf("%s,%s,%.1f,%.1f,%zu x %zu%s,%zu,%.1f\n", name, edit.c_str(), file.rgbSnr, file.spectralSnr,
                 file.size.thetaCount, file.size.size, file.ownParameterisation ? " (source)" : "", file.rgb.size(),

@@ -90,7 +90,7 @@ int run(const std::vector<std::string>& names) {
     for (const auto& [kind, brdf] : representations(materials::readMaterial("library:rgl/" + name).brdf)) {
       const auto own = std::make_shared<const RenderMaterial>(brdf);
       const auto lobe =
-          std::make_shared<const RenderMaterial>(brdf, estimateSamplingLobe(*brdf), RenderMaterial::LobeUse::always);
+          std::make_shared<const RenderMaterial>(brdf, estimateSamplingDensity(*brdf), RenderMaterial::LobeUse::always);
       const Film reference = render(scene, own, Strategy::both, referenceSamples, 2).film;
       std::printf("%s, %s", name.c_str(), kind.c_str());
       for (const Strategy strategy : {Strategy::both, Strategy::materials}) {

@@ -19,8 +19,6 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
-#include "core/materials/measured_library.h"
-#include "core/materials/near_measured_library.h"
 #include "core/models/registry.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/study_program.h"

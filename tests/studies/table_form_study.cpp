@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/brdf/incident_direction.h"
-#include "core/materials/measured_library.h"
+#include "core/materials/bundled_library.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"

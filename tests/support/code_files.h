@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 
 /// Sparse codes over the bundled dictionary of measured RGL materials (CC0), in tests/data.
 namespace gonio::test {
@@ -21,6 +21,6 @@ inline std::vector<std::filesystem::path> codeFiles() {
   return files;
 }
 
-inline dictionary::SparseCode readCodeFile(const std::string& name) { return materials::readCode(codeFile(name)).code; }
+inline dictionary::SparseCode readCodeFile(const std::string& name) { return formats::readCode(codeFile(name)).code; }
 
 }  // namespace gonio::test

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/io/image_io.h"
-#include "core/io/rgl_file.h"
 #include "core/rendering/environment_file.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
+#include "core/rgl/rgl_file.h"
 
 /// Pictures of RGL materials by Mitsuba 3 (data/renderings of the development data, where the README has the scene).
 namespace gonio::test {
@@ -62,7 +62,7 @@ inline Image mitsubaPicture(const std::filesystem::path& shared, const std::stri
 
 inline std::shared_ptr<const Brdf> mitsubaMaterial(const std::filesystem::path& shared, const std::string& material,
                                                    IncidentDirection incident = IncidentDirection::viewer) {
-  return io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(incident);
+  return rgl::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(incident);
 }
 
 /// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.

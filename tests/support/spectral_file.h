@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/io/tensor_writer.h"
+#include "core/io/tensor_file.h"
 #include "core/math/types.h"
 
 /// A spectral RGL file of closed forms.

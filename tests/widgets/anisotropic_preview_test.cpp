@@ -52,7 +52,7 @@ class AnisotropicPreviewTest : public QObject {
     QFETCH(bool, isSampledAlongIt);
     widgets::PreviewSubject subject = alone(grain);
     const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
     QCOMPARE(subject.lobe->grain().fraction > 0, isSampledAlongIt);
     // Means of 8 x 8 pixels: the noise of single ones averages out, what a density that is not the shader's own adds or
     // loses does not.
@@ -70,10 +70,10 @@ class AnisotropicPreviewTest : public QObject {
   void theGrainTakesNoiseAway() {
     widgets::PreviewSubject subject = alone({"ggx-anisotropic", 0.05, 0.4, 0.5});
     const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
     const Image converged = spheres_->drawn(subject, studio(), 4096);
     const double along = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
-    subject.lobe = std::make_shared<const TabulatedLobe>(*bakeTable(*brdf));
+    subject.lobe = std::make_shared<const TabulatedDensity>(*bakeTable(*brdf));
     QCOMPARE(subject.lobe->grain().fraction, 0.0);
     const double mean = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
     qInfo("64 samples per pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
-#include "core/io/rgl_file.h"
 #include "core/models/model_brdf.h"
 #include "core/models/registry.h"
+#include "core/rgl/rgl_file.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
 
@@ -134,7 +134,7 @@ class CompositionPreviewTest : public QObject {
   void overAnRglFile() {
     const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl/vch_golden_yellow_rgb.bsdf";
     if (!fs::exists(path)) QSKIP("the development data is absent");
-    const auto brdf = io::readRgl(io::FileSource(path)).brdf;
+    const auto brdf = rgl::readRgl(io::FileSource(path)).brdf;
     verify(brdf, {ofLayers(Composition::lobes, 0.1, 0.2)});
     verify(brdf, {ofLayers(Composition::logPlus, 0.1, 0.2)});
   }

@@ -105,7 +105,7 @@ class FlatUniformsTest : public QObject {
         {{widgets::EditedMaterial{table, {}}}, sphereScene()},
         {{widgets::EditedMaterial{table, {{layers}}}}, sphereScene()},
         {{widgets::EditedMaterial{table, {{layers, wholeEdit("sgd", Composition::additive), layers}}}}, sphereScene()},
-        {{widgets::EditedMaterial{table, {{layers}}}, std::make_shared<const TabulatedLobe>(*table)},
+        {{widgets::EditedMaterial{table, {{layers}}}, std::make_shared<const TabulatedDensity>(*table)},
          sphereScene(studioEnvironment())},
         {{widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}}, openScene("row")},
     };

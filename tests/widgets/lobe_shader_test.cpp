@@ -38,7 +38,7 @@ class LobeShaderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   std::unique_ptr<test::OffscreenContext> context_;
   widgets::PreviewResources resources_;
   const std::shared_ptr<const TabulatedBrdf> table_ = sharpMaterial();
-  const std::shared_ptr<const TabulatedLobe> lobe_ = std::make_shared<const TabulatedLobe>(*table_);
+  const std::shared_ptr<const TabulatedDensity> lobe_ = std::make_shared<const TabulatedDensity>(*table_);
 
   void upload(widgets::TextureSet& textures, std::size_t index, int unit, const std::vector<glm::vec3>& values) {
     std::vector<glm::vec4> texels;
@@ -80,7 +80,7 @@ void main() {
     if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     QVERIFY(initializeOpenGLFunctions());
     resources_.initialize();
-    QVERIFY(!lobe_->symmetricLobe());
+    QVERIFY(!lobe_->symmetricDensity());
   }
   void cleanupTestCase() {
     if (context_ && context_->isValid()) resources_.release();

@@ -31,8 +31,8 @@ class MaterialEstimatorTest : public QObject {
     QTRY_VERIFY(!estimator.isBusy());
     QCOMPARE(reported.count(), 1);
     const auto estimate = reported.front().front().value<widgets::MaterialEstimate>();
-    QVERIFY(areSimilar(*estimate.lobe, TabulatedLobe(*widgets::subjectBrdf(ggx(0.05)))));
-    QVERIFY(!areSimilar(*estimate.lobe, TabulatedLobe(*widgets::subjectBrdf(ggx(0.9)))));
+    QVERIFY(areSimilar(*estimate.lobe, TabulatedDensity(*widgets::subjectBrdf(ggx(0.05)))));
+    QVERIFY(!areSimilar(*estimate.lobe, TabulatedDensity(*widgets::subjectBrdf(ggx(0.9)))));
   }
 
   void cancelledRequestsAreNotTold() {

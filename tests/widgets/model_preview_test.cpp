@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/sgd_library.h"
+#include "core/materials/bundled_library.h"
 #include "core/models/model_brdf.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
@@ -80,7 +80,7 @@ class ModelPreviewTest : public QObject {
 
  private:
   void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
-    QVERIFY(!base->asTable() && widgets::isShownNatively(*base));
+    QVERIFY(!formOf<TabulatedBrdf>(*base) && widgets::isShownNatively(*base));
     const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
     const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
     qInfo("%.1f dB", snr);

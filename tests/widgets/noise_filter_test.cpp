@@ -117,7 +117,7 @@ class NoiseFilterTest : public QObject {
     drawer.initialize();
     const auto table = rough(0.3);
     widgets::PictureRequest request;
-    request.sides[0].subject = widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
+    request.sides[0].subject = widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table));
     request.sides[0].subjectNumber = 1;
     request.scene = openScene("sphere");
     request.sides[0].plan = request.sides[1].plan =
@@ -141,7 +141,7 @@ class NoiseFilterTest : public QObject {
   void draw(const char* sceneName, const std::shared_ptr<const TabulatedBrdf>& table, int samples) {
     const Scene scene = openScene(sceneName);
     EffectPlan plan = widgets::previewPlan(scene, std::make_shared<const RenderMaterial>(table));
-    picture_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
+    picture_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table)));
     picture_->setScene(scene, plan);
     picture_->setSize({side, side});
     for (; samples > 0; samples -= 64) picture_->accumulate(std::min(samples, 64));

@@ -27,10 +27,10 @@ inline editing::Edit rougherEdit(const char* id, const char* parameter, double r
 }
 
 /// The density of a material; that of the last one is kept, since many edits of one base are drawn in turn.
-inline std::shared_ptr<const TabulatedLobe> lobeOf(const std::shared_ptr<const Brdf>& brdf) {
+inline std::shared_ptr<const TabulatedDensity> lobeOf(const std::shared_ptr<const Brdf>& brdf) {
   static std::shared_ptr<const Brdf> last;
-  static std::shared_ptr<const TabulatedLobe> lobe;
-  if (brdf != last) lobe = std::make_shared<const TabulatedLobe>(*brdf);
+  static std::shared_ptr<const TabulatedDensity> lobe;
+  if (brdf != last) lobe = std::make_shared<const TabulatedDensity>(*brdf);
   last = brdf;
   return lobe;
 }

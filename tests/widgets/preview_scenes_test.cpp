@@ -50,7 +50,7 @@ class PreviewScenesTest : public QObject {
   void scenesAreThoseOfThePathTracer() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
     const auto material = std::make_shared<const RenderMaterial>(table);
-    const auto subject = widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
+    const auto subject = widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table));
     for (const std::string& name : bundledSceneNames()) {
       const Scene scene = openScene(name, 2);
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
@@ -72,7 +72,7 @@ class PreviewScenesTest : public QObject {
   void severalMaterials() {
     const auto other = bakedModel("ggx", {{"roughness", 0.6}, {"f0", 0.2}});
     const widgets::PreviewSubject edited{widgets::EditedMaterial{other, {rougherEdit("ggx", "roughness", 0.4)}},
-                                         std::make_shared<const TabulatedLobe>(*other)};
+                                         std::make_shared<const TabulatedDensity>(*other)};
     const auto traced = std::make_shared<const RenderMaterial>(widgets::subjectBrdf(edited), edited.lobe);
     for (const char* name : {"two-spheres", "row"}) checkTwoMaterials(name, edited, traced, 1);
   }
@@ -118,7 +118,7 @@ class PreviewScenesTest : public QObject {
     const RenderMaterials bound = bindMaterials(scene, slots);
     EffectPlan plan = planEffects(scene, bound);
     plan.reflections = std::min(plan.reflections, reflections);
-    renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
+    renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table)));
     renderer_->setScene(scene, plan, {other});
     constexpr int small = 24;
     renderer_->setSize({small, small});

@@ -208,7 +208,7 @@ class PreviewWidgetTest : public QObject {
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
     const Scene scene = comparisonScene();
     content().setScene(scene);
-    content().setSubject({widgets::EditedMaterial{rough, {{edit}}}, std::make_shared<const TabulatedLobe>(*rough)});
+    content().setSubject({widgets::EditedMaterial{rough, {{edit}}}, std::make_shared<const TabulatedDensity>(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
     const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});

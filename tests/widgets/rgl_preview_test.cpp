@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/io/rgl_file.h"
 #include "core/models/registry.h"
+#include "core/rgl/rgl_file.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
@@ -26,7 +26,7 @@ std::shared_ptr<const RglBrdf> synthetic(const std::vector<float>& phis) {
   rgl.vndf.resize(slices * 9);
   for (float& value : rgl.rgb) value = 0.1f * uniform(random);
   for (float& value : rgl.vndf) value = uniform(random);
-  return io::readRgl(io::MemorySource(rgl.file())).brdf;
+  return rgl::readRgl(io::MemorySource(rgl.file())).brdf;
 }
 
 editing::Edit rougher() {
@@ -58,7 +58,7 @@ class RglPreviewTest : public QObject {
   void syntheticFiles() {
     QFETCH(std::vector<float>, phis);
     const auto brdf = synthetic(phis);
-    const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
     verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 50);
     // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
     for (const IncidentDirection incident : {IncidentDirection::light, IncidentDirection::mean})
@@ -76,8 +76,8 @@ class RglPreviewTest : public QObject {
     QFETCH(QString, name);
     const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl" / (name.toStdString() + "_rgb.bsdf");
     if (!fs::exists(path)) QSKIP("the development data is absent");
-    const auto brdf = io::readRgl(io::FileSource(path)).brdf;
-    const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    const auto brdf = rgl::readRgl(io::FileSource(path)).brdf;
+    const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
     verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 40);
     verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
     verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 40);

@@ -26,7 +26,7 @@ class FailingBrdf final : public Brdf {
 struct Traced {
   Scene scene = openScene("sphere");
   std::shared_ptr<const FailingBrdf> brdf = std::make_shared<FailingBrdf>();
-  RenderMaterials materials = materialsInSlots(scene, std::make_shared<const RenderMaterial>(brdf, SamplingLobe{}));
+  RenderMaterials materials = materialsInSlots(scene, std::make_shared<const RenderMaterial>(brdf, SamplingDensity{}));
   EffectPlan plan = planEffects(scene, bindMaterials(scene, materials));
 
   void start(SceneTracer& tracer, int samples) const { tracer.trace(scene, materials, plan, {32, 32}, samples); }

@@ -118,7 +118,7 @@ class UtiaPreviewTest : public QObject {
               double least = 50) {
     widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
     const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
     const double snr = spheres_->agreement(subject, *brdf, scene, least);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));

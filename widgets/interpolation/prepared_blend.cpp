@@ -59,7 +59,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   blend->materials = materials;
   blend->model = options.model ? options.model : &models::ggx();
   for (const editing::InterpolationMaterial& material : materials)
-    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*material.material()));
+    blend->lobes.push_back(std::make_shared<const TabulatedDensity>(*material.material()));
   blend->interpolation = editing::prepareInterpolation(space, materials, options, control.between(0, preparedFraction));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())

@@ -13,8 +13,8 @@ namespace gonio::widgets {
 struct PreparedBlend {
   editing::InterpolationSpace space;
   std::vector<editing::InterpolationMaterial> materials;
-  std::vector<std::shared_ptr<const TabulatedLobe>> lobes;  ///< sampling densities of the materials
-  const models::Model* model = nullptr;                     ///< for `parameters` and `differential`
+  std::vector<std::shared_ptr<const TabulatedDensity>> lobes;  ///< sampling densities of the materials
+  const models::Model* model = nullptr;                        ///< for `parameters` and `differential`
   std::shared_ptr<const editing::Interpolation> interpolation;
   /// The tables that the shader mixes, in spaces where it does.
   std::shared_ptr<const editing::TransformedMixture> mixture;

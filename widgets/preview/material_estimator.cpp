@@ -35,7 +35,7 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
     outcome.failure = TaskFailure::of([&] {
       const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
       // The lobe of a measurement as it is may have come with it.
-      auto lobe = subject.isMeasured() && subject.lobe ? subject.lobe : std::make_shared<const TabulatedLobe>(*brdf);
+      auto lobe = subject.isMeasured() && subject.lobe ? subject.lobe : std::make_shared<const TabulatedDensity>(*brdf);
       outcome.estimate = {lobe, std::make_shared<const RenderMaterial>(brdf, lobe)};
     });
     return outcome;

@@ -14,7 +14,7 @@ namespace gonio::widgets {
 
 /// The properties of a subject that rendering needs.
 struct MaterialEstimate {
-  std::shared_ptr<const TabulatedLobe> lobe;
+  std::shared_ptr<const TabulatedDensity> lobe;
   std::shared_ptr<const RenderMaterial> material;
 };
 

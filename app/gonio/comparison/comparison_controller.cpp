@@ -21,7 +21,9 @@ const QString referenceKey = QStringLiteral("reference");
 constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, ComparedSubject::edited,
                               ComparedSubject::reference};
 
-HalfDifferenceGrid gridOf(const Brdf& brdf) { return brdf.asTable() ? brdf.asTable()->grid() : HalfDifferenceGrid(); }
+HalfDifferenceGrid gridOf(const Brdf& brdf) {
+  return formOf<TabulatedBrdf>(brdf) ? formOf<TabulatedBrdf>(brdf)->grid() : HalfDifferenceGrid();
+}
 }  // namespace
 
 ComparisonController::ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,

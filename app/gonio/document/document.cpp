@@ -85,7 +85,7 @@ materials::EditedMaterial Document::edited() const {
   if (!material()) return {};
   materials::Material base = material()->material;
   if (!base.brdf) base.brdf = material()->base;
-  if (const TabulatedBrdf* table = base.brdf->asTable()) base.table = {base.brdf, table};
+  if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*base.brdf)) base.table = {base.brdf, table};
   materials::EditedMaterial edited = materials::unedited(base);
   edited.edits = edits();
   edited.incident = state().incident;
@@ -171,8 +171,8 @@ void Document::setIncident(IncidentDirection incident) {
 std::shared_ptr<const Brdf> Document::base() const {
   if (!material()) return nullptr;
   const std::shared_ptr<const Brdf>& own = material()->base;
-  if (!incidentDirectionOf(*own)) return own;
-  if (m_baseSource != own || incidentDirectionOf(*m_base) != state().incident)
+  if (!own->incidentDirection()) return own;
+  if (m_baseSource != own || m_base->incidentDirection() != state().incident)
     m_base = withIncident(own, state().incident);
   m_baseSource = own;
   return m_base;

@@ -7,8 +7,8 @@
 
 #include "core/documents/edit_document.h"
 #include "core/documents/open_material.h"
-#include "core/materials/near_measured_library.h"
-#include "core/materials/sgd_library.h"
+#include "core/materials/bundled_library.h"
+#include "core/sampling/directional_albedo.h"
 #include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::app {
@@ -21,7 +21,7 @@ constexpr HalfDifferenceGrid coarseGrid{.thetaHCount = 30, .thetaDCount = 30, .p
 }  // namespace
 
 std::shared_ptr<const TabulatedBrdf> LoadedMaterial::table(const TaskControl& control) const {
-  if (const TabulatedBrdf* own = base->asTable()) return {base, own};
+  if (const TabulatedBrdf* own = formOf<TabulatedBrdf>(*base)) return {base, own};
   const std::scoped_lock lock(m_sampled->mutex);
   if (!m_sampled->table) m_sampled->table = material.tabulated(control);
   return m_sampled->table;
@@ -33,7 +33,7 @@ fitting::FitBase LoadedMaterial::fitBase(const TaskControl& control) const {
 }
 
 std::size_t LoadedMaterial::bytes() const {
-  if (const TabulatedBrdf* own = base->asTable()) return own->bytes();
+  if (const TabulatedBrdf* own = formOf<TabulatedBrdf>(*base)) return own->bytes();
   const std::scoped_lock lock(m_sampled->mutex);
   return m_sampled->table ? m_sampled->table->bytes() : 0;
 }
@@ -49,9 +49,9 @@ LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<con
   if (!loaded->base || !widgets::isShownNatively(*loaded->base))
     loaded->base = loaded->material.tabulated(control.between(0, tabulatedFraction));
   control.throwIfStopped();
-  loaded->lobe = std::make_shared<const TabulatedLobe>(*loaded->base);
-  loaded->statistics =
-      tableStatistics(loaded->isTable() ? *loaded->base->asTable() : *bakeTable(*loaded->base, coarseGrid));
+  loaded->lobe = std::make_shared<const TabulatedDensity>(*loaded->base);
+  loaded->statistics = tableStatistics(loaded->isTable() ? *formOf<TabulatedBrdf>(*loaded->base)
+                                                         : *bakeTable(*loaded->base, coarseGrid));
   const double each = (1 - tabulatedFraction) / double(loaded->albedo.size());
   for (std::size_t i = 0; i < loaded->albedo.size(); ++i) {
     control.throwIfStopped();

@@ -8,10 +8,10 @@
 #include <mutex>
 
 #include "core/brdf/statistics.h"
-#include "core/brdf/tabulated_lobe.h"
 #include "core/documents/blend_source.h"
 #include "core/fitting/fit.h"
 #include "core/materials/material.h"
+#include "core/sampling/tabulated_density.h"
 
 namespace gonio::app {
 
@@ -25,14 +25,14 @@ struct LoadedMaterial {
   /// The BRDF that is shown, edited and exported: the material in its native form, or a table if the preview cannot
   /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
-  std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< sampling density of the base
-  TableStatistics statistics;                           ///< on a coarse grid if the base is not a table
+  std::shared_ptr<const TabulatedDensity> lobe = nullptr;  ///< sampling density of the base
+  TableStatistics statistics;                              ///< on a coarse grid if the base is not a table
   std::array<Rgb, 4> albedo;
 
   /// Whether the base was sampled from another form, with a sampling error.
   bool isSampled() const { return material.brdf && material.brdf != base; }
   /// Whether table() is the base itself.
-  bool isTable() const { return base->asTable() != nullptr; }
+  bool isTable() const { return formOf<TabulatedBrdf>(*base) != nullptr; }
   /// The table for factors, codes and the fits of isotropic materials: the base, or sampled from it at the first call
   /// (up to a second, for an anisotropic measurement a few seconds; concurrent calls wait). Not for the GUI thread.
   /// @throws Cancelled.

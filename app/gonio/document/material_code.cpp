@@ -11,7 +11,7 @@
 #include "app/gonio/document/transform_text.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/evaluation_time.h"
 
@@ -80,16 +80,16 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   options.quantised = true;
   code.encoded = coder().encoder.encode(*material->table(control), options, control);
   control.throwIfStopped();
-  const std::vector<std::byte> file = materials::encodeCode(code.encoded.code, code.dictionary->id);
+  const std::vector<std::byte> file = formats::encodeCode(code.encoded.code, code.dictionary->id);
   code.bytes = file.size();
   const std::shared_ptr<const dictionary::Ensemble> ensemble(code.dictionary, &code.dictionary->ensemble);
   code.stored = std::make_shared<const widgets::EnsembleCode>(
-      widgets::EnsembleCode{ensemble, materials::readCode(io::MemorySource(file)).code});
+      widgets::EnsembleCode{ensemble, formats::readCode(io::MemorySource(file)).code});
   const auto start = Clock::now();
   code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
-  code.lobe = std::make_shared<const TabulatedLobe>(*code.table);
+  code.lobe = std::make_shared<const TabulatedDensity>(*code.table);
   code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->base, *code.table);
   code.snr = metrics::brdfSignalToNoiseRatio(*material->base, *code.table);
   code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;

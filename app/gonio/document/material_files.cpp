@@ -6,7 +6,7 @@
 #include <QFileInfo>
 
 #include "core/documents/edit_document.h"
-#include "core/materials/material_formats.h"
+#include "core/formats/formats.h"
 
 namespace gonio::app {
 
@@ -20,9 +20,9 @@ QString toQt(std::string_view text) { return QString::fromUtf8(text.data(), qsiz
 
 QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
   QStringList result;
-  for (const materials::MaterialFormat& format : materials::materialFormats())
-    if (isWanted(format))
-      for (const std::string_view suffix : format.suffixes) result << '*' + toQt(suffix);
+  for (const materials::MaterialFormat* format : materials::materialFormats())
+    if (isWanted(*format))
+      for (const std::string_view suffix : format->suffixes) result << '*' + toQt(suffix);
   result.removeDuplicates();
   return result;
 }
@@ -30,8 +30,8 @@ QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
 /// "MERL file (*.binary)" for each format.
 QStringList filters(bool (*isWanted)(const materials::MaterialFormat&)) {
   QStringList result;
-  for (const materials::MaterialFormat& format : materials::materialFormats())
-    if (isWanted(format)) result << formatFilter(format);
+  for (const materials::MaterialFormat* format : materials::materialFormats())
+    if (isWanted(*format)) result << formatFilter(*format);
   return result;
 }
 
@@ -58,8 +58,8 @@ QString formatFilter(const materials::MaterialFormat& format) {
   return QStringLiteral("%1 (*%2)").arg(toQt(format.label), toQt(format.suffix()));
 }
 
-QString formatSuffix(materials::FormatId format) { return toQt(materials::formatOf(format).suffix()); }
-QString tableSuffix() { return formatSuffix(materials::FormatId::merl); }
+QString formatSuffix(const materials::MaterialFormat& format) { return toQt(format.suffix()); }
+QString tableSuffix() { return formatSuffix(formats::merlFormat); }
 
 bool isDocument(const QString& path) { return editing::isDocumentName(path.toStdString()); }
 QString documentSuffix() { return toQt(editing::documentSuffix); }

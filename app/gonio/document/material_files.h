@@ -22,7 +22,7 @@ QString openFilter();
 /// File filter of a format for dialogs, e.g. "RGL file (*.bsdf)".
 QString formatFilter(const materials::MaterialFormat& format);
 /// Suffix of written files of a format, e.g. ".binary".
-QString formatSuffix(materials::FormatId format);
+QString formatSuffix(const materials::MaterialFormat& format);
 /// Suffix of the editor's default format, e.g. ".binary".
 QString tableSuffix();
 

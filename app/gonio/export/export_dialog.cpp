@@ -33,6 +33,7 @@ constexpr int trialDelayMilliseconds = 300;
 enum Column { labelColumn, snrColumn, bytesColumn };
 
 QString exportSnrText(double snr) {
+  if (std::isnan(snr)) return ExportDialog::tr("values");
   return std::isfinite(snr) ? ExportDialog::tr("%1 dB").arg(snr, 0, 'f', 1) : ExportDialog::tr("exact");
 }
 
@@ -249,7 +250,9 @@ void ExportDialog::showTrial() {
   m_pictures->setPictures(original, shown ? shown->exported : QImage());
   QStringList warnings;
   if (shown) {
-    m_cost->setText(std::isfinite(shown->made.snr)
+    m_cost->setText(!shown->made.brdf ? tr("Values at individual directions, which are not rendered; %1.")
+                                            .arg(exportBytesText(shown->made.bytes()))
+                    : std::isfinite(shown->made.snr)
                         ? tr("Rendered SNR of the export against the material: %1; BRDF SNR: %2; %3.")
                               .arg(exportSnrText(shown->made.snr), exportSnrText(shown->made.brdfSnr),
                                    exportBytesText(shown->made.bytes()))

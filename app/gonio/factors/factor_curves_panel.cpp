@@ -9,7 +9,8 @@
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_terms_view.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/formats.h"
+#include "core/formats/pdv.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/curve_legend.h"
 #include "widgets/curves/residual_strip.h"
@@ -209,10 +210,10 @@ void FactorCurvesPanel::adopt(const FactorsWithCosts& measured) {
 void FactorCurvesPanel::save() {
   const Curves curves = current().edited;
   if (!curves) return;
-  const QString suffix = formatSuffix(materials::FormatId::pdv);
+  const QString suffix = formatSuffix(formats::pdvFormat);
   Q_EMIT saveRequested(
       {tr("Save Factors"), m_document.name(), tr("PDV factors (*%1)").arg(suffix), suffix,
-       [curves](const std::filesystem::path& path, const TaskControl&) { materials::writePdv(*curves, path); }});
+       [curves](const std::filesystem::path& path, const TaskControl&) { formats::writePdv(*curves, path); }});
 }
 
 void FactorCurvesPanel::refresh() {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/factors/factors_with_costs.h"
 
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/study/evaluation_time.h"
 
 namespace gonio::app {
@@ -19,7 +19,7 @@ FactorsWithCosts factorizeWithCosts(const LoadedMaterialPtr& material, const Fac
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);
-    measured.bytes.push_back(materials::pdvFileBytes(factors));
+    measured.bytes.push_back(formats::pdvFileBytes(factors));
     measured.nanoseconds.push_back(study::measureEvaluation(*factorization::makePdvBrdf(factors)).median);
   }
   return measured;

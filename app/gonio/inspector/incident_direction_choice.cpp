@@ -28,7 +28,7 @@ IncidentDirectionChoice::IncidentDirectionChoice(Document& document, QWidget* pa
 
 void IncidentDirectionChoice::refresh() {
   const auto base = m_document.base();
-  setVisible(base && incidentDirectionOf(*base));
+  setVisible(base && base->incidentDirection());
   m_choice->setCurrentIndex(int(m_document.state().incident));
 }
 

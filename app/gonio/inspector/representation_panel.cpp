@@ -11,7 +11,8 @@
 #include <array>
 
 #include "app/gonio/document/material_files.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
+#include "core/formats/formats.h"
 #include "widgets/panels/fact_list.h"
 
 namespace gonio::app {
@@ -180,10 +181,10 @@ void RepresentationPanel::refresh() {
 }
 
 void RepresentationPanel::save() {
-  const QString suffix = formatSuffix(materials::FormatId::code);
+  const QString suffix = formatSuffix(formats::codeFormat);
   Q_EMIT saveRequested({tr("Save Code"), m_document.name(), tr("Sparse codes (*%1)").arg(suffix), suffix,
                         [code = m_code](const std::filesystem::path& path, const TaskControl&) {
-                          materials::writeCode(code->encoded.code, code->dictionary->id, path);
+                          formats::writeCode(code->encoded.code, code->dictionary->id, path);
                         }});
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "core/materials/sgd_library.h"
+#include "core/materials/bundled_library.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -50,7 +50,7 @@ QString errorText(const LoadedMaterial& loaded, std::optional<double> snr, bool 
 
 /// The table that is shown, or that stands for what is shown where a method needs one.
 widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
-  const TabulatedBrdf* own = loaded.base->asTable();
+  const TabulatedBrdf* own = formOf<TabulatedBrdf>(*loaded.base);
   const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
   const QString gridExplanation = SourceFactsText::tr("Half-difference grid: θh × θd × φd.");

@@ -22,20 +22,20 @@ constexpr int all = 0, one = 1;
 constexpr double firstWavelength = 555;
 
 const RglSpectra* spectraOf(const LoadedMaterialPtr& material) {
-  const RglBrdf* file = material ? material->base->asRgl() : nullptr;
+  const RglBrdf* file = material ? formOf<RglBrdf>(*material->base) : nullptr;
   return file ? file->tables()->data.spectra.get() : nullptr;
 }
 
 WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentDirection incident,
                            const editing::EditList& edits, double nanometres, const TaskControl& control) {
-  const auto file = material->base->asRgl()->withIncident(incident);
+  const auto file = formOf<RglBrdf>(*material->base)->withIncident(incident);
   const auto measured =
       widgets::measuredSubject(rgl::atWavelength(*file, nullptr, nanometres, control), material->lobe);
   if (editing::isIdentity(edits)) return {material, nanometres, measured, measured};
   const auto edited = editing::applyEdits(file->withIncident(IncidentDirection::viewer), edits);
   const auto shown = rgl::atWavelength(*file, edited.get(), nanometres, control);
   return {material, nanometres, measured,
-          widgets::measuredSubject(shown, std::make_shared<const TabulatedLobe>(*shown))};
+          widgets::measuredSubject(shown, std::make_shared<const TabulatedDensity>(*shown))};
 }
 
 }  // namespace

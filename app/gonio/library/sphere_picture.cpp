@@ -39,7 +39,7 @@ QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskContro
   RenderOptions options;
   options.width = options.height = pixels;
   options.samples = samples;
-  options.lobe = estimateSamplingLobe(brdf);
+  options.lobe = estimateSamplingDensity(brdf);
   const Image picture = renderPicture(brdf, comparisonScene(), options, control);
   QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.lobe->roughness));

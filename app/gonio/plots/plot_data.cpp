@@ -33,7 +33,7 @@ Source fitSource(SeriesRole role, const PlottedFit& fit) {
 
 std::vector<Source> sourcesOf(const PlotRequest& request) {
   const auto& base = request.base ? request.base : request.material->base;
-  const TabulatedBrdf* table = base->asTable();
+  const TabulatedBrdf* table = formOf<TabulatedBrdf>(*base);
   std::vector<Source> sources{
       {SeriesRole::measured, sourceKind(*request.material).toLower(), base, table, PlottedFit{}}};
   const models::Model* used = request.fit ? request.fit->model : nullptr;

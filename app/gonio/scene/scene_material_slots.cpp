@@ -52,7 +52,7 @@ std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
 /// In its native form, with what sampling needs.
 SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end) {
   const std::shared_ptr<const Brdf> brdf = end.material.material();
-  const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+  const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
   widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, lobe);
   if (end.material.base) subject.shown = widgets::EditedMaterial{end.material.base, end.material.edits};
   return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, lobe)}};

@@ -18,7 +18,7 @@ QString sheetText(const char* text) { return QCoreApplication::translate("Contac
 
 SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& ranked) {
   const fitting::FitResult& fit = ranked.fit;
-  const TabulatedBrdf* table = material.base->asTable();
+  const TabulatedBrdf* table = formOf<TabulatedBrdf>(*material.base);
   const widgets::PreviewSubject subject{
       widgets::StandaloneModel{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
   return {.name = widgets::toQString(fit.model->spec().name),
@@ -46,7 +46,7 @@ SheetEntry studyEntry(const StudyModel::Studied& studied) {
 
 widgets::PreviewSubject studiedSubject(const study::MeasuredRepresentation& studied, const TaskControl& control) {
   const auto table = studied.tabulated(control);
-  return widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
+  return widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table));
 }
 
 SheetSource sheetSource(const QString& name, const LoadedMaterialPtr& material, const FitRankingModel& ranking) {

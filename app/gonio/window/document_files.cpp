@@ -230,7 +230,7 @@ void DocumentFiles::exportBrdf() {
   const std::vector<const materials::MaterialFormat*> formats = materials::writableFormats(*document.base());
   QStringList filters;
   for (const materials::MaterialFormat* format : formats) filters << formatFilter(*format);
-  const auto suffixOf = [](const materials::MaterialFormat* format) { return formatSuffix(format->id); };
+  const auto suffixOf = [](const materials::MaterialFormat* format) { return formatSuffix(*format); };
   QString chosen = filters.front();
   const QString suggested =
       QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(formats.front()));

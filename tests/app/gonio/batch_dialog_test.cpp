@@ -11,8 +11,8 @@
 #include <QTest>
 
 #include "app/gonio/document/material_files.h"
+#include "core/formats/merl.h"
 #include "core/io/atomic_file.h"
-#include "core/io/merl_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
@@ -37,7 +37,7 @@ struct Editor {
     for (const char* name : {"one", "two", "three"}) {
       ids << library.filePath(QString(name) + ".binary");
       const auto material = glossyMaterial(0.4, HalfDifferenceGrid{20, 20, 20});
-      io::writeFileAtomically(ids.back().toStdString(), io::encodeMerl(*material->table()));
+      io::writeFileAtomically(ids.back().toStdString(), formats::encodeMerl(*material->table()));
     }
   }
   bool finish() {

@@ -10,6 +10,7 @@
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/file_exports.h"
 #include "core/factorization/pdv_operations.h"
+#include "core/formats/formats.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
@@ -68,7 +69,7 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(again.document.name(), QStringLiteral("mine"));
 
     QSignalSpy done(&again.exports, &FileExports::exported);
-    again.exports.writeMaterial(exported, materials::formatOf(materials::FormatId::merl));
+    again.exports.writeMaterial(exported, formats::merlFormat);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
     const auto baked = editing::bakeEdits(editor.document.material()->table(), editor.document.edits());
@@ -109,7 +110,7 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(again.document.edits()[0].strength, 0.75);
 
     QSignalSpy done(&again.exports, &FileExports::exported);
-    again.exports.writeMaterial(exported, materials::formatOf(materials::FormatId::merl));
+    again.exports.writeMaterial(exported, formats::merlFormat);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const auto reopened = loadMaterial(exported.toStdString())->table();
     const TabulatedBrdf& measured = *editor.document.material()->table();

@@ -12,7 +12,7 @@
 
 #include "app/gonio/document/edit_steps.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
@@ -169,7 +169,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     const QTemporaryDir folder;
     const QString path = folder.filePath("other.pdv");
     const auto other = glossyMaterial(0.6, {24, 24, 24});
-    materials::writePdv(factorization::factorizePdv(*other->table(), {.terms = 1}).factors, path.toStdString());
+    formats::writePdv(factorization::factorizePdv(*other->table(), {.terms = 1}).factors, path.toStdString());
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       undoAll();
       drop(axis, path);

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
@@ -77,7 +77,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     const auto save = saved[0][0].value<FileSave>();
     QCOMPARE(save.suffix, QString(".pdv"));
     save.write(path, {});
-    const PdvFactors read = materials::readPdv(path);
+    const PdvFactors read = formats::readPdv(path);
     const PdvFactors& expected = *factorEdit(m_document)->edited;
     QCOMPARE(read.terms(), expected.terms());
     for (std::size_t i = 0; i < expected.channels[1][0].f2.size(); ++i)
@@ -137,7 +137,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
                                       {.form = factorization::PdvForm::twoFactors, .terms = terms})
               .factors;
       QVERIFY(
-          texts[terms > 1].contains(QString::number(double(materials::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
+          texts[terms > 1].contains(QString::number(double(formats::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
     }
     QVERIFY(texts[0] != texts[1] && texts[0].contains("ns"));
   }

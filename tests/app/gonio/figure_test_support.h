@@ -36,7 +36,7 @@ struct FigureEditor {
 
   FigureEditor() {
     for (const auto& [name, roughness] : {std::pair{"chrome", 0.2}, {"rubber", 0.6}})
-      test::writeTable(*glossyMaterial(roughness, {30, 30, 36})->base->asTable(),
+      test::writeTable(*formOf<TabulatedBrdf>(*glossyMaterial(roughness, {30, 30, 36})->base),
                        path(QString(name) + ".binary").toStdString());
   }
 

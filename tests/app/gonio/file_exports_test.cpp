@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "app/gonio/document/document_controller.h"
+#include "core/formats/formats.h"
 #include "core/io/atomic_file.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
@@ -56,7 +57,7 @@ class FileExportsTest : public QObject {
         editor.folder.filePath("../" + editor.folder.path().section('/', -1) + "/measured.binary");
     for (const QString& name : {editor.source, link, roundabout}) {
       editor.failed.clear();
-      editor.exports.writeMaterial(name, materials::formatOf(materials::FormatId::merl));
+      editor.exports.writeMaterial(name, formats::merlFormat);
       QCOMPARE(editor.failed.count(), 1);
       QVERIFY(editor.failed[0][1].toString().contains("measured file"));
       editor.exports.writePng(name, QImage(2, 2, QImage::Format_RGBA8888));
@@ -88,7 +89,7 @@ class FileExportsTest : public QObject {
     QStringList names;
     for (int i = 0; i < 3; ++i) {
       names << editor.folder.filePath(QStringLiteral("copy%1.binary").arg(i));
-      editor.exports.writeMaterial(names.back(), materials::formatOf(materials::FormatId::merl));
+      editor.exports.writeMaterial(names.back(), formats::merlFormat);
     }
     QCOMPARE(editor.tasks.shown().size(), std::size_t(3));
     QVERIFY(editor.tasks.isWritingFiles());
@@ -104,8 +105,8 @@ class FileExportsTest : public QObject {
   void anExportThatWaitsIsCancelled() {
     Editor editor;
     const QString first = editor.folder.filePath("first.binary"), second = editor.folder.filePath("second.binary");
-    editor.exports.writeMaterial(first, materials::formatOf(materials::FormatId::merl));
-    editor.exports.writeMaterial(second, materials::formatOf(materials::FormatId::merl));
+    editor.exports.writeMaterial(first, formats::merlFormat);
+    editor.exports.writeMaterial(second, formats::merlFormat);
     editor.tasks.cancel(editor.tasks.shown()[1].id);
     QTRY_COMPARE_WITH_TIMEOUT(editor.exported.count(), 1, patienceMilliseconds);
     QTRY_COMPARE_WITH_TIMEOUT(editor.cancelled.count(), 1, patienceMilliseconds);
@@ -130,7 +131,7 @@ class FileExportsTest : public QObject {
                        confirm = write;
                      });
     const QString path = editor.folder.filePath("brushed.binary");
-    editor.exports.writeMaterial(path, materials::formatOf(materials::FormatId::merl));
+    editor.exports.writeMaterial(path, formats::merlFormat);
     QTRY_VERIFY_WITH_TIMEOUT(confirm, patienceMilliseconds);
     QVERIFY(found.contains("anisotropic") && found.contains("dB"));
     QVERIFY(!QFile::exists(path));

@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "core/dictionary/decode.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
@@ -59,8 +59,8 @@ class RepresentationPanelTest : public QObject {
     const auto dictionary = materials::bundledEnsemble();
     const dictionary::Encoder encoder(dictionary->ensemble);
     const auto expected = encoder.encode(*m_document.material()->table(), {.coefficients = 32, .quantised = true});
-    const auto file = materials::encodeCode(expected.code, dictionary->id);
-    const auto table = dictionary::decode(dictionary->ensemble, materials::readCode(io::MemorySource(file)).code);
+    const auto file = formats::encodeCode(expected.code, dictionary->id);
+    const auto table = dictionary::decode(dictionary->ensemble, formats::readCode(io::MemorySource(file)).code);
     QCOMPARE(code->bytes, file.size());
     QVERIFY(std::ranges::equal(code->table->values(), table->values()));
     QCOMPARE(code->encoded.code.transform, expected.code.transform);

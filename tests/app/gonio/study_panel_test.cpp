@@ -181,7 +181,8 @@ class StudyPanelTest : public QObject {
     QCOMPARE(changed.count(), 1);
     QCOMPARE(editor.panel.shownName(), "GGX, 8 numbers");
     QVERIFY(editor.text(ggxFit, 0).startsWith("GGX, 8 numbers (shown"));
-    QVERIFY(editor.panel.subject()->base()->asTable()->grid() == editor.document.material()->table()->grid());
+    QVERIFY(formOf<TabulatedBrdf>(*editor.panel.subject()->base())->grid() ==
+            editor.document.material()->table()->grid());
     editor.panel.show(ggxFit);
     QVERIFY(!editor.panel.subject());
     QCOMPARE(changed.count(), 2);

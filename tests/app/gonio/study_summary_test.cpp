@@ -9,8 +9,8 @@
 #include <QTreeView>
 
 #include "app/gonio/study/study_summary_window.h"
+#include "core/formats/merl.h"
 #include "core/io/atomic_file.h"
-#include "core/io/merl_file.h"
 #include "core/models/registry.h"
 #include "core/study/study_csv.h"
 #include "tests/app/gonio/patience.h"
@@ -53,7 +53,8 @@ struct Editor {
   }
   void write(const QString& name, const Brdf& brdf) {
     ids << folder.filePath(name + ".binary");
-    io::writeFileAtomically(ids.back().toStdString(), io::encodeMerl(*bakeTable(brdf, HalfDifferenceGrid{12, 12, 12})));
+    io::writeFileAtomically(ids.back().toStdString(),
+                            formats::encodeMerl(*bakeTable(brdf, HalfDifferenceGrid{12, 12, 12})));
   }
   QString text(int row, int column) { return window->model().index(row, column).data().toString(); }
   bool finish() {

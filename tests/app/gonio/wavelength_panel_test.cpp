@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/io/rgl_file.h"
+#include "core/rgl/rgl_file.h"
 #include "core/rgl/spectral_edit.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/function_brdf.h"
@@ -23,7 +23,7 @@ LoadedMaterialPtr spectralMaterial() {
   const std::vector<std::byte> bytes = test::spectral::spectralFile();
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "spectral";
-  loaded->material.brdf = loaded->base = io::readRgl(io::MemorySource(bytes)).brdf;
+  loaded->material.brdf = loaded->base = rgl::readRgl(io::MemorySource(bytes)).brdf;
   return loaded;
 }
 
@@ -73,7 +73,7 @@ class WavelengthPanelTest : public QObject {
     Q_EMIT panel.slider().numberEdited(610);
     QTRY_VERIFY_WITH_TIMEOUT(panel.subjects()->nanometres == 610, patienceMilliseconds);
     QCOMPARE(document.history().count(), 0);
-    const RglBrdf& file = *document.material()->base->asRgl();
+    const RglBrdf& file = *formOf<RglBrdf>(*document.material()->base);
     const double stored = rgl::atWavelength(file, nullptr, 610)->evaluate(pair.wi, pair.wo).x;
     QVERIFY(stored > 0);
     QCOMPARE(valueOf(panel.subjects()->measured), stored);

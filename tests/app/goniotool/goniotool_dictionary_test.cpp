@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/dictionary/decode.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/interruption.h"
 #include "tests/support/test_program.h"
@@ -160,7 +160,7 @@ class GoniotoolDictionaryTest : public QObject {
     QVERIFY(bytesOf(code).size() <= 900 && bytesOf(code).size() > 700);
     VERIFY_SUCCESS(
         runJson({"encode", merl_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
-    QVERIFY(materials::readCode(single.toStdString()).precision == dictionary::CodePrecision::single);
+    QVERIFY(formats::readCode(single.toStdString()).precision == dictionary::CodePrecision::single);
     const ToolResult info = runJson({"info", single});
     VERIFY_SUCCESS(info);
     QCOMPARE(QString::fromStdString(info.json["format"]), QString("sparse code"));

@@ -6,7 +6,7 @@
 
 #include "core/baselines/baselines.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/function_brdf.h"
@@ -21,7 +21,7 @@ using namespace gonio::factorization;
 class GoniotoolFactorTest : public QObject {
   Q_OBJECT
  private:
-  PdvFactors readFactors(const char* name) const { return materials::readPdv(folder_.path(name).toStdString()); }
+  PdvFactors readFactors(const char* name) const { return formats::readPdv(folder_.path(name).toStdString()); }
 
  private Q_SLOTS:
   void initTestCase() {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/brdf/weighted_sum.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/function_brdf.h"
@@ -57,7 +57,7 @@ class GoniotoolInterpolateTest : public QObject {
     QVERIFY(result.json["snr"].get<double>() > 40);
     QVERIFY(result.json["nodes"].get<int>() <= 1);
     const auto blend = materials::readMaterial(out.toStdString()).brdf;
-    QVERIFY(blend->asRgl());
+    QVERIFY(formOf<RglBrdf>(*blend));
     const auto blue = materials::readMaterial("library:rgl/paper_blue").brdf,
                white = materials::readMaterial("library:rgl/paper_white").brdf;
     double error = 0, whole = 0;
@@ -105,15 +105,15 @@ class GoniotoolInterpolateTest : public QObject {
     QCOMPARE(result.json["terms"].get<int>(), 3);  // the first, and the second of both
     VERIFY_SUCCESS(
         runJson({"interpolate", smooth_, rough_, "--space", "factors", "--terms", "2", "--out", path("half.binary")}));
-    const auto curves = factorization::makePdvBrdf(materials::readPdv(path("half.pdv").toStdString()));
+    const auto curves = factorization::makePdvBrdf(formats::readPdv(path("half.pdv").toStdString()));
     QVERIFY(metrics::brdfErrors(*readTable(path("half.binary")), test::meanOfBothOrders(curves))[0] < 1e-3);
     // A file of factors is taken as it is, and the table beside it factorised on its nodes.
     const ToolResult again = runJson({"interpolate", path("half.pdv"), rough_, "--space", "factors", "--terms", "7",
                                       "--at", "0.25", "--out", path("quarter.pdv")});
     VERIFY_SUCCESS(again);
     QCOMPARE(again.json["terms"].get<int>(), 5);
-    QVERIFY(materials::readPdv(path("quarter.pdv").toStdString()).deviationNodes ==
-            materials::readPdv(path("half.pdv").toStdString()).deviationNodes);
+    QVERIFY(formats::readPdv(path("quarter.pdv").toStdString()).deviationNodes ==
+            formats::readPdv(path("half.pdv").toStdString()).deviationNodes);
   }
 
   /// Over a dictionary that learned from the ends: codes that are files, and tables.

@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "core/baselines/neural_fit.h"
-#include "core/materials/near_measured_library.h"
-#include "core/materials/neural_file.h"
+#include "core/formats/neural.h"
+#include "core/materials/bundled_library.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
@@ -25,7 +25,7 @@ class GoniotoolNeuralTest : public QObject {
     VERIFY_SUCCESS(result);
     const auto table = readTable(plastic_);
     const neural::NeuralFit fit = neural::fitNeural(*table, {.steps = 200});
-    QVERIFY(std::ranges::equal(materials::readNeural(std::filesystem::path(out.toStdString())).weights(), fit.weights));
+    QVERIFY(std::ranges::equal(formats::readNeural(std::filesystem::path(out.toStdString())).weights(), fit.weights));
     QVERIFY(result.json["losses"] == nlohmann::json(fit.losses));
     QCOMPARE(result.json["weights"].get<int>(), 675);
     QCOMPARE(qint64(result.json["bytes"].get<std::int64_t>()), bytesOf(out).size());
@@ -50,8 +50,8 @@ class GoniotoolNeuralTest : public QObject {
     const QString out = folder_.path("second.nbrdf"), weights = folder_.path("published.f32");
     const QStringList start{"train-neural", plastic_, "--samples", "1", "--weights", weights};
     VERIFY_SUCCESS(runJson(start + QStringList{"--row", "1", "--out", out}));
-    QVERIFY(std::ranges::equal(materials::readNeural(std::filesystem::path(out.toStdString())).weights(),
-                               copies[1].weights));
+    QVERIFY(
+        std::ranges::equal(formats::readNeural(std::filesystem::path(out.toStdString())).weights(), copies[1].weights));
     const ToolResult beyond = runTool(start + QStringList{"--row", "2"});
     QCOMPARE(beyond.code, 1);
     QVERIFY(beyond.error.contains("published.f32") && beyond.error.contains("up to row 2"));

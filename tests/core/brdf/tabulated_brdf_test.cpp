@@ -149,9 +149,9 @@ class TabulatedBrdfTest : public QObject {
     const auto full = randomTable(smallGrid, 0, 7), none = randomTable(smallGrid, 2, 7);
     QVERIFY(full->hasData({up, up}) && !full->hasData({below, up}) && !full->hasData({up, below}));
     QVERIFY(!none->hasData({up, up}));
-    QCOMPARE(full->asTable(), full.get());
+    QCOMPARE(formOf<TabulatedBrdf>(*full), full.get());
     const test::FunctionBrdf model = test::lambert(Rgb(0));
-    QVERIFY(model.hasData({up, up}) && !model.hasData({up, below}) && !model.asTable());
+    QVERIFY(model.hasData({up, up}) && !model.hasData({up, below}) && !formOf<TabulatedBrdf>(model));
   }
 
   /// A long batch, its remainder and single pairs take different ways through the code.

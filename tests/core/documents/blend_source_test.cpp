@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/documents/blend_source.h"
+#include "core/brdf/rgl_brdf.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -119,13 +120,13 @@ class BlendSourceTest : public QObject {
     blend->materials[1].sourcePath = "library:rgl/paper_white";
     document.blend = blend;
     const materials::Material own = readSource(document, {});
-    QVERIFY(own.brdf->asRgl() && !own.table);
+    QVERIFY(formOf<RglBrdf>(*own.brdf) && !own.table);
     QCOMPARE(own.source.notes.size(), std::size_t(1));
     QVERIFY(own.source.notes[0].find("angles of paper_") != std::string::npos);
 
     blend->materials[1] = fileDocument("light.binary");
     const materials::Material mixed = readSource(document, {});
-    QVERIFY(!mixed.table && !mixed.brdf->asTable() && !mixed.brdf->asRgl());
+    QVERIFY(!mixed.table && !formOf<TabulatedBrdf>(*mixed.brdf) && !formOf<RglBrdf>(*mixed.brdf));
     const auto paper = materials::readMaterial(blend->materials[0].sourcePath).brdf;
     const Direction wi = fromSpherical(0.4, 1), wo = fromSpherical(0.8, 2);
     const Rgb expected = 0.25 * paper->evaluate(wi, wo) + Rgb(0.75 * 0.6 / pi);

@@ -5,7 +5,6 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/brdf/statistics.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <random>
 
-#include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_brdf.h"
 #include "core/editing/edit.h"
 #include "core/fitting/fit.h"
-#include "core/materials/sgd_library.h"
+#include "core/materials/bundled_library.h"
 #include "core/math/parallel.h"
 #include "core/models/registry.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/support/test_program.h"
 
 namespace edit_bounds_test {

@@ -6,12 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/export/blender_scene.h"
-#include "core/export/blender_target.h"
-#include "core/export/export_report.h"
 #include "core/export/export_target.h"
-#include "core/export/principled_model.h"
-#include "core/export/principled_target.h"
+#include "core/export/scenes/scene_files.h"
+#include "core/export/shaders/shading_models.h"
+#include "core/export/target_table.h"
 #include "core/geometry/bundled_meshes.h"
 #include "core/io/image_io.h"
 #include "core/materials/material.h"

@@ -45,14 +45,20 @@ class ExportTargetTest : public QObject {
     const auto source = materials::unedited("test", test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05));
     for (const exports::ExportTarget& target : exports::exportTargets()) {
       const exports::ExportResult made = exports::makeExport(target, source, small());
-      QVERIFY2(made.snr > 20, target.id.data());
       QCOMPARE(made.parts.size(), target.suffixes.size());
       for (std::size_t i = 0; i < made.parts.size(); ++i) QCOMPARE(made.parts[i].suffix, target.suffixes[i]);
+      QCOMPARE(exports::filesOf(made, "a/b").front().path, fs::path("a/b").concat(target.suffixes.front()));
+      if (target.id == "csv" || target.id == "slices") {
+        // Values, and no material whose accuracy could be stated.
+        QVERIFY(!made.brdf && std::isnan(made.snr) && std::isnan(made.brdfSnr));
+        QVERIFY(made.losses.at(0).find("nothing between them") != std::string::npos);
+        continue;
+      }
+      QVERIFY2(made.snr > 20, target.id.data());
       const DirectionPair pair{glm::normalize(Direction(0.3, 0.2, 1)), glm::normalize(Direction(-0.4, 0.1, 1))};
       const double truth = source.shown.brdf->evaluate(pair.wi, pair.wo).x,
                    found = made.brdf->evaluate(pair.wi, pair.wo).x;
       QVERIFY2(std::abs(found / truth - 1) < 0.25, target.id.data());
-      QCOMPARE(exports::filesOf(made, "a/b").front().path, fs::path("a/b").concat(target.suffixes.front()));
     }
   }
 

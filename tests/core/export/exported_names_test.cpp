@@ -15,13 +15,9 @@
 #include <QXmlStreamReader>
 #include <algorithm>
 
-#include "core/export/blender_target.h"
-#include "core/export/export_report.h"
 #include "core/export/export_target.h"
-#include "core/export/glsl_target.h"
-#include "core/export/gltf_target.h"
-#include "core/export/materialx_targets.h"
-#include "core/export/principled_target.h"
+#include "core/export/shaders/shading_models.h"
+#include "core/export/target_table.h"
 #include "core/io/tensor_file.h"
 #include "core/support/plain_text.h"
 #include "tests/support/function_brdf.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/reciprocal_lobes.h"
+#include "core/export/shaders/reciprocal_lobes.h"
 
 #include <QTest>
 #include <cmath>
 #include <random>
 
-#include "core/export/materialx_models.h"
+#include "core/export/shaders/shading_models.h"
 #include "core/models/registry.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/random_directions.h"

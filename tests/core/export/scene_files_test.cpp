@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/scene_files.h"
+#include "core/export/scenes/scene_files.h"
 
 #include <QTest>
 #include <QXmlStreamReader>
@@ -8,13 +8,10 @@
 #include <cmath>
 #include <random>
 
-#include "core/export/blender_scene.h"
 #include "core/export/export_target.h"
-#include "core/export/mitsuba_scene.h"
-#include "core/export/pbrt_scene.h"
 #include "core/geometry/bundled_meshes.h"
 #include "core/io/exr_codec.h"
-#include "core/io/ply_file.h"
+#include "core/io/mesh_file.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "tests/support/test_program.h"

@@ -4,12 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/brdf/statistics.h"
-#include "core/export/engine_models.h"
-#include "core/export/gltf_model.h"
-#include "core/export/layer_albedo.h"
-#include "core/export/materialx_models.h"
-#include "core/export/principled_model.h"
+#include "core/export/shaders/shading_formulas.h"
+#include "core/export/shaders/shading_models.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"

@@ -6,8 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/export/gltf_model.h"
-#include "core/export/gltf_target.h"
+#include "core/export/shaders/shading_models.h"
 #include "tests/core/export/sun_picture.h"
 #include "tests/support/test_program.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/view_lobes.h"
+#include "core/export/shaders/view_lobes.h"
 
 #include <QTest>
 #include <cmath>
 #include <random>
 
-#include "core/brdf/statistics.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"

@@ -8,7 +8,7 @@
 
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/deviation_grid.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/math/parallel.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
@@ -232,7 +232,7 @@ class PdvFactorsTest : public QObject {
     const auto table = glossyTable();
     const PdvFactorization full = factorizePdv(*table, {.terms = 2, .joint = true});
     const PdvFactorization compact = factorizePdv(*table, compactPdvOptions({.terms = 4, .joint = true}));
-    QVERIFY(materials::pdvFileBytes(compact.factors) < materials::pdvFileBytes(full.factors));
+    QVERIFY(formats::pdvFileBytes(compact.factors) < formats::pdvFileBytes(full.factors));
     const auto error = [&](const PdvFactors& factors) {
       return metrics::brdfError(metrics::BrdfMetric::logRelative, *table, *makePdvBrdf(factors));
     };

@@ -66,7 +66,7 @@ class OwnFormBlendTest : public QObject {
     const std::vector<std::shared_ptr<const Brdf>> files{utia(1), utia(2)};
     const std::vector<double> weights{0.3, 0.7};
     const auto blend = blendOf(ownForms(files), weights);
-    QVERIFY(blend && dynamic_cast<const UtiaBrdf*>(blend->brdf.get()));
+    QVERIFY(blend && formOf<UtiaBrdf>(*blend->brdf));
     QVERIFY(maxDifference(*blend->brdf, *weightedSum(files, weights), radians(75)) < 1e-6);
   }
 
@@ -74,13 +74,13 @@ class OwnFormBlendTest : public QObject {
   /// changes as its neighbour does.
   void rglFilesWithTheSameNodesBlendExactly() {
     const auto file = bundled("leaf_maple");
-    SliceStack<glm::vec3> dimmed = file->asRgl()->tables()->data.rgb;
+    SliceStack<glm::vec3> dimmed = formOf<RglBrdf>(*file)->tables()->data.rgb;
     for (glm::vec3& value : dimmed.values) value *= glm::vec3(0.5f, 0.2f, 0.9f);
     const std::vector<std::shared_ptr<const Brdf>> files{
-        file, file->asRgl()->withColours(dimmed, file->asRgl()->tables()->luminance.cellDensity())};
+        file, formOf<RglBrdf>(*file)->withColours(dimmed, formOf<RglBrdf>(*file)->tables()->luminance.cellDensity())};
     const std::vector<double> weights{0.4, 0.6};
     const auto blend = blendOf(ownForms(files), weights);
-    QVERIFY(blend && blend->brdf->asRgl());
+    QVERIFY(blend && formOf<RglBrdf>(*blend->brdf));
     QVERIFY2(blend->accuracy > 45, qPrintable(QString::number(blend->accuracy)));
     const double difference = maxDifference(*blend->brdf, *weightedSum(files, weights), radians(50));
     QVERIFY2(difference < 1e-3, qPrintable(QString::number(difference)));
@@ -94,7 +94,8 @@ class OwnFormBlendTest : public QObject {
     QCOMPARE(first->nodesOf, 1 - second->nodesOf);
     QCOMPARE(first->accuracy, second->accuracy);
     const auto nodes = first->nodesOf == 0 ? wide : narrow;
-    QCOMPARE(first->brdf->asRgl()->tables()->data.rgb.width, nodes->asRgl()->tables()->data.rgb.width);
+    QCOMPARE(formOf<RglBrdf>(*first->brdf)->tables()->data.rgb.width,
+             formOf<RglBrdf>(*nodes)->tables()->data.rgb.width);
     QVERIFY2(first->accuracy > 35, qPrintable(QString::number(first->accuracy)));
     QVERIFY(maxDifference(*first->brdf, *second->brdf, radians(85)) < 1e-6);
   }
@@ -102,7 +103,8 @@ class OwnFormBlendTest : public QObject {
   void aWholeWeightIsTheFile() {
     const auto file = bundled("paper_blue");
     const auto blend = blendOf(ownForms({file, utia(1)}), {1, 0});
-    QVERIFY(blend && blend->brdf->asRgl()->tables()->data.rgb.values == file->asRgl()->tables()->data.rgb.values);
+    QVERIFY(blend && formOf<RglBrdf>(*blend->brdf)->tables()->data.rgb.values ==
+                         formOf<RglBrdf>(*file)->tables()->data.rgb.values);
   }
 
   /// No form holds what is made of tables, and what is mixed of two forms.

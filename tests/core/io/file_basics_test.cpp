@@ -13,14 +13,14 @@
 
 #include "core/documents/edit_document.h"
 #include "core/documents/open_material.h"
+#include "core/formats/code.h"
+#include "core/formats/pdv.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/io/sha256.h"
-#include "core/materials/code_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 #include "core/materials/npf_file.h"
-#include "core/materials/pdv_file.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
@@ -90,8 +90,8 @@ class FileBasicsTest : public QObject {
     QTest::addColumn<Read>("read");
     QTest::newRow("material") << Read([](const fs::path& path) { materials::readMaterial(path); });
     QTest::newRow("dictionary") << Read([](const fs::path& path) { materials::readDictionary(path); });
-    QTest::newRow("code") << Read([](const fs::path& path) { materials::readCode(path); });
-    QTest::newRow("factors") << Read([](const fs::path& path) { materials::readPdv(path); });
+    QTest::newRow("code") << Read([](const fs::path& path) { formats::readCode(path); });
+    QTest::newRow("factors") << Read([](const fs::path& path) { formats::readPdv(path); });
     QTest::newRow("checkpoint") << Read([](const fs::path& path) { materials::readCheckpoint("training", path); });
     QTest::newRow("picture") << Read([](const fs::path& path) { io::readImage(path); });
     QTest::newRow("document") << Read([](const fs::path& path) { editing::readDocument(path); });

@@ -9,8 +9,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/io/gltf_file.h"
-#include "core/io/ply_file.h"
 #include "tests/core/io/test_files.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/io/obj_file.h"
+#include "core/io/mesh_file.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/io/scratch_file.h"
+#include "core/io/atomic_file.h"
 
 #include <QTemporaryDir>
 #include <QTest>

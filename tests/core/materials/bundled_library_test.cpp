@@ -10,8 +10,6 @@
 
 #include "core/brdf/rgl_brdf.h"
 #include "core/factorization/deviation_grid.h"
-#include "core/materials/measured_library.h"
-#include "core/materials/near_measured_library.h"
 #include "tests/support/test_program.h"
 
 namespace bundled_library_test {
@@ -86,7 +84,7 @@ class BundledLibraryTest : public QObject {
   void measuredMaterialsAreTheirFiles() {
     QFETCH(QString, file);
     const Material bundled = readMaterial(std::string("library:rgl/") + QTest::currentDataTag());
-    QVERIFY(bundled.brdf->asRgl());
+    QVERIFY(formOf<RglBrdf>(*bundled.brdf));
     QVERIFY(!bundled.table);
     const double snr = cosineSnr(*readMaterial(file.toStdString()).brdf, *bundled.brdf, 20000);
     QVERIFY2(snr > 60, qPrintable(QString::number(snr)));

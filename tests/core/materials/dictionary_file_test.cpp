@@ -6,7 +6,7 @@
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
-#include "core/materials/code_file.h"
+#include "core/formats/code.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
@@ -116,27 +116,27 @@ class DictionaryFileTest : public QObject {
     const auto dictionary = materials::readDictionary(writtenEnsemble());
     const SparseCode code = Encoder(dictionary->ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 60}).code;
     const auto path = outputPath("dictionary/material.code");
-    materials::writeCode(code, dictionary->id, path, CodePrecision::single);
-    const materials::CodeFile file = materials::readCode(path);
-    materials::checkDictionary(file, *dictionary);
+    formats::writeCode(code, dictionary->id, path, CodePrecision::single);
+    const formats::CodeFile file = formats::readCode(path);
+    formats::checkDictionary(file, *dictionary);
     QVERIFY(file.code.transform == code.transform && file.code.grid == code.grid);
     QVERIFY(sameValues(*decode(dictionary->ensemble, file.code), *decode(dictionary->ensemble, code)));
     for (std::size_t c = 0; c < 3; ++c) QCOMPARE(file.code.channels[c].highest, code.channels[c].highest);
-    const auto read = [](const std::filesystem::path& changed) { materials::readCode(changed); };
+    const auto read = [](const std::filesystem::path& changed) { formats::readCode(changed); };
     QVERIFY(contains(errorWith(path, 8, std::uint16_t(7), read), "the version is 7, expected 1"));
     QVERIFY(contains(errorWith(path, 10, std::uint8_t(9), read), "the transform is 9"));
     QVERIFY(contains(errorWith(path, 12, std::uint16_t(0), read), "a count of nodes is 0"));
     // Another dictionary, as its id tells.
-    materials::CodeFile other = file;
+    formats::CodeFile other = file;
     ++other.dictionaryId;
-    QVERIFY(contains(errorOf([&] { materials::checkDictionary(other, *dictionary); }), "another dictionary"));
+    QVERIFY(contains(errorOf([&] { formats::checkDictionary(other, *dictionary); }), "another dictionary"));
   }
 
   /// Files of version 1: what is read is written with the same bytes.
   void codeFilesKeepTheirBytes() {
     for (const auto& path : gonio::test::codeFiles()) {
-      const materials::CodeFile file = materials::readCode(path);
-      QVERIFY(std::ranges::equal(materials::encodeCode(file.code, file.dictionaryId, file.precision),
+      const formats::CodeFile file = formats::readCode(path);
+      QVERIFY(std::ranges::equal(formats::encodeCode(file.code, file.dictionaryId, file.precision),
                                  gonio::test::readFile(path)));
     }
   }
@@ -150,14 +150,14 @@ class DictionaryFileTest : public QObject {
     SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
     for (ChannelCode& channel : code.channels) channel.coefficients = {{0, 30.0f}, {200, -2.0f}};
     const auto path = outputPath("dictionary/bundled.code");
-    materials::writeCode(code, dictionary->id, path);
+    formats::writeCode(code, dictionary->id, path);
     const materials::Material material = materials::readMaterial(path);
     QCOMPARE(material.source.format, std::string("sparse code"));
     QCOMPARE(material.source.description, std::string("2 coefficients per channel, transform log-plus"));
     QCOMPARE(material.name, std::string("bundled"));
     QVERIFY(material.code && material.code->channels[2].coefficients.size() == 2);
-    QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, materials::readCode(path).code)));
-    materials::writeCode(code, dictionary->id + 1, path);
+    QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, formats::readCode(path).code)));
+    formats::writeCode(code, dictionary->id + 1, path);
     QVERIFY(contains(errorOf([&] { materials::readMaterial(path); }),
                      "bundled.code: the code was encoded with another dictionary"));
   }

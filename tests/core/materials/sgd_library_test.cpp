@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/materials/sgd_library.h"
+#include "core/materials/bundled_library.h"
 
 #include <QTest>
 #include <cmath>
 #include <set>
 
-#include "core/materials/bundled_library.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_brdf.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
@@ -13,6 +13,7 @@
 #include "core/materials/material.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/code_files.h"
 #include "tests/support/function_brdf.h"

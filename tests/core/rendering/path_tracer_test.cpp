@@ -5,7 +5,6 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/brdf/statistics.h"
 #include "core/math/parallel.h"
 #include "core/rendering/scene_file.h"
 #include "tests/core/rendering/tracing.h"

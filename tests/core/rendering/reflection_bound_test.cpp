@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/statistics.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_material.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"

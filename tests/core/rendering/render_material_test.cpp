@@ -75,10 +75,10 @@ class RenderMaterialTest : public QObject {
   void aKnownLobeIsWeighedToo() {
     const Direction wo = fromSpherical(0.6, 1), wi = fromSpherical(0.5, 3.5);
     const auto poor = std::make_shared<const PoorlySampled>(0.1);
-    const auto lobe = std::make_shared<const TabulatedLobe>(*poor);
+    const auto lobe = std::make_shared<const TabulatedDensity>(*poor);
     QCOMPARE(RenderMaterial(poor, lobe).pdf(wi, wo), RenderMaterial(poor).pdf(wi, wo));
     const std::shared_ptr<const Brdf> good = test::ggx(Rgb(0), Rgb(1), 0.1, 0.9);
-    QCOMPARE(RenderMaterial(good, std::make_shared<const TabulatedLobe>(*good)).pdf(wi, wo), good->pdf(wi, wo));
+    QCOMPARE(RenderMaterial(good, std::make_shared<const TabulatedDensity>(*good)).pdf(wi, wo), good->pdf(wi, wo));
   }
 
   void samplesFollowTheDensity_data() {

@@ -143,15 +143,16 @@ class RenderPictureTest : public QObject {
   void anyLobeGivesTheSamePicture() {
     const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     const Scene scene = sphereScene(smallEnvironment());
-    const auto mean = [&](const SamplingLobe& lobe) {
+    const auto mean = [&](const SamplingDensity& lobe) {
       RenderOptions options = sized(24, 8192);
       options.lobe = lobe;
       double sum = 0;
       for (const glm::vec3& pixel : renderPicture(*brdf, scene, options).pixels) sum += pixel.y;
       return sum;
     };
-    const double best = mean(estimateSamplingLobe(*brdf));
-    for (const SamplingLobe& lobe : {SamplingLobe{0.5, 0.3}, SamplingLobe{1, 0}, SamplingLobe{0.01, 0.95}}) {
+    const double best = mean(estimateSamplingDensity(*brdf));
+    for (const SamplingDensity& lobe :
+         {SamplingDensity{0.5, 0.3}, SamplingDensity{1, 0}, SamplingDensity{0.01, 0.95}}) {
       const double difference = mean(lobe) / best - 1;
       QVERIFY2(std::abs(difference) < 5e-3, qPrintable(QString("%1: %2").arg(lobe.roughness).arg(difference)));
     }
@@ -181,7 +182,7 @@ class RenderPictureTest : public QObject {
   /// Pictures that are compared share their noise: a change of 1 % shows as the 40 dB that it is.
   void comparedPicturesShareTheirNoise() {
     RenderOptions options = sized(32, 16);
-    options.lobe = SamplingLobe{0.1, 0.5};
+    options.lobe = SamplingDensity{0.1, 0.5};
     const Image reference = renderPicture(*test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3), comparisonScene(), options);
     const Image test = renderPicture(*test::ggx(Rgb(0.2) * 1.01, Rgb(1) * 1.01, 0.1, 0.3), comparisonScene(), options);
     QVERIFY(std::abs(metrics::signalToNoiseRatio(reference, test) - 40) < 1e-3);

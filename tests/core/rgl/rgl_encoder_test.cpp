@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/brdf/statistics.h"
-#include "core/io/rgl_file.h"
-#include "core/materials/material_file.h"
+#include "core/materials/material.h"
+#include "core/rgl/rgl_file.h"
+#include "core/sampling/directional_albedo.h"
 #include "tests/core/export/loader_rules.h"
 #include "tests/core/export/published_reader.h"
 #include "tests/support/function_brdf.h"
@@ -30,7 +30,7 @@ EncodedRgl encoded(const std::shared_ptr<const Brdf>& brdf, const rgl::RglOption
 }
 
 std::shared_ptr<const RglBrdf> read(std::span<const std::byte> bytes) {
-  return io::readRgl(io::MemorySource(bytes)).brdf;
+  return rgl::readRgl(io::MemorySource(bytes)).brdf;
 }
 
 std::shared_ptr<const Brdf> glossy() { return test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.9), 0.25, 0.05); }
@@ -38,7 +38,7 @@ std::shared_ptr<const Brdf> glossy() { return test::ggx(Rgb(0.3, 0.1, 0.05), Rgb
 /// A bundled measured file with its bytes.
 RglFileSource bundled(const std::string& name) {
   const materials::Material material = materials::readMaterial("library:rgl/" + name);
-  return {.brdf = {material.brdf, material.brdf->asRgl()}, .bytes = materials::materialFile(material.source)};
+  return {.brdf = {material.brdf, formOf<RglBrdf>(*material.brdf)}, .bytes = materials::materialFile(material.source)};
 }
 
 /// Pairs of which neither direction is at the horizon.
@@ -290,7 +290,7 @@ class RglEncoderTest : public QObject {
 
   void descriptionTellsTheOrigin() {
     const EncodedRgl made = encoded(glossy(), small(4, 16));
-    const std::string text = io::readRgl(io::MemorySource(made.rgb)).description;
+    const std::string text = rgl::readRgl(io::MemorySource(made.rgb)).description;
     for (const char* part : {"glossy, of nothing", "viewer", "dB"})
       QVERIFY2(text.find(part) != std::string::npos, text.c_str());
   }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/io/rgl_file.h"
 #include "core/math/spectrum.h"
 #include "core/rgl/rgl_encoder.h"
+#include "core/rgl/rgl_file.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/spectral_file.h"
 #include "tests/support/test_program.h"
@@ -19,7 +19,7 @@ using namespace gonio;
 using namespace gonio::test::spectral;
 
 std::shared_ptr<const RglBrdf> read(std::span<const std::byte> bytes) {
-  return io::readRgl(io::MemorySource(bytes)).brdf;
+  return rgl::readRgl(io::MemorySource(bytes)).brdf;
 }
 
 /// The colours of spectra.

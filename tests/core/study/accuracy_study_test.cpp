@@ -8,8 +8,8 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/materials/code_file.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/code.h"
+#include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/rendered_comparison.h"
@@ -154,7 +154,7 @@ class AccuracyStudyTest : public QObject {
     const auto one = factorization::factorizePdv(*plastic().table, {.terms = 1}).factors;
     const StudyRecord& factors = find(records, "factors-3d", 1);
     QVERIFY(factors.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(one)));
-    QCOMPARE(factors.bytes, materials::pdvFileBytes(one));
+    QCOMPARE(factors.bytes, formats::pdvFileBytes(one));
     QVERIFY(find(records, "factors-3d", 3).encodeSeconds > factors.encodeSeconds);
     // What is known of the material: it is a GGX model, three terms hold more than one, a lambertian body is no
     // highlight.
@@ -167,7 +167,7 @@ class AccuracyStudyTest : public QObject {
                            *plastic().table, factorization::publishedPdvOptions(factorization::PdvForm::twoFactors, 3))
                            .factors;
     QVERIFY(published.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(three)));
-    QCOMPARE(published.bytes, materials::pdvFileBytes(three));
+    QCOMPARE(published.bytes, formats::pdvFileBytes(three));
     QVERIFY(published.errors != find(records, "factors-2d", 3).errors);
   }
 
@@ -230,7 +230,7 @@ class AccuracyStudyTest : public QObject {
     const dictionary::Encoder encoder(build.dictionary->ensemble);
     const auto encoded = [&](const dictionary::EncodeOptions& options) {
       const auto code = encoder.encode(*table, options).code;
-      return materials::encodeCode(code, 1).size();
+      return formats::encodeCode(code, 1).size();
     };
     const std::array all{representationById("code-published", 100), representationById("code-basis-pursuit", 100),
                          representationById("factors-3d-joint", 2), representationById("factors-3d-joint", 3),
@@ -242,7 +242,7 @@ class AccuracyStudyTest : public QObject {
     for (const Representation& joint : {all[2], all[3]}) {
       const auto factors = factorization::factorizePdv(*table, {.terms = int(joint.budget), .joint = true}).factors;
       const BuiltRepresentation built = builder.build(joint);
-      QCOMPARE(built.bytes, materials::pdvFileBytes(factors));
+      QCOMPARE(built.bytes, formats::pdvFileBytes(factors));
       QVERIFY(*factorization::pdvFactorsOf(*built.brdf) == factors);
     }
     using namespace factorization;

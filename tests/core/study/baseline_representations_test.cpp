@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/baselines/baselines.h"
-#include "core/materials/pdv_file.h"
+#include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/study/accuracy_study.h"
@@ -36,7 +36,7 @@ class BaselineRepresentationsTest : public QObject {
   void budgetsAreTheBytesOfPdvFactors() {
     for (const auto form : {factorization::PdvForm::twoFactors, factorization::PdvForm::threeFactors}) {
       const auto factors = factorization::factorizePdv(*plastic(), {.form = form, .terms = 2}).factors;
-      QCOMPARE(materials::pdvFileBytes(form, 2), materials::pdvFileBytes(factors));
+      QCOMPARE(formats::pdvFileBytes(form, 2), formats::pdvFileBytes(factors));
     }
     const auto rows = baselineRows({2, 10, 20});
     for (const factorization::Baseline* baseline : studiedBaselines()) {

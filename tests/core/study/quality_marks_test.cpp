@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/formats/pdv.h"
 #include "core/materials/material.h"
-#include "core/materials/pdv_file.h"
 #include "core/models/model.h"
 #include "core/study/accuracy_study.h"
 #include "tests/support/test_program.h"
@@ -87,7 +87,7 @@ class QualityMarksTest : public QObject {
     const auto table = measuredTable("satin_purple");
     if (!table) QSKIP("the development data is absent");
     for (const auto& [terms, mark] : {std::pair{1, 29.7}, {2, 38.7}, {5, 49.0}, {10, 55.4}}) {
-      const std::size_t bytes = materials::pdvFileBytes(factorization::PdvForm::threeFactors, terms);
+      const std::size_t bytes = formats::pdvFileBytes(factorization::PdvForm::threeFactors, terms);
       const std::array models{representationById("factors-3d-compact", 2 * terms),
                               representationById("kautz-mccool", double(bytes))};
       const std::vector<StudyRecord> records = runStudy({table, table}, models, smallStudy());

@@ -13,12 +13,13 @@
 #include "core/dictionary/training.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit.h"
+#include "core/formats/code.h"
+#include "core/formats/pdv.h"
+#include "core/formats/rgl.h"
 #include "core/io/byte_source.h"
 #include "core/materials/basis_file.h"
-#include "core/materials/code_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/encode.h"
-#include "core/materials/pdv_file.h"
 #include "core/math/parallel.h"
 #include "core/rendering/render_picture.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
@@ -56,12 +57,12 @@ class Results {
   }
   Bytes factors() const {
     const auto path = file("factors.pdv");
-    materials::writePdv(factorization::factorizePdv(*large_, {.terms = 2}).factors, path);
+    formats::writePdv(factorization::factorizePdv(*large_, {.terms = 2}).factors, path);
     return contentOf(path);
   }
   Bytes code() const {
     const dictionary::Ensemble ensemble = dictionary::test_support::randomEnsemble(3);
-    return materials::encodeCode(dictionary::Encoder(ensemble).encode(*table(), {.coefficients = 40}).code, 1);
+    return formats::encodeCode(dictionary::Encoder(ensemble).encode(*table(), {.coefficients = 40}).code, 1);
   }
   Bytes trained() const {
     const dictionary::TrainingOptions options{
@@ -96,7 +97,7 @@ class Results {
   Bytes baked() const { return bytesOf(bakeTable(*brdf_, large_->grid())->values()); }
   Bytes exported() const {
     const materials::EncodeOptions options{.size = {{5, 12}}, .pictureSize = 16, .samples = 16};
-    return materials::encodeRgl(materials::unedited("same", brdf_), options).rgb;
+    return formats::encodeRgl(materials::unedited("same", brdf_), options).rgb;
   }
 
  private:

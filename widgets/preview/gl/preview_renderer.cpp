@@ -54,7 +54,7 @@ void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   restart();
 }
 
-void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedLobe> lobe) {
+void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedDensity> lobe) {
   subject_.lobe = std::move(lobe);
   restart();
 }

@@ -37,7 +37,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   const PreviewSubject& subject() const { return subject_; }
   /// Density of the reflection samples under an environment. An edit that sharpens a highlight needs a new one; with
   /// the old density the reflection would be dark with bright outliers.
-  void setLobe(std::shared_ptr<const TabulatedLobe> lobe);
+  void setLobe(std::shared_ptr<const TabulatedDensity> lobe);
   /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
   /// @param otherSlotSubjects subjects of the slots after the first; empty or missing ones show the first subject.
   void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& otherSlotSubjects = {});

@@ -43,7 +43,7 @@ bool PreviewSubject::isMeasured() const {
   return edited ? editing::isIdentity(edited->edits) : isEmpty();
 }
 
-PreviewSubject measuredSubject(BrdfPointer base, std::shared_ptr<const TabulatedLobe> lobe) {
+PreviewSubject measuredSubject(BrdfPointer base, std::shared_ptr<const TabulatedDensity> lobe) {
   if (!base) return {};
   return {EditedMaterial{std::move(base)}, std::move(lobe)};
 }

@@ -13,14 +13,10 @@ namespace gonio::widgets {
 
 namespace {
 
-const UtiaBrdf* asUtia(const Brdf& base) { return dynamic_cast<const UtiaBrdf*>(&base); }
-
 const IncidenceTableBrdf* asIncidenceTable(const Brdf& base) {
-  const auto* brdf = dynamic_cast<const IncidenceTableBrdf*>(&base);
+  const auto* brdf = formOf<IncidenceTableBrdf>(base);
   return brdf && IncidenceTextures::fits(brdf->table()) ? brdf : nullptr;
 }
-
-const models::ModelBrdf* asModel(const Brdf& base) { return dynamic_cast<const models::ModelBrdf*>(&base); }
 
 /// A model has no textures.
 class ModelBase final : public ShaderBase {
@@ -44,42 +40,42 @@ class FactorBase final : public ShaderBase {
 }  // namespace
 
 bool isShownNatively(const Brdf& base) {
-  return base.asTable() || base.asRgl() || asUtia(base) || asIncidenceTable(base) || asModel(base) ||
-         factorization::pdvFactorsOf(base);
+  return formOf<TabulatedBrdf>(base) || formOf<RglBrdf>(base) || formOf<UtiaBrdf>(base) || asIncidenceTable(base) ||
+         formOf<models::ModelBrdf>(base) || factorization::pdvFactorsOf(base);
 }
 
-bool fitsBesideBlends(const Brdf& base) { return base.asRgl() || asUtia(base); }
+bool fitsBesideBlends(const Brdf& base) { return formOf<RglBrdf>(base) || formOf<UtiaBrdf>(base); }
 
 void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble) {
-  if (const RglBrdf* rgl = base.asRgl())
+  if (const RglBrdf* rgl = formOf<RglBrdf>(base))
     definitions << RglTextures::definitions(*rgl);
-  else if (asUtia(base))
+  else if (formOf<UtiaBrdf>(base))
     definitions << UtiaTexture::definitions();
   else if (const IncidenceTableBrdf* table = asIncidenceTable(base))
     definitions << IncidenceTextures::definitions(table->table());
-  else if (const models::ModelBrdf* model = asModel(base))
+  else if (const models::ModelBrdf* model = formOf<models::ModelBrdf>(base))
     addModelAlone(model->model(), definitions, preamble);
   definitions << incidentDefinitions(base);
 }
 
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base) {
-  if (const RglBrdf* rgl = base.asRgl()) return std::make_shared<RglTextures>(gl, rgl->tables());
-  if (const UtiaBrdf* utia = asUtia(base)) return std::make_shared<UtiaTexture>(gl, *utia->values());
+  if (const RglBrdf* rgl = formOf<RglBrdf>(base)) return std::make_shared<RglTextures>(gl, rgl->tables());
+  if (const UtiaBrdf* utia = formOf<UtiaBrdf>(base)) return std::make_shared<UtiaTexture>(gl, *utia->values());
   if (const IncidenceTableBrdf* table = asIncidenceTable(base)) return std::make_shared<IncidenceTextures>(gl, *table);
-  if (const models::ModelBrdf* model = asModel(base)) return std::make_shared<ModelBase>(*model);
+  if (const models::ModelBrdf* model = formOf<models::ModelBrdf>(base)) return std::make_shared<ModelBase>(*model);
   if (factorization::pdvFactorsOf(base)) return std::make_shared<FactorBase>();
   return nullptr;
 }
 
 std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base) {
-  if (const RglBrdf* rgl = base->asRgl()) return rgl->tables();
-  if (const UtiaBrdf* utia = asUtia(*base)) return utia->values();
+  if (const RglBrdf* rgl = formOf<RglBrdf>(*base)) return rgl->tables();
+  if (const UtiaBrdf* utia = formOf<UtiaBrdf>(*base)) return utia->values();
   return base;
 }
 
 QStringList incidentDefinitions(const Brdf& base) {
   QStringList result;
-  const std::optional<IncidentDirection> incident = incidentDirectionOf(base);
+  const std::optional<IncidentDirection> incident = base.incidentDirection();
   if (incident && *incident != IncidentDirection::light) result << "INCIDENT_VIEWER";
   if (incident && *incident != IncidentDirection::viewer) result << "INCIDENT_LIGHT";
   return result;

@@ -46,7 +46,7 @@ void SubjectTextures::release(QOpenGLFunctions_4_1_Core* gl) {
 
 void SubjectTextures::bindBase(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
                                PreviewResources& resources, const EditedMaterial& material) {
-  if (material.base->asTable()) return bindTable(gl, program, resources, material);
+  if (formOf<TabulatedBrdf>(*material.base)) return bindTable(gl, program, resources, material);
   if (material.base != uploadedBase_ || !shaderBase_) {
     shaderBase_ = resources.base(material.base);
     uploadedBase_ = material.base;
@@ -58,7 +58,7 @@ void SubjectTextures::bindTable(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProg
                                 PreviewResources& resources, const EditedMaterial& material) {
   gl.glActiveTexture(GL_TEXTURE0 + tableUnit);
   if (material.base != uploadedBase_ || !tableTexture_) {
-    tableTexture_ = resources.table({material.base, material.base->asTable()}, material.code);
+    tableTexture_ = resources.table({material.base, formOf<TabulatedBrdf>(*material.base)}, material.code);
     uploadedBase_ = material.base;
   }
   gl.glActiveTexture(GL_TEXTURE0 + tableUnit);
@@ -69,14 +69,15 @@ void SubjectTextures::bindTable(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProg
 
 /// The density of the drawn directions; cosine-weighted while it is not known.
 void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
-                               const std::shared_ptr<const TabulatedLobe>& lobe) {
+                               const std::shared_ptr<const TabulatedDensity>& lobe) {
   program.setUniformValue("lobeCells", lobeCellUnit);
   program.setUniformValue("lobeRows", lobeRowUnit);
-  double cosineFraction = lobe ? TabulatedLobe::cosineFraction : 1;
-  GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
-  if (lobe && lobe->symmetricLobe()) {
-    cosineFraction = 1 - lobe->symmetricLobe()->specularFraction;
-    grain = {.alphaX = lobe->symmetricLobe()->roughness, .alphaY = lobe->symmetricLobe()->roughness, .fraction = 1};
+  double cosineFraction = lobe ? TabulatedDensity::cosineFraction : 1;
+  GrainDensity grain = lobe ? lobe->grain() : GrainDensity{};
+  if (lobe && lobe->symmetricDensity()) {
+    cosineFraction = 1 - lobe->symmetricDensity()->specularFraction;
+    grain = {
+        .alphaX = lobe->symmetricDensity()->roughness, .alphaY = lobe->symmetricDensity()->roughness, .fraction = 1};
   }
   program.setUniformValue("lobeCosineShare", float(cosineFraction));
   program.setUniformValue("lobeGrainShare", float((1 - cosineFraction) * grain.fraction));

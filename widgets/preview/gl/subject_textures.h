@@ -28,7 +28,7 @@ class SubjectTextures {
   void bindTable(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
                  const EditedMaterial& material);
   void bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
-                const std::shared_ptr<const TabulatedLobe>& lobe);
+                const std::shared_ptr<const TabulatedDensity>& lobe);
 
   std::shared_ptr<const TableTexture> tableTexture_;
   std::shared_ptr<ShaderBase> shaderBase_;
@@ -36,7 +36,7 @@ class SubjectTextures {
   EditChain editChain_;
   BlendTextures blendTextures_;
   std::shared_ptr<const Brdf> uploadedBase_;
-  std::shared_ptr<const TabulatedLobe> uploadedLobe_;
+  std::shared_ptr<const TabulatedDensity> uploadedLobe_;
 };
 
 }  // namespace gonio::widgets

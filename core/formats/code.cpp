@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/formats/code.h"
+
+#include <array>
+#include <string>
+
+#include "core/dictionary/decode.h"
+#include "core/formats/formats.h"
+#include "core/io/atomic_file.h"
+#include "core/io/container.h"
+#include "core/support/file_in_errors.h"
+
+namespace gonio::formats {
+
+namespace {
+
+using dictionary::CodePrecision;
+using dictionary::SparseCode;
+
+constexpr io::ContainerFormat codeContainer{.name = "sparse code",
+                                            .signature = "GONIOCOD",
+                                            .versionBytes = sizeof(std::uint16_t),
+                                            .maxBytes = std::uint64_t(1) << 21};
+constexpr int maxCodeNodes = 1024;
+constexpr std::uint8_t withoutScale = 128;  ///< flag beside the transform
+
+/// A number of the header. @param what for the error.
+template <typename Number>
+Number takeNumber(io::ContainerReader& file, const char* what, int low, int high) {
+  const auto number = file.number<Number>();
+  if (number < low || number > high)
+    file.fail(std::string(what) + " is " + std::to_string(number) + ", expected " + std::to_string(low) + " to " +
+              std::to_string(high));
+  return number;
+}
+
+HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
+  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, maxCodeNodes)); };
+  return {.thetaHCount = nodes(),
+          .thetaDCount = nodes(),
+          .phiDCount = nodes(),
+          .reciprocal = takeNumber<std::uint16_t>(file, "the range of phi_d (0: 360 degrees, 1: folded)", 0, 1) == 1};
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
+  const HalfDifferenceGrid& grid = code.grid;
+  io::ContainerWriter file(codeContainer);
+  file.number(std::uint8_t(std::uint8_t(code.transform) | (code.scaled ? 0 : withoutScale)));
+  file.number(std::uint8_t(precision));
+  for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
+    file.number(std::uint16_t(number));
+  file.number(dictionaryId);
+  file.append(packChannels(code, precision));
+  return std::move(file).bytes();
+}
+
+void writeCode(const SparseCode& code, std::uint64_t dictionaryId, const std::filesystem::path& path,
+               CodePrecision precision) {
+  io::writeFileAtomically(path, encodeCode(code, dictionaryId, precision));
+}
+
+CodeFile readCode(const io::ByteSource& source) {
+  io::ContainerReader file(codeContainer, source);
+  CodeFile result;
+  const auto transform = file.number<std::uint8_t>();
+  if ((transform & ~withoutScale) > 1)
+    file.fail("the transform is " + std::to_string(transform) + ", expected 0, 1, 128 or 129");
+  result.code.transform = DataTransform(transform & ~withoutScale);
+  result.code.scaled = (transform & withoutScale) == 0;
+  result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 2));
+  result.code.grid = takeGrid(file);
+  result.dictionaryId = file.number<std::uint64_t>();
+  unpackChannels(file.rest(), result.precision, result.code);
+  return result;
+}
+
+CodeFile readCode(const std::filesystem::path& path) {
+  return withFileInErrors(path, [&] { return readCode(io::FileSource(path)); });
+}
+
+void checkDictionary(const CodeFile& code, const materials::NamedEnsemble& dictionary) {
+  if (code.dictionaryId != dictionary.id)
+    throw Error("the code was encoded with another dictionary; decode it with goniotool decode --dictionary");
+  dictionary::checkCode(dictionary.ensemble, code.code);
+}
+
+namespace {
+
+void sniffCode(const io::ByteSource& source) { io::expectSignature(source, codeContainer); }
+
+/// Decodes a code over materials::bundledEnsemble(), under 50 ms.
+void readCodeMaterial(const io::ByteSource& source, const TaskControl&, materials::Material& material) {
+  const CodeFile file = readCode(source);
+  const auto dictionary = materials::bundledEnsemble();
+  checkDictionary(file, *dictionary);
+  const SparseCode& code = file.code;
+  material.code = std::make_shared<const SparseCode>(code);
+  material.table = dictionary::decode(dictionary->ensemble, code);
+  material.brdf = material.table;
+  material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
+  material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
+                                std::string(dataTransformNames[std::size_t(code.transform)]) +
+                                (code.scaled ? "" : ", as published (without cell scaling)");
+}
+
+constexpr std::string_view codeSuffixes[] = {".code"};
+
+}  // namespace
+
+constinit const MaterialFormat codeFormat{.name = "sparse code",
+                                          .label = "sparse code",
+                                          .suffixes = codeSuffixes,
+                                          .holds = {.nonReciprocal = true},
+                                          .sniff = sniffCode,
+                                          .read = readCodeMaterial};
+
+}  // namespace gonio::formats

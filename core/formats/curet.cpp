@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/formats/formats.h"
+#include "core/formats/scattered_samples.h"
+#include "core/io/format_mismatch.h"
+#include "core/io/text_lines.h"
+
+/// One sample of the CUReT BRDF database (Dana, van Ginneken, Nayar and Koenderink 1999, "Reflectance and Texture of
+/// Real-World Surfaces"): ASCII, 205 rows, one per measurement, each with polar angle and azimuth of both directions
+/// and its values,
+///
+///     theta phi theta phi R G B or theta phi theta phi value
+///
+/// with light and viewer in either order, which are equivalent for a reciprocal material. Angles are radians if none
+/// exceeds 2 pi, else degrees. The database itself has one file per channel with the values of all 61 samples
+/// (rbrdf.dat, gbrdf.dat, bbrdf.dat: one row per sample, its number and 205 values), and the directions in another
+/// table. No single file of it is a material; such files are rejected with an explanation of what to combine. Lines
+/// that begin with # are comments.
+namespace gonio::formats {
+
+namespace {
+
+constexpr std::size_t measurements = 205, angles = 4;
+/// 205 rows of seven numbers in any notation.
+constexpr std::uint64_t maxCuretBytes = 1 << 17;
+/// Of one channel: 61 rows of 206 numbers.
+constexpr std::uint64_t maxChannelBytes = 1 << 20;
+/// Radians end at a full turn; rounded to a few digits.
+constexpr double maxCuretRadians = 2 * pi + 0.01;
+
+const std::string expectedCuret =
+    "205 rows of 5 or 7 numbers: two directions in polar angle and azimuth, then the values";
+
+/// Of text whose first row is one of a channel's file.
+void refuseChannelFile(const io::TextLine& line) {
+  if (io::words(line.text).size() == measurements + 1)
+    throw io::FormatMismatch(
+        "a CUReT file with one channel (one row per sample, no directions)",
+        expectedCuret +
+            ". To make such a file, append the values of one sample (the same row of each channel file) as "
+            "three columns to the table of directions");
+}
+
+std::vector<std::vector<double>> rowsOf(const io::ByteSource& source) {
+  const std::string head = io::textHead(source, expectedCuret);
+  std::vector<std::vector<double>> rows;
+  io::TextLines first(head);
+  if (const auto line = first.next(); line && source.size() <= maxChannelBytes) refuseChannelFile(*line);
+  if (source.size() > maxCuretBytes)
+    throw io::FormatMismatch("text of " + std::to_string(source.size()) + " bytes", expectedCuret);
+  const std::string text = io::allText(source, maxCuretBytes);
+  io::TextLines lines(text);
+  while (const auto line = lines.next()) {
+    if (line->text.starts_with('#')) continue;
+    const std::vector<std::string_view> fields = io::words(line->text);
+    const std::size_t columns = rows.empty() ? fields.size() : rows[0].size();
+    if (fields.size() != columns || (columns != angles + 1 && columns != angles + 3) ||
+        !std::ranges::all_of(fields, [](std::string_view field) { return io::finiteNumber(field).has_value(); }))
+      throw io::FormatMismatch("line " + std::to_string(line->number) + ", which has another layout", expectedCuret);
+    rows.push_back(io::finiteNumbers(*line));
+  }
+  if (rows.size() != measurements)
+    throw io::FormatMismatch(std::to_string(rows.size()) + " rows of numbers", expectedCuret);
+  return rows;
+}
+
+void sniffCuret(const io::ByteSource& source) { rowsOf(source); }
+
+constexpr std::string_view curetSuffixes[] = {".dat"};
+
+}  // namespace
+
+ScatteredSamples readCuret(const io::ByteSource& source) {
+  const auto rows = rowsOf(source);
+  double unit = 1;
+  for (const std::vector<double>& row : rows)
+    for (std::size_t i = 0; i < angles; ++i)
+      if (std::abs(row[i]) > maxCuretRadians) unit = radians(1);
+  ScatteredSamples samples;
+  for (const std::vector<double>& row : rows)
+    samples.add({fromSpherical(unit * row[0], unit * row[1]), fromSpherical(unit * row[2], unit * row[3])},
+                row.size() == angles + 1 ? Rgb(row[angles]) : Rgb(row[angles], row[angles + 1], row[angles + 2]));
+  return samples;
+}
+
+constinit const MaterialFormat curetFormat{.name = "CUReT",
+                                           .label = "CUReT samples",
+                                           .suffixes = curetSuffixes,
+                                           .isSuffixAmbiguous = true,
+                                           .sniff = sniffCuret,
+                                           .read = readScattered<readCuret>};
+
+}  // namespace gonio::formats

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/materials/material_formats.h"
+
+/// The formats of materials: one file each, which recognises, reads and encodes the format and ends with its row of the
+/// table. A new format is a file in this folder with a row, declared and listed here.
+namespace gonio::formats {
+
+using materials::MaterialFormat;
+
+extern const MaterialFormat rglFormat, merlFormat, merlCircleFormat, utiaFormat, zemaxFormat, lightToolsFormat,
+    astmFormat, goniophotometerFormat, curetFormat, pdvFormat, codeFormat, neuralFormat;
+
+/// All rows, in the order of lists for people. Of formats with the same suffix, the first is written and names a
+/// damaged file.
+inline constexpr const MaterialFormat* allFormats[] = {
+    &merlFormat, &merlCircleFormat,      &rglFormat,   &utiaFormat, &zemaxFormat, &lightToolsFormat,
+    &astmFormat, &goniophotometerFormat, &curetFormat, &pdvFormat,  &codeFormat,  &neuralFormat};
+
+}  // namespace gonio::formats

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/materials/material.h"
+#include "core/math/types.h"
+
+namespace gonio::formats {
+
+/// A measurement at scattered pairs of directions, without a grid: the result of readers of such formats.
+/// setScattered() converts it to a material.
+struct ScatteredSamples {
+  std::vector<DirectionPair> directions;  ///< both above the horizon
+  std::vector<Rgb> values;                ///< linear RGB, 1/sr, without the cosine, finite and >= 0; one per pair
+  std::vector<Rgb> standardDeviations;    ///< of the values, 1/sr; empty if unknown
+  std::size_t clampedCount = 0;           ///< number of channel values that were below 0 and were set to 0
+  std::size_t belowHorizonCount = 0;      ///< number of rows that were ignored because a direction is at or below the
+                                          ///< horizon
+  std::string description;                ///< of the sample, from the file; may be empty
+
+  /// Adds a row, or only counts it if a direction is at or below the horizon. @param value finite; negative channels
+  /// become 0 and are counted.
+  void add(const DirectionPair& pair, const Rgb& value) {
+    if (!(pair.wi.z > horizonTolerance && pair.wo.z > horizonTolerance)) {
+      ++belowHorizonCount;
+      return;
+    }
+    Rgb clamped = value;
+    for (int channel = 0; channel < 3; ++channel)
+      if (clamped[channel] < 0) {
+        clamped[channel] = 0;
+        ++clampedCount;
+      }
+    directions.push_back(pair);
+    values.push_back(clamped);
+  }
+};
+
+/// Reconstructs a whole material from a measurement at scattered pairs of directions: ridge regression over the
+/// principal components of the bundled materials (acquisition::reconstruct(); Nielsen et al. 2015, "On Optimal, Minimal
+/// BRDF Sampling for Reflectance Acquisition"), sampled on the MERL grid. The material is always isotropic and
+/// reciprocal. Each value is limited to the maximum of the bundled materials at its node, or to the maximum of all
+/// measured values if that is larger. Points at the same node of bundledBasisGrid are averaged; if more than 8192 nodes
+/// remain, an evenly spaced subset is used. Sets all members of the material except name, path, format and hash; its
+/// notes state the numbers of used and ignored points and the leave-one-out error. Deterministic. About 1 s, plus
+/// bundledBasis() at the first call. @throws Error if no point lies where the bundled materials have values; Cancelled.
+void setScattered(const ScatteredSamples& samples, const TaskControl& control, materials::Material& material);
+
+/// MaterialFormat::read of a format of single pairs of directions.
+template <ScatteredSamples (*read)(const io::ByteSource& source)>
+void readScattered(const io::ByteSource& source, const TaskControl& control, materials::Material& material) {
+  control.throwIfStopped();
+  setScattered(read(source), control, material);
+}
+
+/// The readers of the formats; their files document them.
+/// @throws io::FormatMismatch; Error that names the line, for a missing column, a field that is not a finite number, or
+/// a number of points other than NUM_POINTS.
+ScatteredSamples readAstm(const io::ByteSource& source);
+/// @throws io::FormatMismatch if `format:` has a quantity other than BSDF, BRDF or DSF, such as BTDF; Error that names
+/// the line, for an incident direction at 90 degrees, angles or values that are not finite numbers and rows of
+/// different length; Error if there is no row of reflection.
+ScatteredSamples readGoniophotometer(const io::ByteSource& source);
+/// @throws io::FormatMismatch that names a line which is not a row of finite numbers, or if there are not 205 rows.
+ScatteredSamples readCuret(const io::ByteSource& source);
+
+}  // namespace gonio::formats

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/training_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/documents/open_material.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material_formats.h"
+
+namespace gonio::study {
+
+namespace {
+
+std::string cellsText(const HalfDifferenceGrid& grid) {
+  return std::to_string(grid.thetaHCount) + " x " + std::to_string(grid.thetaDCount) + " x " +
+         std::to_string(grid.phiDCount) + (grid.reciprocal ? " cells" : " cells with phi_d from 0 to 360 degrees");
+}
+
+}  // namespace
+
+std::string trainingHelp() {
+  return "Measured materials (" + materials::suffixText(materials::isMeasurement, "and") + " files) or folders of them";
+}
+
+std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
+                                       const std::vector<std::string>& excluded) {
+  std::vector<std::string> files;
+  for (const std::string& source : sources) {
+    if (!std::filesystem::is_directory(source)) {
+      files.push_back(source);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(source))
+      if (const auto* format = materials::formatOfFile(entry.path()); format && format->isMeasurement)
+        found.push_back(entry.path().string());
+    if (found.empty())
+      throw Error(source + ": found no file of a measured material, expected " +
+                  materials::suffixText(materials::isMeasurement, "or"));
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  // A name that excludes nothing would teach what is to be held out.
+  for (const std::string& name : excluded)
+    if (std::erase_if(files, [&](const std::string& file) { return std::filesystem::path(file).stem() == name; }) == 0)
+      throw Error("found no material " + name + " to exclude from the training set");
+  if (files.empty()) throw Error("no material is left in the training set");
+  return files;
+}
+
+std::vector<std::string> trainingFilesOrLibrary(const std::vector<std::string>& sources,
+                                                const std::vector<std::string>& excluded) {
+  return trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded);
+}
+
+HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files) {
+  const materials::Material first = editing::openMaterial(files.front());
+  const TabulatedBrdf* table = formOf<TabulatedBrdf>(*first.brdf);
+  return table ? table->grid() : HalfDifferenceGrid();
+}
+
+dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files, const HalfDifferenceGrid& grid) {
+  dictionary::TrainingMaterials materials;
+  materials.grid = grid;
+  for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
+  materials.load = [files, grid](std::size_t m) {
+    auto table = editing::openMaterial(files[m]).tabulated();
+    if (!(table->grid() == grid))
+      throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
+                  " as for all materials of the training set");
+    return table;
+  };
+  return materials;
+}
+
+}  // namespace gonio::study

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/formats/formats.h"
+
+#include <QTest>
+#include <set>
+
+#include "core/formats/code.h"
+#include "core/io/sha256.h"
+#include "core/io/text_lines.h"
+#include "core/materials/encode.h"
+#include "tests/fuzz/reader_seeds.h"
+#include "tests/support/test_program.h"
+
+namespace material_formats_test {
+using namespace gonio;
+using namespace gonio::test;
+using materials::MaterialFormat;
+
+Bytes codeFile() {
+  dictionary::SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
+  for (dictionary::ChannelCode& channel : code.channels) channel.coefficients = {{0, 30.0f}};
+  return formats::encodeCode(code, materials::bundledEnsemble()->id);
+}
+
+/// A file that can be read: of codes one over the bundled dictionary.
+Bytes fileOf(const MaterialFormat& format) {
+  return &format == &formats::codeFormat ? codeFile() : fuzz::formatSeed(format);
+}
+
+std::shared_ptr<const TabulatedBrdf> greyTable(const HalfDifferenceGrid& grid) {
+  return std::make_shared<const TabulatedBrdf>(grid, std::vector<glm::vec3>(grid.size(), glm::vec3(0.2f)),
+                                               std::vector<std::uint8_t>(grid.size(), 1));
+}
+
+class MaterialFormatsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyRowIsCompleteAndOnce() {
+    std::set<std::string_view> names, suffixes;
+    for (const MaterialFormat* format : materials::materialFormats()) {
+      QVERIFY(!format->label.empty() && format->sniff && format->read && !format->suffixes.empty());
+      QVERIFY(!format->encode == !format->isOwnForm);
+      QVERIFY(names.insert(format->name).second);
+      for (const std::string_view suffix : format->suffixes)
+        // Both grids of MERL files share one, RGL and the two formats of optical design programs another.
+        QVERIFY(suffix.starts_with('.') &&
+                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary"));
+    }
+  }
+
+  /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
+  void contentFindsTheFormat() {
+    for (const MaterialFormat* format : materials::materialFormats()) {
+      const Bytes bytes = fileOf(*format);
+      int takers = 0;
+      for (const MaterialFormat* other : materials::materialFormats())
+        takers += errorOf([&] { other->sniff(io::MemorySource(bytes)); }).empty();
+      QCOMPARE(takers, 1);
+      QVERIFY(&materials::sniffFormat(io::MemorySource(bytes)) == format);
+      const auto path = writeFile("materials/other.name", bytes);
+      QVERIFY(materials::isMaterialFile(path) && !materials::formatBySuffix(path));
+      QVERIFY(materials::formatOfFile(path) == format);
+      const materials::Material material = materials::readMaterial(path);
+      QCOMPARE(material.source.format, std::string(format->name));
+      QVERIFY(format->holds.anisotropic || material.brdf->isIsotropic());
+      QVERIFY(format->holds.nonReciprocal || material.brdf->isReciprocal());
+    }
+  }
+
+  /// In every format that is text.
+  void aByteOrderMarkIsSkipped() {
+    int texts = 0;
+    for (const MaterialFormat* format : materials::materialFormats()) {
+      const Bytes bytes = fileOf(*format);
+      if (!errorOf([&] { io::textHead(io::MemorySource(bytes), "text"); }).empty()) continue;
+      ++texts;
+      Bytes marked = bytesOf("\xef\xbb\xbf");
+      marked.insert(marked.end(), bytes.begin(), bytes.end());
+      QVERIFY(&materials::sniffFormat(io::MemorySource(marked)) == format);
+      const auto read = [](const Bytes& content) {
+        return materials::readMaterial(writeFile("materials/marked.name", content)).brdf;
+      };
+      const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.5, 2)};
+      QVERIFY(read(marked)->evaluate(pair.wi, pair.wo) == read(bytes)->evaluate(pair.wi, pair.wo));
+    }
+    QVERIFY(texts >= 5);
+  }
+
+  void suffixesFindTheFormatInEitherCase() {
+    QVERIFY(materials::formatBySuffix("/a.b/x.BINARY") == &formats::merlFormat);
+    QVERIFY(materials::hasSuffixOf(formats::codeFormat, "x.code") &&
+            !materials::hasSuffixOf(formats::pdvFormat, "x.code"));
+    for (const char* none : {"x", "x.binary.txt", ".binary", "", "x.gonio", "x.bin", "x.exr"})
+      QVERIFY(!materials::formatBySuffix(none));
+    QVERIFY(materials::isMaterialFile("/nowhere/x.pdv") && !materials::isMaterialFile("/nowhere/x.png"));
+    // A common suffix needs the content, a broken file of an own suffix stays one.
+    const auto bin = writeFile("materials/words.bin", bytesOf("words"));
+    QVERIFY(!materials::isMaterialFile(bin) && !materials::formatOfFile(bin));
+    const auto broken = writeFile("materials/words.pdv", bytesOf("words"));
+    QVERIFY(materials::formatOfFile(broken) == &formats::pdvFormat);
+    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
+             std::string(".binary, .bsdf, .bin, .exr, .astm, .txt, .dat, .pdv, .code or .nbrdf"));
+    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf, .bin and .exr"));
+    QCOMPARE(materials::writableSuffixText(), std::string(".binary, .bsdf or .bin"));
+    QCOMPARE(materials::writableSuffixText(".gonio"), std::string(".binary, .bsdf, .bin or .gonio"));
+  }
+
+  void writtenByTheSuffix() {
+    for (const HalfDifferenceGrid& grid : {HalfDifferenceGrid{2, 3, 4, true}, HalfDifferenceGrid{2, 3, 12, false}}) {
+      const auto path = outputPath("materials/written.Binary");
+      materials::writeMaterial(materials::unedited("grey", greyTable(grid)), path);
+      QVERIFY(materials::readMaterial(path).table->grid() == grid);
+    }
+    for (const char* name : {"x.exr", "x.pdv", "x.png", "x"}) {
+      const std::string error = errorOf([&] {
+        materials::writeMaterial(materials::unedited("grey", greyTable({2, 3, 4, true})), name);
+      });
+      QVERIFY2(error.starts_with(std::string(name) + ": found the suffix '") &&
+                   error.ends_with("', expected .binary, .bsdf or .bin"),
+               error.c_str());
+    }
+  }
+
+  void fileThatWasOnlyReadIsCopiedByteForByte() {
+    Bytes bytes;
+    for (const std::int32_t count : {2, 3, 4}) append(bytes, count);
+    // Reading changes the negative ones, copying must not.
+    for (int i = 0; i < 72; ++i) append(bytes, i == 1 ? -0.3 : i == 2 ? -7.5 : double(i + 1) / 3);
+    const auto path = writeFile("materials/source.binary", bytes), copy = outputPath("materials/copy.binary");
+    const materials::Material material = materials::readMaterial(path);
+    QCOMPARE(material.name, std::string("source"));
+    QCOMPARE(material.source.format, std::string("MERL"));
+    QCOMPARE(material.source.sha256, io::sha256Hex(bytes));
+    QCOMPARE(material.source.grid, (std::vector<int>{2, 3, 4}));
+    QCOMPARE(material.source.notes.size(), std::size_t(1));
+    QVERIFY(material.tabulated() == material.table);
+    materials::writeMaterial(materials::unedited(material), copy);
+    QCOMPARE(readFile(copy), bytes);
+
+    Bytes changed = bytes;
+    changed.back() ^= std::byte(1);
+    writeFile("materials/source.binary", changed);
+    QVERIFY(contains(errorOf([&] { materials::writeMaterial(materials::unedited(material), copy); }), "source.binary"));
+    QCOMPARE(readFile(copy), bytes);
+  }
+
+  void refusedFileStatesWhatEachFormatFound() {
+    const auto path = writeFile("materials/notes.txt", bytesOf("these are only words.\n"));
+    const std::string error = errorOf([&] { materials::readMaterial(path); });
+    QVERIFY2(
+        contains(error, "notes.txt: this file could not be read:") && contains(error, "\n  MERL: found axis counts") &&
+            contains(error, "\n  RGL: found") && contains(error, "expected the signature 'tensor_file'") &&
+            contains(error, "\n  PDV factors: not a PDV file (signature missing)") &&
+            contains(error, "\n  UTIA: found 22 bytes; expected 1990656 bytes") &&
+            contains(error, "\n  Zemax: found a text file of another format; expected the keys AngleOfIncidence") &&
+            contains(error, "\n  LightTools: found") && contains(error, "\n  ASTM: found") &&
+            contains(error, "\n  pgII: found a first line that does not begin with #") &&
+            contains(error, "\n  CUReT: found line 1"),
+        error.c_str());
+  }
+
+  /// What is wrong comes first, in one line.
+  void theFirstLineSaysWhatIsWrong() {
+    const auto firstLine = [&](const std::filesystem::path& path) {
+      const std::string error = errorOf([&] { materials::readMaterial(path); });
+      return error.substr(0, error.find('\n'));
+    };
+    const auto empty = writeFile("materials/empty.binary", {});
+    QCOMPARE(firstLine(empty), empty.string() + ": the file is empty, expected a material");
+    Bytes table = fileOf(formats::merlFormat);
+    const std::size_t whole = table.size();
+    table.resize(whole - 100);
+    const auto shortened = writeFile("materials/short.binary", table);
+    QCOMPARE(firstLine(shortened), shortened.string() + ": the file is truncated: " + std::to_string(whole - 100) +
+                                       " bytes of " + std::to_string(whole) + " (MERL)");
+    table.resize(whole + 100);
+    const auto longer = writeFile("materials/long.binary", table);
+    QVERIFY(contains(firstLine(longer), "it matches no format that Gonio supports"));
+  }
+
+  /// Three formats share the suffix .bsdf; training sets take measured files by what they are.
+  void sharedSuffixIsDecidedByTheContent() {
+    for (const MaterialFormat* format : {&formats::rglFormat, &formats::zemaxFormat, &formats::lightToolsFormat}) {
+      const auto path = writeFile("materials/shared.bsdf", fileOf(*format));
+      QVERIFY(materials::formatOfFile(path) == format);
+      QCOMPARE(materials::readMaterial(path).source.format, std::string(format->name));
+    }
+    QVERIFY(materials::formatBySuffix("x.bsdf") == &formats::rglFormat);
+  }
+
+  /// A file that begins like one of a format is reported as a broken file of that format alone.
+  void brokenFileIsReportedByItsFormat() {
+    Bytes bytes = fuzz::rglSeed();
+    bytes.resize(bytes.size() / 2);
+    const auto path = writeFile("materials/half.bsdf", bytes);
+    const std::string error = errorOf([&] { materials::readMaterial(path); });
+    QVERIFY2(contains(error, "half.bsdf: RGL: found") && !contains(error, "MERL"), error.c_str());
+  }
+};
+
+GONIO_TEST(MaterialFormatsTest)
+}  // namespace material_formats_test
+
+#include "material_formats_test.moc"

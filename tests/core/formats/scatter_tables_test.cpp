@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/formats/formats.h"
+#include "tests/core/formats/instrument_files.h"
+#include "tests/support/test_program.h"
+
+namespace scatter_tables_test {
+using namespace gonio;
+using namespace gonio::test;
+using materials::Material;
+
+/// Isotropic, not reciprocal, other toward the light than away from it.
+Rgb isotropic(const Direction& wi, const Direction& wo) {
+  const double forward = glm::dot(wo, Direction(-wi.x, -wi.y, wi.z));
+  return Rgb(0.2 + 0.5 * wi.z + std::exp(3 * (forward - 1)) + 0.1 * wo.z);
+}
+
+/// Of text in a format.
+Material readText(const materials::MaterialFormat& format, std::string_view text) {
+  Material material;
+  format.read(io::MemorySource(std::as_bytes(std::span(text))), {}, material);
+  return material;
+}
+Material zemax(std::string_view text) { return readText(formats::zemaxFormat, text); }
+Material lightTools(std::string_view text) { return readText(formats::lightToolsFormat, text); }
+template <typename Reader>
+std::string refusal(Reader reader, const std::string& text) {
+  return errorOf([&] { reader(text); });
+}
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const auto at = text.find(what);
+  return at == std::string::npos ? "not found: " + what : text.replace(at, what.size(), by);
+}
+std::string textOf(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+#define VERIFY_REFUSED(reader, text, part) \
+  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
+
+std::vector<double> steps(double first, double step, int count) {
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) angles.push_back(first + step * i);
+  return angles;
+}
+
+const ScatterAngles fine{steps(0, 5, 16), steps(0, 10, 19), steps(0, 3, 31)};
+const ScatterAngles fineAboutNormal{steps(0, 5, 16), steps(0, 5, 72), steps(0, 3, 30)};
+const ScatterAngles small{{0, 30}, {0, 90, 180}, {0, 10}};
+const ScatterAngles smallAboutNormal{{10}, {0, 90, 180, 270}, {0, 60}};
+
+/// The largest difference at directions between nodes.
+double maxDifference(const Brdf& brdf) {
+  double largest = 0;
+  for (const auto& [wi, wo] : scatteredPairs(3000))
+    if (brdf.hasData({wi, wo})) largest = std::max(largest, std::abs(brdf.evaluate(wi, wo).y - isotropic(wi, wo).y));
+  return largest;
+}
+
+class ScatterTablesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void zemaxHoldsTheBrdf() {
+    const Bytes bytes = zemaxFile(isotropic, fine);
+    const Material file = materials::readMaterial(io::MemorySource(bytes));
+    QCOMPARE(file.source.format, std::string(formats::zemaxFormat.name));
+    const double difference = maxDifference(*file.brdf);
+    QVERIFY2(difference < 0.01, std::to_string(difference).c_str());
+    // At nodes: 20 degrees of incidence, 30 about the mirror direction, toward the normal.
+    const Direction wi = fromSpherical(radians(20), 1);
+    QVERIFY(std::abs(file.brdf->evaluate(wi, fromSpherical(radians(10), 1)).x -
+                     isotropic(wi, fromSpherical(radians(10), 1)).x) < 1e-6);
+    QVERIFY(file.source.notes.empty());
+  }
+
+  void lightToolsHoldsTheBrdf() {
+    const Bytes bytes = lightToolsFile(isotropic, fineAboutNormal);
+    const Material file = materials::readMaterial(io::MemorySource(bytes));
+    QCOMPARE(file.source.format, std::string(formats::lightToolsFormat.name));
+    const double difference = maxDifference(*file.brdf);
+    QVERIFY2(difference < 0.02, std::to_string(difference).c_str());
+  }
+
+  /// One side of the plane of incidence is the other, whichever the file has.
+  void lightToolsSymmetry() {
+    for (const double first : {90.0, 270.0}) {
+      ScatterAngles half = fineAboutNormal;
+      half.azimuths = steps(first, 5, 37);
+      const std::string text = textOf(lightToolsFile(isotropic, half));
+      const double difference =
+          maxDifference(*lightTools(replaced(text, "Symmetry Asymmetric", "Symmetry PlaneSymmetrical")).brdf);
+      QVERIFY2(difference < 0.02, std::to_string(difference).c_str());
+    }
+  }
+
+  /// The white of D65 is grey; Y alone is not.
+  void tristimulusValues() {
+    std::string text =
+        replaced(textOf(zemaxFile(isotropic, small)), "SpectralContent  Monochrome", "SpectralContent XYZ");
+    const auto data = text.find("Monochrome\nDataBegin");
+    const std::string block = "TIS 1\n%1 %1\n%1 %1\n%1 %1\n";
+    const auto channel = [&](const char* name, const char* value) {
+      std::string blocks = block + block;
+      for (auto at = blocks.find("%1"); at != std::string::npos; at = blocks.find("%1")) blocks.replace(at, 2, value);
+      return std::string(name) + "\nDataBegin\n" + blocks + "DataEnd\n";
+    };
+    text = text.substr(0, data) + channel("TristimulusX", "0.9505") + channel("TristimulusY", "1");
+    VERIFY_REFUSED(zemax, text, "found no values of channel 3");
+    const Rgb white = zemax(text + channel("TristimulusZ", "1.089")).brdf->evaluate({0, 0, 1}, {0, 0, 1});
+    QVERIFY(glm::length(white - Rgb(1)) < 1e-3);
+    VERIFY_REFUSED(zemax, text + channel("Monochrome", "1"), "expected TristimulusX");
+
+    std::string blocks = replaced(textOf(lightToolsFile(isotropic, smallAboutNormal)), "Monochrome", "XYZ");
+    const auto at = blocks.find("TIS"), end = blocks.find("DataEnd");
+    const std::string values = blocks.substr(at, end - at), start = blocks.substr(0, at);
+    const Rgb green =
+        lightTools(start + "TristimulusValue TrisX\nTIS 0\n" + "0 0 0 0 0 0 0 0\nTristimulusValue TrisY\n" + values +
+                   "TristimulusValue TrisZ\nTIS 0\n0 0 0 0 0 0 0 0\nDataEnd\n")
+            .brdf->evaluate(fromSpherical(radians(10), 0), {0, 0, 1});
+    QVERIFY(green.y > 0.1 && green.x == 0 && green.z == 0);
+  }
+
+  void rotationsAreAveraged() {
+    const std::string one = textOf(zemaxFile(isotropic, small));
+    const auto at = one.find("TIS"), end = one.find("DataEnd");
+    std::string two = replaced(one, "SampleRotation  1\n0", "SampleRotation 2\n0 90");
+    two = replaced(two, "DataEnd", one.substr(at, end - at) + "DataEnd");
+    const Material file = zemax(two);
+    QCOMPARE(file.source.notes.size(), std::size_t(1));
+    const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.4, 3)};
+    QVERIFY(std::abs(file.brdf->evaluate(pair.wi, pair.wo).x - zemax(one).brdf->evaluate(pair.wi, pair.wo).x) < 1e-6);
+  }
+
+  void transmissionIsRefused() {
+    const std::string table = textOf(zemaxFile(isotropic, small));
+    VERIFY_REFUSED(zemax, replaced(table, "ScatterType  BRDF", "ScatterType  BTDF"),
+                   "found the scatter type 'BTDF'; expected reflection");
+    const std::string blocks = textOf(lightToolsFile(isotropic, smallAboutNormal));
+    VERIFY_REFUSED(lightTools, replaced(blocks, "ScatterType BRDF", "ScatterType BTDF"),
+                   "found 1 blocks with transmission or back-side data only; expected reflection");
+    VERIFY_REFUSED(lightTools, replaced(blocks, "Side Front", "Side Back"), "expected reflection");
+    const std::string back = "Side Back\nTIS 0\n1 1 1 1 1 1 1 1\nDataEnd";
+    QVERIFY(contains(lightTools(replaced(blocks, "DataEnd", back)).source.notes.at(0), "1 blocks"));
+    VERIFY_REFUSED(lightTools, replaced(blocks, "DataEnd", "POI 45\nTIS 0\n1 1 1 1 1 1 1 1\nDataEnd"),
+                   "several planes of incidence");
+  }
+
+  void errorsNameTheLine() {
+    const std::string table = textOf(zemaxFile(isotropic, small));
+    VERIFY_REFUSED(zemax, replaced(table, "DataEnd", "7\nDataEnd"), "found '7', expected DataEnd");
+    VERIFY_REFUSED(zemax, replaced(table, "TIS", "TIX"), "line 17: found 'TIX', expected TIS");
+    VERIFY_REFUSED(zemax, replaced(table, "TIS 0.5", "TIS nan"), "line 17: found 'nan'");
+    VERIFY_REFUSED(zemax, table.substr(0, table.size() - 30), "expected");
+    VERIFY_REFUSED(zemax, replaced(table, "ScatterRadial 2", "ScatterRadial 1e15"), "found '1e15'");
+    VERIFY_REFUSED(zemax, replaced(table, "ScatterRadial 2", "ScatterRadial 2.5"), "found '2.5'");
+    VERIFY_REFUSED(zemax, replaced(table, "ScatterAzimuth 3", "ScatterBzimuth 3"), "found no ScatterAzimuth");
+    VERIFY_REFUSED(zemax, replaced(table, "Symmetry  Plane", "Symmetry  Point"), "found 'PointSymmetrical'");
+    VERIFY_REFUSED(zemax, replaced(table, "0\t30", "30\t0"), "the angle of incidence 0.0");
+    const std::string blocks = textOf(lightToolsFile(isotropic, smallAboutNormal));
+    VERIFY_REFUSED(lightTools, replaced(blocks, "POI", "PIO"), "found 'PIO', expected a key of a block");
+    VERIFY_REFUSED(lightTools, replaced(blocks, "Side Front", "Side Up"), "found 'Up', expected Front or Back");
+    VERIFY_REFUSED(lightTools, replaced(blocks, "AOI 10", "AOI 100"), "the angle of incidence 100");
+    VERIFY_REFUSED(lightTools, replaced(blocks, "DataEnd", ""), "the file ends, expected a block");
+    // Two lists whose product no file has.
+    VERIFY_REFUSED(zemax,
+                   replaced(table, "\nMonochrome\n",
+                            "\nScatterRadial 40\n" + std::string(120, '1') + std::string(200, ' ') + "\nMonochrome\n"),
+                   "expected");
+  }
+};
+
+GONIO_TEST(ScatterTablesTest)
+}  // namespace scatter_tables_test
+
+#include "scatter_tables_test.moc"

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/sampling/tabulated_density.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/math/sampling.h"
+#include "core/models/model.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/sampling_check.h"
+#include "tests/support/test_program.h"
+
+namespace tabulated_density_test {
+using namespace gonio;
+
+std::shared_ptr<const Brdf> model(const char* id) {
+  const models::Model& found = models::findModel(id);
+  return found.instantiate(models::defaultParameters(found.spec()));
+}
+
+/// A BRDF that draws by a tabulated density of another one.
+class Sampled final : public Brdf {
+ public:
+  explicit Sampled(const Brdf& brdf) : density_(brdf) {}
+  void evaluate(std::span<const DirectionPair>, std::span<Rgb>) const override {}
+  bool hasImportanceSampling() const override { return true; }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override {
+    return tabulatedMixture(density_).sample(wo, u);
+  }
+  double pdf(const Direction& wi, const Direction& wo) const override { return tabulatedMixture(density_).pdf(wi, wo); }
+
+ private:
+  TabulatedDensity density_;
+};
+
+constexpr double tolerance = 1e-5;
+
+class TabulatedDensityTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void samplesFollowTheDensity_data() {
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<double>("theta");
+    for (const char* id : {"lambert", "ggx", "ward-duer"})
+      for (const double theta : {0.0, 25.0, 60.0, 84.0})
+        QTest::newRow((std::string(id) + " " + std::to_string(int(theta))).c_str()) << QString(id) << radians(theta);
+  }
+  void samplesFollowTheDensity() {
+    QFETCH(QString, id);
+    QFETCH(double, theta);
+    const Sampled sampled(*model(id.toLatin1().data()));
+    const int draws = theta == radians(25.0) ? 1 << 20 : 1 << 17;
+    const auto check = test::checkSampling(sampled, fromSpherical(theta, 0.7), draws, tolerance);
+    const QByteArray found = "integral " + QByteArray::number(check.integral, 'g', 8) + ", lost " +
+                             QByteArray::number(check.lost) + ", p " + QByteArray::number(check.pValue);
+    QVERIFY2(check.valid, found);
+    QVERIFY2(check.lost < 0.02, found);
+    QVERIFY2(std::abs(check.integral + check.lost - 1) < 2e-3, found);
+    QVERIFY2(check.pValue > 1e-4, found);
+    if (draws == 1 << 20) QVERIFY2(check.widerPValue < 1e-9, found);
+  }
+
+  /// The estimate of an albedo is that of the quadrature, with less noise than cosine-weighted directions have.
+  void estimatesAreUnbiased() {
+    const auto brdf = model("ggx");
+    const TabulatedDensity density(*brdf);
+    for (const double theta : {0.1, 0.9, 1.4}) {
+      const Direction wo = fromSpherical(theta, 2);
+      double sum = 0, squares = 0, plain = 0, plainSquares = 0;
+      constexpr int count = 1 << 16;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::dvec2 u = scrambledSobol(i, 5);
+        const glm::dvec3 numbers(scrambledVanDerCorput(i, 6), u);
+        const DirectionSample drawn = tabulatedMixture(density).sample(wo, numbers),
+                              even = cosineSampler().sample(wo, numbers);
+        const double estimate = drawn.pdf > 0 ? brdf->evaluate(drawn.wi, wo).x * drawn.wi.z / drawn.pdf : 0;
+        const double other = brdf->evaluate(even.wi, wo).x * even.wi.z / even.pdf;
+        sum += estimate / count, squares += estimate * estimate / count;
+        plain += other / count, plainSquares += other * other / count;
+      }
+      QVERIFY(std::abs(sum / plain - 1) < 0.02);
+      QVERIFY(squares - sum * sum < 0.25 * (plainSquares - plain * plain));
+    }
+  }
+
+  /// A surface that one round density follows is drawn from it; one with two highlights from the table.
+  void aRoundDensityServesWhereItFollows() {
+    const TabulatedDensity round(*test::ggx(Rgb(0.1), Rgb(1), 0.2, 0.5));
+    QVERIFY(round.symmetricDensity() && std::abs(std::log(round.symmetricDensity()->roughness / 0.2)) < 0.4);
+    const auto narrow = test::ggx(Rgb(0), Rgb(0.5), 0.02, 0.9), wide = test::ggx(Rgb(0), Rgb(0.5), 0.35, 0.9);
+    const test::FunctionBrdf two(
+        [&](const Direction& wi, const Direction& wo) { return narrow->evaluate(wi, wo) + wide->evaluate(wi, wo); });
+    const TabulatedDensity table(two);
+    QVERIFY(!table.symmetricDensity());
+    QVERIFY(!areSimilar(round, table) && !areSimilar(table, round));
+    QVERIFY(areSimilar(round, TabulatedDensity(*test::ggx(Rgb(0.1), Rgb(0.95), 0.2, 0.5))));
+    QVERIFY(!areSimilar(round, TabulatedDensity(*test::ggx(Rgb(0.1), Rgb(1), 0.05, 0.5))));
+  }
+
+  /// Nothing reflected, or a single needle: still a density.
+  void hardCases() {
+    const test::FunctionBrdf black([](const Direction&, const Direction&) { return Rgb(0); });
+    const Sampled nothing(black);
+    for (const double theta : {0.0, 1.0, halfPi - 1e-9}) {
+      const auto drawn = nothing.sample(fromSpherical(theta, 1), {0.5, 0.3, 0.7});
+      QVERIFY(std::isfinite(drawn.pdf) && drawn.pdf >= 0);
+    }
+    const test::FunctionBrdf needle(
+        [](const Direction& wi, const Direction& wo) { return Rgb(glm::normalize(wi + wo).z > 1 - 1e-12 ? 1e30 : 0); });
+    const Sampled sharp(needle);
+    const auto drawn = sharp.sample(fromSpherical(0.5, 1), {0.5, 0.3, 0.7});
+    QVERIFY(std::isfinite(drawn.pdf) && drawn.pdf >= 0);
+  }
+};
+
+GONIO_TEST(TabulatedDensityTest)
+}  // namespace tabulated_density_test
+
+#include "tabulated_density_test.moc"
