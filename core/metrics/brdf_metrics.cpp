@@ -135,14 +135,16 @@ void evaluateCells(const Brdf& brdf, const Nodes& nodes, Cells& cells, std::vect
   const TabulatedBrdf* table = formOf<TabulatedBrdf>(brdf);
   if (table && nodes.areNodes()) {
     lookUp(*table, nodes, cells.indices, values, known);
+  } else if (table) {
+    std::vector<std::uint8_t> measured(values.size());
+    table->evaluate(cells.pairs, values, TableLookup::trilinear, measured);
+    known.assign(measured.begin(), measured.end());
   } else {
     if (nodes.isIsotropic())
       evaluateNodes(brdf, nodes.grid(), cells.indices, cells.pairs, values);
     else
       brdf.evaluate(cells.pairs, values);
-    // Tables extrapolate where they have no data; other forms are 0 there.
-    for (std::size_t i = 0; i < values.size(); ++i)
-      known[i] = (!table && values[i] != Rgb(0)) || brdf.hasData(cells.pairs[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) known[i] = values[i] != Rgb(0) || brdf.hasData(cells.pairs[i]);
   }
   keepKnown(known, cells);
 }
