@@ -22,7 +22,7 @@
 #include "tests/support/test_program.h"
 
 /// The tests run over the rows of the table of formats: a format that is written is tested without a new line.
-namespace encode_test {
+namespace encoders_test {
 using namespace gonio;
 using materials::EditedMaterial;
 using materials::Encoded;
@@ -95,10 +95,15 @@ glm::dvec2 energiesAt(const Brdf& material, const Brdf& file, const DirectionPai
   return {glm::dot(truth, truth), glm::dot(difference, difference)};
 }
 
-/// Of both orders of the directions where one of the two is not reciprocal.
+/// That of a file that is a table, else that of MERL files, 180 steps of phi_d; of both orders of the directions where
+/// one of the two is not reciprocal.
 HalfDifferenceGrid comparedGrid(const Brdf& material, const Brdf& file) {
-  const bool reciprocal = material.isReciprocal() && file.isReciprocal();
-  return {.phiDCount = reciprocal ? 180 : 360, .reciprocal = reciprocal};
+  const auto* table = formOf<TabulatedBrdf>(file);
+  HalfDifferenceGrid grid = table ? table->grid() : HalfDifferenceGrid();
+  if (!grid.reciprocal || (material.isReciprocal() && file.isReciprocal())) return grid;
+  grid.reciprocal = false;
+  if (table) grid.phiDCount *= 2;
+  return grid;
 }
 
 /// BRDF SNR of a file over the stated pair of each cell of the MERL grid, by a loop of its own.
@@ -143,7 +148,7 @@ glm::dvec2 drawnSnr(const Brdf& material, const Brdf& file) {
   return {10 * std::log10(mean.x / mean.y), 10 / std::log(10) * std::sqrt(variance)};
 }
 
-class EncodeTest : public QObject {
+class EncodersTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   /// A reader of the bytes gets what encode() says that it gets; written again, nothing is lost any more.
@@ -347,8 +352,8 @@ class EncodeTest : public QObject {
   }
 };
 
-GONIO_TEST(EncodeTest)
+GONIO_TEST(EncodersTest)
 
-}  // namespace encode_test
+}  // namespace encoders_test
 
-#include "encode_test.moc"
+#include "encoders_test.moc"
