@@ -98,9 +98,8 @@ std::size_t pdvFileBytes(const PdvFactors& f) {
 
 std::size_t pdvFileBytes(factorization::PdvForm form, int terms) {
   using namespace factorization;
-  const int phis = form == PdvForm::twoFactors ? 1 : pdvPhiNodes;
-  return headerBytes +
-         sizeof(float) * floatCount(std::size_t(pdvThetaNodes + defaultDeviations + phis), std::size_t(terms));
+  const std::size_t phis = form == PdvForm::twoFactors ? 1 : pdvPhiNodes;
+  return headerBytes + sizeof(float) * floatCount(phis + pdvThetaNodes + defaultDeviations, std::size_t(terms));
 }
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
