@@ -8,6 +8,7 @@
 #include <new>
 #include <random>
 
+#include "core/support/lower_case.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/fuzz/reader_targets.h"
 #include "tests/support/test_program.h"
@@ -175,7 +176,7 @@ class ReaderMutationTest : public QObject {
   }
   void material() {
     QFETCH(const materials::MaterialFormat*, format);
-    check(std::string(format->name).append(format->suffix()), formatSeed(*format), readMaterialBytes);
+    check(lowerCase(std::string(format->name).append(format->suffix())), formatSeed(*format), readMaterialBytes);
   }
   void astm() { check("points.astm", astmSeed(), readScatteredBytes<formats::readAstm>); }
   void goniophotometer() {

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <random>
 
@@ -148,13 +149,21 @@ glm::dvec2 drawnSnr(const Brdf& material, const Brdf& file) {
   return {10 * std::log10(mean.x / mean.y), 10 / std::log(10) * std::sqrt(variance)};
 }
 
+/// encode() of glossy() or difficult(), once.
+const Encoded& encodedOnce(const EditedMaterial& material, const MaterialFormat& format) {
+  static std::map<std::pair<std::string, const MaterialFormat*>, Encoded> known;
+  const auto [entry, isNew] = known.try_emplace({material.shown.name, &format});
+  if (isNew) entry->second = materials::encode(material, format, small);
+  return entry->second;
+}
+
 class EncodersTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   /// A reader of the bytes gets what encode() says that it gets; written again, nothing is lost any more.
   void readersGetWhatIsStated() {
     for (const MaterialFormat* format : written()) {
-      const Encoded made = materials::encode(glossy(), *format, small);
+      const Encoded& made = encodedOnce(glossy(), *format);
       const materials::Material again = materials::readMaterial(io::MemorySource(made.bytes));
       QCOMPARE(again.source.format, std::string(format->name));
       std::mt19937_64 random(3);
@@ -175,7 +184,7 @@ class EncodersTest : public QObject {
   void theStatedAccuracyIsThatOfTheFile() {
     for (const MaterialFormat* format : written())
       for (const EditedMaterial& material : {glossy(), difficult()}) {
-        const Encoded made = materials::encode(material, *format, small);
+        const Encoded& made = encodedOnce(material, *format);
         const double expected = brdfSnrOf(*material.shown.brdf, *made.readBack);
         QVERIFY2(std::abs(made.brdfSnr - expected) < 0.01,
                  qPrintable(QString("%1: %2, expected %3").arg(format->label.data()).arg(made.brdfSnr).arg(expected)));
@@ -189,7 +198,7 @@ class EncodersTest : public QObject {
   /// What a row cannot hold is a loss of every file of such a material.
   void whatAFormatCannotHoldIsALoss() {
     for (const MaterialFormat* format : written()) {
-      const std::vector<std::string> losses = materials::encode(difficult(), *format, small).losses;
+      const std::vector<std::string> losses = encodedOnce(difficult(), *format).losses;
       const auto states = [&](const char* word) {
         return std::ranges::any_of(losses, [&](const std::string& loss) { return loss.find(word) != loss.npos; });
       };
