@@ -33,7 +33,7 @@ constexpr int trialDelayMilliseconds = 300;
 enum Column { labelColumn, snrColumn, bytesColumn };
 
 QString exportSnrText(double snr) {
-  if (std::isnan(snr)) return ExportDialog::tr("values");
+  if (std::isnan(snr)) return ExportDialog::tr("not rendered");
   return std::isfinite(snr) ? ExportDialog::tr("%1 dB").arg(snr, 0, 'f', 1) : ExportDialog::tr("exact");
 }
 
