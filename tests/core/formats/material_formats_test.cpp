@@ -3,12 +3,14 @@
 #include "core/formats/formats.h"
 
 #include <QTest>
+#include <cmath>
 #include <set>
 
 #include "core/formats/code.h"
 #include "core/io/sha256.h"
 #include "core/io/text_lines.h"
 #include "core/materials/encode.h"
+#include "core/metrics/brdf_metrics.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
 
@@ -65,6 +67,9 @@ class MaterialFormatsTest : public QObject {
       QCOMPARE(material.source.format, std::string(format->name));
       QVERIFY(format->holds.anisotropic || material.brdf->isIsotropic());
       QVERIFY(format->holds.nonReciprocal || material.brdf->isReciprocal());
+      // Nothing differs from itself.
+      QVERIFY(std::isinf(metrics::brdfSignalToNoiseRatio(*material.brdf, *material.brdf)));
+      for (const double error : metrics::brdfErrors(*material.brdf, *material.brdf)) QCOMPARE(error, 0.0);
     }
   }
 
