@@ -45,22 +45,25 @@ GridDirections::GridDirections(const HalfDifferenceGrid& grid, GridPoints points
   }
   for (std::size_t step = 0; step < steps_ * thetaDCount_; ++step)
     add(thetaD_, polarPosition(int(step / steps_), grid.thetaDCount, step % steps_) * halfPi);
-  for (std::size_t step = 0; step < steps_ * phiCount_; ++step)
-    add(phiD_, ((double(step) + 0.5) / double(steps_) - 0.5) / grid.phiDCount * grid.phiDPeriod());
+  for (int k = 0; k < grid.phiDCount; ++k) add(phiD_, grid.node(grid.index(0, 0, k)).phiD);
+  for (std::size_t step = 0; step < steps_; ++step)
+    add(phiDSteps_, ((double(step) + 0.5) / double(steps_) - 0.5) / grid.phiDCount * grid.phiDPeriod());
 }
 
 GridDirections::Node GridDirections::at(std::size_t index) const {
-  std::size_t row = index / phiCount_, k = index % phiCount_;
+  const std::size_t row = index / phiCount_, k = index % phiCount_;
   std::size_t i = row / thetaDCount_, j = row % thetaDCount_;
+  SineCosine f = phiD_[k];
   if (steps_ > 1) {
     const bool isMirrored = 2 * k > phiCount_;
-    const std::size_t node = isMirrored ? row * phiCount_ + (phiCount_ - k) : index;
-    const std::size_t phiStep = stepOf(node, 2);
+    const std::size_t node = isMirrored ? index - k + (phiCount_ - k) : index;
     i = i * steps_ + stepOf(node, 0);
     j = j * steps_ + stepOf(node, 1);
-    k = k * steps_ + (isMirrored ? steps_ - 1 - phiStep : phiStep);
+    // The sum of two angles: a list of all would leave the near caches.
+    const SineCosine s = phiDSteps_[isMirrored ? steps_ - 1 - stepOf(node, 2) : stepOf(node, 2)];
+    f = {f.sine * s.cosine + f.cosine * s.sine, f.cosine * s.cosine - f.sine * s.sine};
   }
-  const SineCosine &h = thetaH_[i], &d = thetaD_[j], &f = phiD_[k];
+  const SineCosine &h = thetaH_[i], &d = thetaD_[j];
   Node node{fromHalfDifference(h.sine, h.cosine, d.sine, d.cosine, f.sine, f.cosine),
             isAboveHorizon(h.sine, h.cosine, d.sine, d.cosine, f.cosine)};
   if (node.aboveHorizon) {

@@ -38,7 +38,7 @@ class GridDirections {
   };
   std::size_t steps_;  ///< points of a cell along an axis, one after the other in the lists
   std::size_t thetaDCount_, phiCount_;
-  std::vector<SineCosine> thetaH_, thetaD_, phiD_;
+  std::vector<SineCosine> thetaH_, thetaD_, phiD_, phiDSteps_;
 };
 
 }  // namespace gonio
