@@ -18,7 +18,7 @@ namespace gonio::exports {
 
 // The material as values: files in the formats of materials::encode(), and tables.
 
-/// NAME_rgb.bsdf and NAME_spec.bsdf by materials::encodeRgl(). For pbrt, negative values are 0.
+/// NAME_rgb.bsdf and NAME_spec.bsdf by formats::encodeRgl(). The spectra, which pbrt reads, are nowhere negative.
 ExportTarget mitsubaTarget();
 ExportTarget pbrtTarget();
 /// NAME.binary: MERL, 90 x 90 x 180, reciprocal and isotropic.

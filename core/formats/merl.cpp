@@ -199,6 +199,7 @@ std::shared_ptr<const TabulatedBrdf> ownTable(const EditedMaterial& material, bo
 template <bool reciprocal>
 Encoded encodeMerlMaterial(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control) {
   constexpr HalfDifferenceGrid usual{.phiDCount = reciprocal ? 180 : 360, .reciprocal = reciprocal};
+  if (auto copy = copyOfFile(material, reciprocal ? merlFormat : merlCircleFormat)) return std::move(*copy);
   const HalfDifferenceGrid grid = options.grid && options.grid->reciprocal == reciprocal ? *options.grid : usual;
   if (const auto own = ownTable(material, reciprocal, control)) return {encodeMerl(*own), own};
   const auto table = bakeTable(*material.shown.brdf, grid, control, editing::bakedAzimuths);

@@ -49,8 +49,8 @@ constexpr std::string_view rglSuffixes[] = {".bsdf"};
 rgl::EncodedRgl encodeRgl(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control) {
   std::optional<rgl::RglFileSource> source;
   const Material& base = material.base;
-  if (const auto* file = formOf<RglBrdf>(*base.brdf)) {
-    source = {.brdf = {base.brdf, file}};
+  if (const auto file = formOf<RglBrdf>(base.brdf)) {
+    source = {.brdf = file};
     source->bytes = base.source.format == rglFormat.name && !base.source.path.empty()
                         ? materials::materialFile(base.source)
                         : rgl::encodeRglData(rgl::wholeData(*file->tables()), originOf(material), rgl::RglColours::rgb);

@@ -132,6 +132,7 @@ std::vector<std::byte> binFile(std::span<const glm::vec3> values) {
 
 /// A `.bin` file. Of a UTIA file, the change of the edits is added to the values at its nodes.
 Encoded encodeUtia(const EditedMaterial& material, const EncodeOptions&, const TaskControl& control) {
+  if (auto copy = copyOfFile(material, utiaFormat)) return std::move(*copy);
   std::vector<glm::vec3> values = utiaValues(material, control);
   Encoded made;
   std::size_t clipped = 0;

@@ -32,7 +32,7 @@ EditedMaterial unedited(const Material& material) { return {.shown = material, .
 
 EditedMaterial unedited(const std::string& name, std::shared_ptr<const Brdf> brdf) {
   Material material{.name = name};
-  if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*brdf)) material.table = {brdf, table};
+  material.table = formOf<TabulatedBrdf>(brdf);
   material.brdf = std::move(brdf);
   return unedited(material);
 }

@@ -24,14 +24,6 @@ bool isUnchanged(const EditedMaterial& material) {
          material.base.brdf->incidentDirection().value_or(IncidentDirection::viewer) == IncidentDirection::viewer;
 }
 
-/// Whether the file that was read is already what is wanted: read in this format, and with the suffix that is written
-/// (of UTIA files, OpenEXR images are not).
-bool isOwnFile(const EditedMaterial& material, const MaterialFormat& format, const EncodeOptions& options) {
-  const MaterialSource& source = material.base.source;
-  return isUnchanged(material) && !options.size && source.format == format.name &&
-         format.isOwnForm(*material.base.brdf) && lowerCase(source.path.extension().string()) == format.suffix();
-}
-
 /// What a material is that a format cannot hold.
 std::vector<std::string> unheld(const EditedMaterial& material, const FormatCapabilities& holds) {
   std::vector<std::string> losses;
@@ -66,14 +58,19 @@ RenderedComparison comparisonOf(const EditedMaterial& material, const EncodeOpti
   return RenderedComparison(*material.shown.brdf, pictures, control);
 }
 
+std::optional<Encoded> copyOfFile(const EditedMaterial& material, const MaterialFormat& format) {
+  const MaterialSource& source = material.base.source;
+  const bool hasFile = source.format == format.name && lowerCase(source.path.extension().string()) == format.suffix();
+  if (!hasFile || !isUnchanged(material)) return std::nullopt;
+  return Encoded{materialFile(source), material.shown.brdf};
+}
+
 Encoded encode(const EditedMaterial& material, const MaterialFormat& format, const EncodeOptions& options,
                const TaskControl& control) {
   if (!format.encode)
     throw Error("found the format " + std::string(format.name) + ", which is only read, expected " +
                 writableSuffixText());
-  const bool isCopy = isOwnFile(material, format, options);
-  Encoded made = isCopy ? Encoded{materialFile(material.base.source), material.shown.brdf}
-                        : format.encode(material, options, control.between(0, 0.6));
+  Encoded made = format.encode(material, options, control.between(0, 0.6));
   if (made.readBack == material.shown.brdf) return made;
   std::ranges::copy(unheld(material, format.holds), std::back_inserter(made.losses));
   if (std::isinf(made.snr)) {

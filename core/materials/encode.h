@@ -31,10 +31,17 @@ struct Encoded {
 };
 
 /// The file of a material with its edits. An unedited material in its own format gives its file, byte for byte, after
-/// verifying its hash. The accuracy is measured against `material.shown` in its native form. Takes 1 to 5 s, less for
-/// files that are copied. @throws Error if the format cannot be written or the file has changed; Cancelled.
+/// verifying its hash; RGL files that lack fields which other programs need, as bundled ones do, are completed. The
+/// accuracy is measured against `material.shown` in its native form. Takes 1 to 5 s, less for files that are copied.
+/// @throws Error if the format cannot be written or the file has changed; Cancelled.
 Encoded encode(const EditedMaterial& material, const MaterialFormat& format, const EncodeOptions& options = {},
                const TaskControl& control = {});
+
+/// The file that a material was read from, for encoders: empty if it is edited, displayed with another incident
+/// direction than readers take, or was read in another format or from a file with another suffix than the one that is
+/// written.
+/// @throws Error if the file has changed.
+std::optional<Encoded> copyOfFile(const EditedMaterial& material, const MaterialFormat& format);
 
 /// encode() in the format of the suffix, written atomically. @throws Error that names the file.
 Encoded writeMaterial(const EditedMaterial& material, const std::filesystem::path& path,

@@ -56,8 +56,8 @@ class Nodes {
 
  private:
   static HalfDifferenceGrid gridOf(const Brdf& reference, const Brdf& test) {
-    const TabulatedBrdf* table =
-        formOf<TabulatedBrdf>(reference) ? formOf<TabulatedBrdf>(reference) : formOf<TabulatedBrdf>(test);
+    const TabulatedBrdf* table = formOf<TabulatedBrdf>(reference);
+    if (!table) table = formOf<TabulatedBrdf>(test);
     HalfDifferenceGrid grid = table ? table->grid() : HalfDifferenceGrid();
     if (!grid.reciprocal || (reference.isReciprocal() && test.isReciprocal())) return grid;
     grid.reciprocal = false;

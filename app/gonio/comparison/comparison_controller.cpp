@@ -22,7 +22,8 @@ constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, C
                               ComparedSubject::reference};
 
 HalfDifferenceGrid gridOf(const Brdf& brdf) {
-  return formOf<TabulatedBrdf>(brdf) ? formOf<TabulatedBrdf>(brdf)->grid() : HalfDifferenceGrid();
+  const auto* table = formOf<TabulatedBrdf>(brdf);
+  return table ? table->grid() : HalfDifferenceGrid();
 }
 }  // namespace
 

@@ -85,7 +85,7 @@ materials::EditedMaterial Document::edited() const {
   if (!material()) return {};
   materials::Material base = material()->material;
   if (!base.brdf) base.brdf = material()->base;
-  if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*base.brdf)) base.table = {base.brdf, table};
+  if (auto table = formOf<TabulatedBrdf>(base.brdf)) base.table = std::move(table);
   materials::EditedMaterial edited = materials::unedited(base);
   edited.edits = edits();
   edited.incident = state().incident;

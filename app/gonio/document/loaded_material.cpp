@@ -21,7 +21,7 @@ constexpr HalfDifferenceGrid coarseGrid{.thetaHCount = 30, .thetaDCount = 30, .p
 }  // namespace
 
 std::shared_ptr<const TabulatedBrdf> LoadedMaterial::table(const TaskControl& control) const {
-  if (const TabulatedBrdf* own = formOf<TabulatedBrdf>(*base)) return {base, own};
+  if (auto own = formOf<TabulatedBrdf>(base)) return own;
   const std::scoped_lock lock(m_sampled->mutex);
   if (!m_sampled->table) m_sampled->table = material.tabulated(control);
   return m_sampled->table;

@@ -15,6 +15,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/rgl.h"
 #include "core/io/atomic_file.h"
+#include "core/io/tensor_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "tests/core/export/published_reader.h"
@@ -193,6 +194,38 @@ class EncodersTest : public QObject {
               drawn.x, drawn.y);
         QVERIFY2(std::abs(made.brdfSnr - drawn.x) < 3 * drawn.y, format->label.data());
       }
+  }
+
+  /// A file of each format, read and written without edits, stays as it is, byte for byte.
+  void uneditedFilesAreCopied() {
+    const QTemporaryDir folder;
+    for (const MaterialFormat* format : written()) {
+      const auto path = (folder.filePath("file").toStdString()).append(format->suffix());
+      const std::vector<std::byte>& bytes = encodedOnce(glossy(), *format).bytes;
+      io::writeFileAtomically(path, bytes);
+      const EditedMaterial material = materials::unedited(materials::readMaterial(path));
+      const Encoded copy = materials::encode(material, *format, small);
+      QVERIFY2(copy.bytes == bytes, format->label.data());
+      QVERIFY2(copy.losses.empty() && std::isinf(copy.snr) && std::isinf(copy.brdfSnr), format->label.data());
+      // Only what has been read is copied.
+      io::writeFileAtomically(path, std::vector<std::byte>(bytes.begin(), bytes.end() - 1));
+      QVERIFY(test::errorOf([&] { materials::encode(material, *format, small); }).find("has changed") !=
+              std::string::npos);
+    }
+  }
+
+  /// A bundled file lacks fields that other readers need: they are added, wherever the file lies.
+  void bundledFilesAreCompleted() {
+    const QTemporaryDir folder;
+    const materials::Material bundled = materials::readMaterial("library:rgl/paper_blue");
+    const auto path = folder.filePath("paper.bsdf").toStdString();
+    io::writeFileAtomically(path, materials::materialFile(bundled.source));
+    for (const materials::Material& material : {bundled, materials::readMaterial(path)}) {
+      const Encoded made = materials::encode(materials::unedited(material), formats::rglFormat, small);
+      const io::TensorFile file{io::MemorySource(made.bytes)};
+      for (const char* field : {"vndf", "luminance", "rgb"}) QVERIFY2(file.contains(field), field);
+      QVERIFY(made.losses.empty() && std::isinf(made.snr));
+    }
   }
 
   /// What a row cannot hold is a loss of every file of such a material.
