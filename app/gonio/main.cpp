@@ -6,7 +6,7 @@
 #include <csignal>
 #include <utility>
 
-#include "app/gonio/library/bundled_thumbnails.h"
+#include "app/gonio/library/thumbnail.h"
 #include "app/gonio/window/event_times.h"
 #include "app/gonio/window/figure_screenshot.h"
 #include "app/gonio/window/main_window.h"

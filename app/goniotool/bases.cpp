@@ -7,7 +7,7 @@
 #include "core/io/sha256.h"
 #include "core/materials/material_formats.h"
 #include "core/study/training_files.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

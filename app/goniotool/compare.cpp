@@ -10,7 +10,7 @@
 #include "app/goniotool/usage.h"
 #include "core/io/image_io.h"
 #include "core/metrics/image_errors.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::tool {
 

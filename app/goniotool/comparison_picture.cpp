@@ -11,7 +11,6 @@
 #include <cstring>
 
 #include "core/rendering/error_maps.h"
-#include "core/rendering/false_colour.h"
 
 namespace gonio::tool {
 

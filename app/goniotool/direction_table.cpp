@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "core/io/csv_text.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

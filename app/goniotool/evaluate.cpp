@@ -6,7 +6,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::tool {

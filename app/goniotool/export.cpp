@@ -9,7 +9,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/export/export_target.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"
 
 namespace gonio::tool {

@@ -12,7 +12,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/formats/formats.h"
 #include "core/formats/pdv.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::tool {
 

@@ -3,7 +3,7 @@
 #include "app/goniotool/factor_quality.h"
 
 #include "core/metrics/brdf_metrics.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/study/evaluation_time.h"
 
 namespace gonio::tool {

@@ -48,7 +48,7 @@ fitting::FitResult fitModel(const FitArguments& options, const fitting::FitBase&
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(base, model, options.fitOptions(), control);
   const std::vector<study::GammaTrial> tried = study::selectGamma(
-      base, model, options.fitOptions(), {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
+      base, model, options.fitOptions(), {.width = 128, .height = 128, .samples = 32, .density = {}}, control);
   for (const study::GammaTrial& trial : tried)
     trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
   tool.throwIfStopped();  // there may be no trial

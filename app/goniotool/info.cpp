@@ -5,8 +5,8 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
-#include "core/brdf/statistics.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/brdf/tabulated_brdf.h"
+#include "core/rendering/render_picture.h"
 #include "core/sampling/directional_albedo.h"
 
 namespace gonio::tool {

@@ -15,7 +15,7 @@
 #include "core/interpolation/native_form_blend.h"
 #include "core/math/weights.h"
 #include "core/models/registry.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/rgl/spectral_edit.h"
+#include "core/rgl/rgl_edit.h"
 
 namespace gonio::tool {
 

@@ -6,8 +6,8 @@
 #include "app/goniotool/measure_factors.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/acquisition/plan_file.h"
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/measured_values.h"
+#include "core/acquisition/sampling_plan.h"
 
 namespace gonio::tool {
 

@@ -8,7 +8,7 @@
 #include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
-#include "core/acquisition/factor_readings_file.h"
+#include "core/acquisition/factor_plan.h"
 #include "core/formats/formats.h"
 #include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"

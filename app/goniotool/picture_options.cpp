@@ -10,7 +10,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
 #include "core/io/image_io.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 
 namespace gonio::tool {
 

@@ -10,7 +10,6 @@
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
-#include "core/acquisition/plan_file.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"

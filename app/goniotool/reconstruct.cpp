@@ -8,10 +8,10 @@
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
-#include "core/acquisition/plan_file.h"
+#include "core/acquisition/measured_values.h"
 #include "core/acquisition/reconstruction.h"
-#include "core/acquisition/values_file.h"
-#include "core/brdf/log_relative.h"
+#include "core/acquisition/sampling_plan.h"
+#include "core/brdf/data_transform.h"
 
 namespace gonio::tool {
 

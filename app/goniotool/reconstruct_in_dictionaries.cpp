@@ -7,8 +7,8 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/dictionary_reconstruction.h"
-#include "core/acquisition/plan_file.h"
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/measured_values.h"
+#include "core/acquisition/sampling_plan.h"
 #include "core/materials/dictionary_file.h"
 #include "core/study/training_files.h"
 

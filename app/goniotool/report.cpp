@@ -11,7 +11,7 @@
 #include "core/io/json_text.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::tool {
 

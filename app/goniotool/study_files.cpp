@@ -9,7 +9,7 @@
 #include "core/metrics/brdf_metric.h"
 #include "core/study/study_csv.h"
 #include "core/study/study_plot.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

@@ -7,7 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/io/json_text.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

@@ -9,8 +9,8 @@
 #include "core/formats/formats.h"
 #include "core/formats/neural.h"
 #include "core/io/byte_source.h"
-#include "core/rendering/rendered_comparison.h"
-#include "core/support/file_in_errors.h"
+#include "core/rendering/render_picture.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 

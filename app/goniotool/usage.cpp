@@ -11,7 +11,7 @@
 
 #include "app/goniotool/help_formatter.h"
 #include "app/goniotool/tool.h"
-#include "core/support/lower_case.h"
+#include "core/support/text.h"
 
 namespace gonio::tool {
 

@@ -7,18 +7,71 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/math/parallel.h"
 
 namespace gonio::acquisition {
 
+CellAtoms::CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows)
+    : basis_(basis),
+      inverseSigma_(basis.svd.singularValues[components - 1] *
+                    basis.svd.singularValues.head(components).cwiseInverse()),
+      rows_(std::move(rows)) {}
+
+Eigen::VectorXd CellAtoms::column(std::size_t row) const {
+  return basis_.svd.u.view()
+      .row(Eigen::Index(row))
+      .head(length())
+      .transpose()
+      .cast<double>()
+      .cwiseProduct(inverseSigma_);
+}
+
+Eigen::MatrixXf CellAtoms::inSinglePrecision(Eigen::Index begin, Eigen::Index end) const {
+  const auto u = basis_.svd.u.view();
+  constexpr float shortest = 1e-15f;
+  Eigen::MatrixXf atoms(length(), end - begin);
+  for (Eigen::Index k = 0; k < length(); ++k)
+    for (Eigen::Index atom = begin; atom < end; ++atom)
+      atoms(k, atom - begin) = float(u(Eigen::Index(row(atom)), k) * inverseSigma_[k]);
+  for (Eigen::Index atom = begin; atom < end; ++atom) {
+    auto column = atoms.col(atom - begin);
+    const float norm = column.norm();
+    // Below this digits are lost; 0 stays 0.
+    if (norm > shortest)
+      column /= norm;
+    else
+      column = exact(atom).cast<float>();
+  }
+  return atoms;
+}
+
+PursuitSpace::PursuitSpace(const Eigen::MatrixXd& allSignals)
+    : complement(Eigen::MatrixXd::Identity(allSignals.rows(), allSignals.rows())), signals(allSignals) {}
+
+void PursuitSpace::remove(const Eigen::VectorXd& left) {
+  const Eigen::VectorXd direction = left.stableNormalized();
+  removed = complement * direction;
+  reach = (signals.transpose() * direction).lpNorm<1>();
+  // H = I - 2 v v^T takes `direction` to an axis, that of the sign without cancellation; the others then span the rest.
+  Eigen::VectorXd v = direction;
+  v[0] += std::copysign(1.0, direction[0]);
+  v.normalize();
+  const Eigen::VectorXd alongComplement = complement * v;
+  const Eigen::RowVectorXd alongSignals = v.transpose() * signals;
+  const Eigen::Index others = left.size() - 1;
+  complement = (complement.rightCols(others) - 2 * alongComplement * v.tail(others).transpose()).eval();
+  signals = (signals.bottomRows(others) - 2 * v.tail(others) * alongSignals).eval();
+}
+
 namespace {
 
 constexpr Eigen::Index blockAtoms = 1024;  // of 60 components: 240 KB, which stay in a core's cache
 constexpr Eigen::Index batchAtoms = 256;   // scored at once
-/// So many neighbours on the grid are judged by the one in their middle, where that is enough.
+/// Number of neighbours on the grid that are bounded together through the one in their middle where possible.
 constexpr Eigen::Index groupAtoms = 8;
-/// After so many choices the atoms are written in coordinates of what is left: shorter ones.
+/// Number of choices after which the atoms are rewritten in the shorter coordinates of the remaining space.
 constexpr Eigen::Index choicesBetweenBases = 8;
 constexpr double unitRoundoff = 6e-8;
 constexpr float huge = 1e30f;
@@ -38,7 +91,7 @@ Eigen::Index middleOf(Eigen::Index atom, Eigen::Index count) {
 
 }  // namespace
 
-/// What one call of candidates() works with.
+/// The working data of one call of candidates().
 struct AtomScores::Scan {
   Eigen::VectorXf removed;  ///< in coordinates of the basis; empty before the first choice
   float reach = 0;
@@ -138,7 +191,7 @@ void AtomScores::update(Block& block, const Scan& scan) const {
   }
 }
 
-/// What the atoms' scores are at most.
+/// Upper bounds of the atoms' scores.
 Eigen::ArrayXf AtomScores::bounds(const Block& block, const Scan& scan) const {
   const Eigen::ArrayXf byLength = scan.gain * (block.squaredNorm + scan.normError).sqrt();
   const Eigen::ArrayXf lost = (block.squaredNormAtScore - block.squaredNorm).max(0) + 2 * scan.normError;

@@ -3,13 +3,55 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
-#include "core/acquisition/cell_atoms.h"
-#include "core/acquisition/pursuit_space.h"
+#include "core/dictionary/principal_components.h"
 #include "core/support/task_control.h"
 
 namespace gonio::acquisition {
+
+/// The atoms of the simultaneous pursuit, one per candidate cell: the columns of D^-1 = Sigma_p^-1 U_p^T, the left
+/// inverse of the scaled basis D = U Sigma of the first p components, normalised to unit length. A zero column stays
+/// zero and has score 0. Rows are indices into the basis' mapping; atoms are indices into these rows. Unrelated to the
+/// atoms of a dictionary::Dictionary.
+class CellAtoms {
+ public:
+  /// @param components 1 or more. @param rows ascending. The basis must outlive this object.
+  CellAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows);
+
+  Eigen::Index count() const { return Eigen::Index(rows_.size()); }
+  Eigen::Index length() const { return inverseSigma_.size(); }
+  std::size_t row(Eigen::Index atom) const { return rows_[std::size_t(atom)]; }
+  /// The atom in double precision, computed from the basis: equal rows give bitwise equal atoms.
+  Eigen::VectorXd exact(Eigen::Index atom) const { return column(row(atom)).stableNormalized(); }
+  /// The atoms [begin, end) in single precision, p x (end - begin): exact() up to a few units in the last place.
+  Eigen::MatrixXf inSinglePrecision(Eigen::Index begin, Eigen::Index end) const;
+
+ private:
+  Eigen::VectorXd column(std::size_t row) const;
+
+  const dictionary::PrincipalComponents& basis_;
+  Eigen::VectorXd inverseSigma_;  // scaled by the smallest sigma, which the normalisation cancels
+  std::vector<std::size_t> rows_;
+};
+
+/// The residual R = N T of a pursuit: the part of the signals S that is orthogonal to the chosen atoms.
+struct PursuitSpace {
+  Eigen::MatrixXd complement;  ///< N: p x d, orthonormal basis of the space orthogonal to the chosen atoms
+  Eigen::MatrixXd signals;     ///< T = N^T S: d x t
+  Eigen::VectorXd removed;     ///< the unit direction that the last choice removed; empty before the first
+  double reach = 0;            ///< |S^T removed|_1
+
+  /// The space before the first choice. @param allSignals S, p x t.
+  explicit PursuitSpace(const Eigen::MatrixXd& allSignals);
+
+  /// Coordinates of an atom in the complement: its part orthogonal to the chosen atoms.
+  Eigen::VectorXd remainderOf(const Eigen::VectorXd& atom) const { return complement.transpose() * atom; }
+  /// Removes a direction (coordinates in the complement, not 0) by a Householder reflection, so that rounding errors do
+  /// not accumulate.
+  void remove(const Eigen::VectorXd& direction);
+};
 
 /// Finds the atom a with the largest score |R^T a|_1 at each step of a simultaneous pursuit (simultaneous_pursuit.h),
 /// where the residual R loses one direction per step. Bounds on the scores avoid most evaluations. Computes in single

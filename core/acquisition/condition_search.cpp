@@ -111,7 +111,7 @@ class Search {
         .cwiseProduct(basis_.svd.singularValues.head(components_));
   }
 
-  /// To the best of the neighbours that lower the condition number.
+  /// Moves row i to the best of the neighbours that lower the condition number; false if there is none.
   bool moveRow(std::size_t i, Spectrum& spectrum) {
     const Eigen::VectorXd old = matrix_.row(Eigen::Index(i)).transpose();
     std::size_t best = rows_[i];

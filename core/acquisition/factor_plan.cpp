@@ -4,12 +4,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
+#include "core/acquisition/measured_values.h"
+#include "core/acquisition/sample_rows.h"
+#include "core/acquisition/sampling_plan.h"
+#include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_out.h"
+#include "core/coordinates/projected_deviation.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::acquisition {
+
+FactorAxes factorAxesNamed(std::string_view name) {
+  const auto found = std::ranges::find(factorAxesNames, name);
+  if (found == factorAxesNames.end())
+    throw Error("factor axes: found '" + std::string(name) +
+                "', expected projected-deviation, symmetric-deviation, half-difference or half-out");
+  return FactorAxes(found - factorAxesNames.begin());
+}
+
+FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair) {
+  switch (axes) {
+    case FactorAxes::projectedDeviation: {
+      const ProjectedDeviation at = toProjectedDeviation(pair.wi, pair.wo);
+      return {at.thetaR, at.deviation};
+    }
+    case FactorAxes::symmetricDeviation:
+      return {toHalfDifference(pair.wi, pair.wo).thetaD, toProjectedDeviation(pair.wi, pair.wo).deviation};
+    case FactorAxes::halfDifference: {
+      const HalfDifference at = toHalfDifference(pair.wi, pair.wo);
+      return {at.thetaD, at.thetaH};
+    }
+    default: {
+      const HalfOut at = toHalfOut(pair.wi, pair.wo);
+      return {at.thetaO, at.thetaH};
+    }
+  }
+}
+
+std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place) {
+  if (isDeviation(axes)) {
+    const ProjectedDirections found = fromProjectedDeviation({place.angle, place.distance, 0});
+    return found.valid ? std::optional(found.pair) : std::nullopt;
+  }
+  if (axes == FactorAxes::halfOut) {
+    const HalfOutDirections found =
+        fromHalfOut({.thetaO = place.angle, .thetaH = place.distance, .phiH = 0, .valid = true});
+    return found.valid ? std::optional(found.pair) : std::nullopt;
+  }
+  const DirectionPair pair = fromHalfDifference(place.distance, place.angle, 0);
+  if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return std::nullopt;
+  return pair;
+}
 
 namespace {
 
@@ -87,6 +138,67 @@ int plannedReadings(std::span<const double> angles) {
     if (std::abs(angles[std::size_t(i)] - angles.front() - i * spacing) > tolerance * spacing) return count;
   const double before = angles.front() / spacing;
   return std::abs(before - std::round(before)) > tolerance ? count : count + int(std::lround(before));
+}
+
+namespace {
+
+constexpr int angleDecimals = 6;
+
+std::string fieldsOf(const Rgb& value) {
+  return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
+}
+
+std::string rowOf(const PlannedSample& sample, FactorCurve curve) {
+  const auto& [wi, wo] = sample.directions;
+  std::string text = std::to_string(sample.index) + "," + std::string(factorCurveNames[std::size_t(curve)]);
+  for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo)})
+    text += "," + io::decimalText(degrees(angle), angleDecimals);
+  return text + "," + std::to_string(sample.order);
+}
+
+FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
+  const auto found = std::ranges::find(factorCurveNames, name);
+  if (found == factorCurveNames.end())
+    throw Error(io::lineText(row) + ": found '" + name + "' in the column curve, expected along or across");
+  return FactorCurve(found - factorCurveNames.begin());
+}
+
+}  // namespace
+
+std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& values) {
+  std::string text = io::csvComment("method: " + plan.plan.method) + "index,curve,theta_i,phi_i,theta_o,phi_o,order";
+  if (!values.rgb.empty()) text += ",r,g,b";
+  if (!values.noise.empty()) text += ",noise_r,noise_g,noise_b";
+  text += "\n";
+  for (std::size_t i = 0; i < plan.plan.samples.size(); ++i) {
+    text += rowOf(plan.plan.samples[i], plan.curves[i]);
+    if (!values.rgb.empty()) text += fieldsOf(values.rgb[i]);
+    if (!values.noise.empty()) text += fieldsOf(values.noise[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
+  if (!values.rgb.empty()) checkMeasured(plan.plan, values);
+  io::writeFileAtomically(path, factorReadingsCsv(plan, values));
+}
+
+FactorReadings parseFactorReadings(std::string_view text, FactorAxes axes) {
+  FactorReadings readings{.plan = {.axes = axes, .plan = parsePlan(text), .curves = {}}, .values = {}};
+  readings.values = parseValues(text, readings.plan.plan);
+  const io::CsvText csv = io::readCsvText(text);
+  const std::size_t indexColumn = csv.requiredColumn("index"), curveColumn = csv.requiredColumn("curve");
+  std::map<int, FactorCurve> curves;
+  for (const io::CsvText::Row& row : csv.rows)
+    curves[csv.integer(row, indexColumn)] = curveOf(row, row.fields[curveColumn]);
+  for (const PlannedSample& sample : readings.plan.plan.samples)
+    readings.plan.curves.push_back(curves.at(sample.index));
+  return readings;
+}
+
+FactorReadings readFactorReadings(const std::filesystem::path& path, FactorAxes axes) {
+  return withFileInErrors(path, [&] { return parseFactorReadings(io::readText(path), axes); });
 }
 
 }  // namespace gonio::acquisition

@@ -2,14 +2,60 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/acquisition/factor_axes.h"
+#include "core/acquisition/measured_values.h"
 #include "core/acquisition/sampling_plan.h"
+#include "core/math/types.h"
+
+/// The two coordinates of a factor measurement: an angle, and the distance of the light from the mirror direction of
+/// the viewer. One curve ("along") is measured in the mirror direction over the angle, the other ("across") at a fixed
+/// angle over the distance. theta_R is the polar angle of the mirror direction, equal to that of the viewer; |Dp| is
+/// defined in core/coordinates/projected_deviation.h.
+namespace gonio::acquisition {
+
+enum class FactorAxes {
+  projectedDeviation,  ///< theta_R, |Dp| (Tongbuasirilai et al. 2017)
+  /// theta_d, |Dp|, which do not change when light and viewer are exchanged. Not in the paper. The readings are those
+  /// of projectedDeviation: in the mirror direction theta_d is theta_R.
+  symmetricDeviation,
+  halfDifference,  ///< theta_d, theta_h
+  halfOut          ///< theta_o, theta_h
+};
+/// Names in JSON, in files and on the command line, in the order of the enumeration.
+inline constexpr std::array<std::string_view, 4> factorAxesNames{"projected-deviation", "symmetric-deviation",
+                                                                 "half-difference", "half-out"};
+/// @throws Error that lists the names.
+FactorAxes factorAxesNamed(std::string_view name);
+
+struct FactorCoordinates {
+  double angle = 0;     ///< theta_R, theta_d or theta_o, rad, [0, pi/2]
+  double distance = 0;  ///< |Dp|, [0, 2), or theta_h, rad, [0, pi/2]; 0 in the mirror direction
+};
+/// The coordinates of any two directions above the horizon. O(1).
+FactorCoordinates toFactorCoordinates(FactorAxes axes, const DirectionPair& pair);
+
+/// Whether the coordinates do not change when light and viewer are exchanged.
+inline bool areReciprocal(FactorAxes axes) {
+  return axes == FactorAxes::symmetricDeviation || axes == FactorAxes::halfDifference;
+}
+/// Whether the distance is |Dp|, otherwise theta_h.
+inline bool isDeviation(FactorAxes axes) {
+  return axes == FactorAxes::projectedDeviation || axes == FactorAxes::symmetricDeviation;
+}
+
+/// The pair of directions in the plane of incidence with these coordinates; the light is between the mirror direction
+/// and the viewer, or beyond the viewer. For symmetricDeviation the angle is theta_R here, not theta_d, because its
+/// readings are those of projectedDeviation. None if no light above the horizon exists. O(1).
+std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place);
+
+}  // namespace gonio::acquisition
 
 /// The readings of a factor measurement. A goniometer with two arms in the plane of incidence measures two curves:
 /// "along", in the mirror direction at increasing angles; and "across", at one fixed angle and at increasing distances
@@ -57,5 +103,34 @@ std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 /// it also counts the multiples below the first angle, which planFactors() leaves out because one arm occludes the
 /// other; for other angles it is their number. @param angles increasing, rad.
 int plannedReadings(std::span<const double> angles);
+
+}  // namespace gonio::acquisition
+
+/// The readings of a factor measurement as CSV (csv_text.h), directions and values in one file: the comment "method:
+/// factors, AXES", then the columns
+///   index, curve, theta_i, phi_i, theta_o, phi_o, order, r, g, b
+/// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction) or "across" (at the fixed
+/// angle); angles are in degrees (sampling_plan.h), values as in measured_values.h, also as spectra.
+namespace gonio::acquisition {
+
+struct FactorReadings {
+  FactorPlan plan;
+  MeasuredValues values;  ///< one per sample of the plan
+};
+
+/// Angles have six decimals, values are written without loss. @param values may be empty: the file then lists the
+/// directions to measure and has no columns r, g, b.
+std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& values = {});
+/// Writes a file, atomically. @throws Error that names the file, or a sample whose value cannot be read again
+/// (checkMeasured()).
+void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path);
+
+/// Reads the directions and the values. Rows and columns may have any order. @param axes axes of the curves. They may
+/// differ from those in the comment of the file, because the same readings can serve several axes; factorMeasurement()
+/// checks that the readings lie on two curves. @throws Error that names the file and the line: a missing column, an
+/// angle or value out of range, or a curve other than "along" and "across".
+FactorReadings readFactorReadings(const std::filesystem::path& path, FactorAxes axes);
+/// The same for text; errors name no file.
+FactorReadings parseFactorReadings(std::string_view text, FactorAxes axes);
 
 }  // namespace gonio::acquisition

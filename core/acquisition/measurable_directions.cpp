@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::acquisition {
 

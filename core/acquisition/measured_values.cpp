@@ -3,11 +3,17 @@
 #include "core/acquisition/measured_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <random>
 
+#include "core/acquisition/sample_rows.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::acquisition {
 
@@ -56,6 +62,110 @@ MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const Mea
     if (isNoisy) measured.noise.push_back(deviation);
   }
   return measured;
+}
+
+namespace {
+
+using NoiseColumns = std::array<std::size_t, 3>;
+
+/// r, g, b; or where there are none of these, wavelengths.
+io::ColourColumns valueColumns(const io::CsvText& csv) {
+  if (!csv.column("r") && !csv.column("g") && !csv.column("b"))
+    if (io::ColourColumns spectrum = io::wavelengthColumns(csv); !spectrum.empty()) return spectrum;
+  return io::rgbColumns(csv);
+}
+
+/// The columns of the standard deviations: one for each channel, or one for all; none if there are none.
+std::optional<NoiseColumns> noiseColumns(const io::CsvText& csv) {
+  if (const auto all = csv.column("noise")) return NoiseColumns{*all, *all, *all};
+  if (!csv.column("noise_r") && !csv.column("noise_g") && !csv.column("noise_b")) return std::nullopt;
+  return NoiseColumns{csv.requiredColumn("noise_r"), csv.requiredColumn("noise_g"), csv.requiredColumn("noise_b")};
+}
+
+double notNegative(const io::CsvText& csv, const io::CsvText::Row& row, std::size_t column) {
+  const double value = csv.number(row, column);
+  if (value < 0)
+    throw Error(io::lineText(row) + ": found " + numberText(value) + " for " + csv.names[column] +
+                ", expected a number, 0 or more");
+  return value;
+}
+
+Rgb valueOf(const io::CsvText& csv, const io::CsvText::Row& row, const io::ColourColumns& values) {
+  for (const std::size_t column : values.columns) notNegative(csv, row, column);
+  // A colour outside sRGB has a negative channel.
+  return glm::max(values.value(csv, row), Rgb(0));
+}
+
+/// One column for all is the noise of each field: their errors are independent.
+Rgb noiseOf(const io::CsvText& csv, const io::CsvText::Row& row, const NoiseColumns& noise,
+            const io::ColourColumns& values) {
+  if (noise[0] != noise[1])
+    return {notNegative(csv, row, noise[0]), notNegative(csv, row, noise[1]), notNegative(csv, row, noise[2])};
+  Rgb squares(0);
+  for (const Rgb& weight : values.weights) squares += weight * weight;
+  return notNegative(csv, row, noise[0]) * glm::sqrt(squares);
+}
+
+/// Which row is that of each sample.
+std::vector<const io::CsvText::Row*> rowsOf(const io::CsvText& csv, const SamplingPlan& plan) {
+  const std::size_t column = csv.requiredColumn("index");
+  std::map<int, const io::CsvText::Row*> byIndex;
+  for (const auto& sample : plan.samples) byIndex[sample.index] = nullptr;
+  for (const io::CsvText::Row& row : csv.rows) {
+    const int index = csv.integer(row, column);
+    const auto found = byIndex.find(index);
+    if (found == byIndex.end())
+      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + ", expected an index of the plan");
+    if (found->second)
+      throw Error(io::lineText(row) + ": found the index " + std::to_string(index) + " a second time (first in " +
+                  io::lineText(*found->second) + "), expected each index once");
+    found->second = &row;
+  }
+  std::vector<const io::CsvText::Row*> rows;
+  std::string missing;
+  for (const auto& sample : plan.samples)
+    if (!rows.emplace_back(byIndex[sample.index]))
+      missing += (missing.empty() ? "" : ", ") + std::to_string(sample.index);
+  if (!missing.empty()) throw Error("found no row for index " + missing + ", expected one for each sample of the plan");
+  return rows;
+}
+
+std::string fields(const Rgb& value) {
+  return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
+}
+
+}  // namespace
+
+std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values) {
+  const bool hasNoise = !values.noise.empty();
+  std::string text = hasNoise ? "index,r,g,b,noise_r,noise_g,noise_b\n" : "index,r,g,b\n";
+  for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+    text += std::to_string(plan.samples[i].index) + fields(values.rgb[i]);
+    if (hasNoise) text += fields(values.noise[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {
+  checkMeasured(plan, values);
+  io::writeFileAtomically(path, valuesCsv(plan, values));
+}
+
+MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan) {
+  const io::CsvText csv = io::readCsvText(text);
+  const io::ColourColumns columns = valueColumns(csv);
+  const std::optional<NoiseColumns> noise = noiseColumns(csv);
+  MeasuredValues values;
+  for (const io::CsvText::Row* row : rowsOf(csv, plan)) {
+    values.rgb.push_back(valueOf(csv, *row, columns));
+    if (noise) values.noise.push_back(noiseOf(csv, *row, *noise, columns));
+  }
+  return values;
+}
+
+MeasuredValues readValues(const std::filesystem::path& path, const SamplingPlan& plan) {
+  return withFileInErrors(path, [&] { return parseValues(io::readText(path), plan); });
 }
 
 }  // namespace gonio::acquisition

@@ -9,7 +9,52 @@
 #include <vector>
 
 #include "core/acquisition/measured_values.h"
+#include "core/acquisition/sample_rows.h"
 #include "core/dictionary/principal_components.h"
+#include "core/math/ridge_regression.h"
+#include "core/support/task_control.h"
+
+/// Ridge regression of samples that differ in their noise: sample i has noise of variance v (eta + n_i), where v is the
+/// variance of the coefficients. Q is SampleRows::rows, y SampleRows::values.
+namespace gonio::acquisition {
+
+class NoisyRidge {
+ public:
+  /// @param noise n_i >= 0. @param ridge eta. Cost: one RidgeRegression.
+  NoisyRidge(const SampleRows& samples, const Eigen::VectorXd& noise, double ridge);
+
+  /// (Q^T N^-1 Q + I)^-1 Q^T N^-1 y, N = diag(eta + n): components x channels.
+  Eigen::MatrixXd coefficients() const { return regression_.coefficients(scaledRidge_); }
+  /// The symmetric F with F F = (Q^T N^-1 Q + I)^-1, which is the covariance of coefficients of variance 1 given the
+  /// samples.
+  Eigen::MatrixXd posteriorFactor() const { return regression_.posteriorFactor(scaledRidge_); }
+  /// trace(y^T (Q Q^T + N)^-1 y) (RidgeRegression::weightedEnergy).
+  double weightedEnergy() const { return regression_.weightedEnergy(scaledRidge_); }
+  /// Each sample's values minus their prediction from all other samples: samples x channels. Requires that all eta +
+  /// n_i are positive and finite.
+  Eigen::MatrixXd leaveOneOut() const;
+
+ private:
+  double scaledRidge_;
+  Eigen::VectorXd roots_;  ///< factors that scale the equations so that all have noise of variance scaledRidge_
+  RidgeRegression regression_;
+};
+
+/// The eta for which each sample is predicted best from all others: it minimises the sum over the samples of (squared
+/// difference) / (publishedRidge + n_i), so that noisy samples have little influence. Tries
+/// RidgeRegression::triedRidges() and takes bestRidge() of them, or publishedRidge if there are none. Parallel; the
+/// result does not depend on the number of threads. @throws Cancelled.
+double leaveOneOutRidge(const SampleRows& samples, const Eigen::VectorXd& noise, const TaskControl& control = {});
+
+/// Coefficients of a few components, per channel: orthogonal matching pursuit on the rows of D chooses the components,
+/// least squares determines the coefficients.
+/// @param atoms maximum number of components per channel; 0: the number, from 1 to half the samples, that predicts each
+/// sample best from all others. @return components x channels. Cost: O(samples components) per atom and channel; with
+/// atoms = 0 a pursuit of half the samples for each sample and channel, O(samples^3 components). @throws Cancelled
+/// between two pursuits.
+Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control = {});
+
+}  // namespace gonio::acquisition
 
 /// Reconstruction of a whole material from a few measured values and the principal components of other materials
 /// (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition"; Tongbuasirilai 2023,
@@ -61,7 +106,7 @@ struct Reconstruction {
   /// measured ones. NaN for one sample, and for `sparse`.
   double leaveOneOutError = 0;
   /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells; empty for `sparse`. A change
-  /// of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/log_relative.h).
+  /// of a mapped value by d multiplies rho w + 1e-3 by e^d (core/brdf/data_transform.h).
   ///
   /// `localRidge`: from LocalRidge::posteriorFactor and LocalRidge::scale. `ridge`: under the Gaussian model in which
   /// the coefficients of the ridge are the most likely ones. All coefficients have variance v, including those of

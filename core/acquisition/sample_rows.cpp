@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::acquisition {
 

@@ -44,7 +44,7 @@ Rows measurableRows(const PrincipalComponents& basis, const MeasurableDirections
   return rows;
 }
 
-/// Of the rows of U Sigma in the first components.
+/// The condition number of the rows of U Sigma in the first components.
 double conditionOf(const PrincipalComponents& basis, const Rows& rows, Eigen::Index components) {
   if (rows.empty() || components == 0) return 0;
   Eigen::MatrixXd chosen(Eigen::Index(rows.size()), components);

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "core/acquisition/atom_scores.h"
-#include "core/acquisition/pursuit_space.h"
 #include "core/math/decompositions.h"
-#include "core/math/incremental_qr.h"
 #include "core/math/parallel.h"
 
 namespace gonio::acquisition {

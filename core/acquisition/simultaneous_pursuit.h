@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/acquisition/cell_atoms.h"
+#include "core/acquisition/atom_scores.h"
 #include "core/support/task_control.h"
 
 namespace gonio::acquisition {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "core/baselines/tensor_half_vector_sampler.h"
+#include "core/baselines/half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/masked_rank_one.h"
 #include "core/math/monotone_cubic.h"

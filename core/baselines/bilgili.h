@@ -44,7 +44,7 @@ BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const 
 /// The model of the first `terms` terms, with kd and ks fitted again. @param samples the samples that were factorised.
 BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const HalfOutSamples& samples);
 
-/// Linear between the nodes. sample() uses the factors (core/baselines/tensor_half_vector_sampler.h), which are
+/// Linear between the nodes. sample() uses the factors (core/baselines/half_vector_sampler.h), which are
 /// tabulated at the first sample (0.2 s for 60 terms).
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors);
 

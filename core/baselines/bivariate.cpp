@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/math/parallel.h"
 
 namespace gonio::factorization {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/brdf.h"
 #include "core/brdf/data_transform.h"
-#include "core/brdf/pairwise_brdf.h"
 #include "core/math/decompositions.h"
 
 namespace gonio::factorization {

@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <numeric>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/factorization/canonical_polyadic.h"
-#include "core/factorization/higher_order_svd.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -20,14 +19,14 @@ std::array<int, 3> modeSizes(const HalfDifferenceAxes& axes) {
   return {int(axes.thetaH.size()), int(axes.thetaD.size()), int(axes.phiD.size())};
 }
 
-/// Of the four curves of a term.
+/// Bytes of the four curves of a term.
 std::size_t cpTermBytes(const HalfDifferenceAxes& axes) {
   return (axes.thetaH.size() + axes.thetaD.size() + axes.phiD.size() + 3) * sizeof(float);
 }
 
 constexpr std::size_t boundBytes = sizeof(float);  // of `highest`
 
-/// Of the core, and of the matrices of the angles and of the channels.
+/// Bytes of the core tensor, and of the matrices of the angles and of the channels.
 std::size_t hosvdBytes(const HalfDifferenceAxes& axes, const std::array<int, 3>& ranks) {
   const std::array<int, 3> sizes = modeSizes(axes);
   std::size_t coreSize = 3, matrices = 3 * 3;
@@ -38,7 +37,7 @@ std::size_t hosvdBytes(const HalfDifferenceAxes& axes, const std::array<int, 3>&
   return (coreSize + matrices) * sizeof(float) + boundBytes;
 }
 
-/// Of a coefficient in single precision and its position, of which there are less than 65,536.
+/// Bytes of a coefficient in single precision and its position, of which there are less than 65,536.
 constexpr std::size_t cosineBytes = sizeof(float) + sizeof(std::uint16_t);
 
 /// Orthonormal; a row per frequency.

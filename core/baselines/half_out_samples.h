@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/factorization/node_samples.h"
+#include "core/factorization/half_difference_samples.h"
 
 namespace gonio::factorization {
 

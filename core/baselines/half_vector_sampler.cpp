@@ -7,8 +7,8 @@
 
 #include "core/brdf/density_mixture.h"
 #include "core/coordinates/half_out.h"
-#include "core/math/linear_ramp.h"
 #include "core/math/monotone_cubic.h"
+#include "core/math/sampling.h"
 
 namespace gonio::factorization {
 
@@ -113,6 +113,108 @@ double HalfVectorSampler::pdf(const Direction& wi, const Direction& wo) const {
   }
   const double cosD = std::cos(std::atan2(glm::length(wi - wo), glm::length(wi + wo)));
   return cosineFraction * cosine + (1 - cosineFraction) * sum / (all * halfOutJacobian(std::max(cosD, 1e-12)));
+}
+
+namespace {
+
+constexpr double tensorCosineFraction = 0.1;
+
+/// 1 - cos, exact about 0.
+double versineOf(double theta) { return 2 * std::pow(std::sin(theta / 2), 2); }
+
+bool isAlongNormal(const Direction& wo) { return wo.x == 0 && wo.y == 0; }
+
+/// A uniform number reused: chooses the first of two alternatives with probability `first`, and is scaled back to [0,
+/// 1). Returns whether the first was chosen.
+bool choose(double& u, double first) {
+  const bool isFirst = u < first;
+  u = isFirst ? u / first : (u - first) / (1 - first);
+  u = std::clamp(u, 0.0, 1 - 1e-12);
+  return isFirst;
+}
+
+}  // namespace
+
+TensorHalfVectorSampler::TensorHalfVectorSampler(const HalfOutAxes& axes, const std::vector<double>& density)
+    : phiH_(axes.phiH), thetaO_(axes.thetaO) {
+  for (const double theta : axes.thetaH) versines_.push_back(versineOf(theta));
+  for (std::size_t o = 0; o < thetaO_.size(); ++o) {
+    std::vector<LinearDensity> azimuths;
+    std::vector<double> totals;
+    for (std::size_t h = 0; h < versines_.size(); ++h) {
+      std::vector<double> row;
+      for (std::size_t p = 0; p < phiH_.size(); ++p) row.push_back(density[axes.index(h, p, o)]);
+      totals.push_back(azimuths.emplace_back(phiH_, std::move(row)).integral());
+    }
+    slices_.push_back({LinearDensity(versines_, std::move(totals)), std::move(azimuths)});
+  }
+}
+
+TensorHalfVectorSampler::Choice TensorHalfVectorSampler::choiceOf(double thetaO) const {
+  const NodeInterval place = findInterval(thetaO_, thetaO);
+  Choice choice;
+  double sum = 0;
+  for (const auto& [slice, weight] :
+       {std::pair(place.index, 1 - place.fraction), std::pair(place.index + 1, place.fraction)}) {
+    if (!(weight > 0) || !(slices_[slice].polar.integral() > 0)) continue;
+    choice.slices[choice.count] = slice;
+    choice.weights[choice.count++] = weight;
+    sum += weight;
+  }
+  for (double& weight : choice.weights) weight /= sum > 0 ? sum : 1;
+  return choice;
+}
+
+DirectionSample TensorHalfVectorSampler::sample(const Direction& wo, const glm::dvec3& u) const {
+  const Choice choice = choiceOf(std::atan2(std::hypot(wo.x, wo.y), wo.z));
+  double pick = u.x;
+  if (choice.count == 0 || choose(pick, tensorCosineFraction)) {
+    const Direction wi = CosineDensity().sample(wo, {u.y, u.z});
+    return {wi, pdf(wi, wo)};
+  }
+  const bool isFirst = choice.count == 1 || choose(pick, choice.weights[0]);
+  const Slice& slice = slices_[choice.slices[isFirst ? 0 : 1]];
+  const double height = slice.polar.sample(versines_, u.y);
+  // At this height the density over phi_h is a mixture of those of the two nodes about it.
+  const NodeInterval place = findInterval(versines_, height);
+  const double low = (1 - place.fraction) * slice.azimuths[place.index].integral(),
+               high = place.fraction * slice.azimuths[place.index + 1].integral();
+  const std::size_t row = low + high > 0 && choose(pick, low / (low + high)) ? place.index : place.index + 1;
+  const double azimuth = isAlongNormal(wo) ? pi * u.z : slice.azimuths[row].sample(phiH_, u.z);
+  const double side = choose(pick, 0.5) ? 1 : -1;
+  const double sine = std::sqrt(height * (2 - height)), phi = std::atan2(wo.y, wo.x) + side * azimuth;
+  const Direction h(sine * std::cos(phi), sine * std::sin(phi), 1 - height);
+  const double cosD = glm::dot(wo, h);
+  const Direction wi = glm::normalize(2 * cosD * h - wo);
+  if (!(cosD > 0) || !(wi.z > 0)) return {wi, 0};
+  return {wi, pdf(wi, wo)};
+}
+
+/// Per solid angle of the half vector, both signs of phi_h.
+double TensorHalfVectorSampler::density(const Slice& slice, double versine, double phi, bool vertical) const {
+  if (versine > versines_.back()) return 0;
+  const NodeInterval place = findInterval(versines_, versine);
+  const auto row = [&](std::size_t h) {
+    const LinearDensity& azimuths = slice.azimuths[h];
+    return vertical ? azimuths.integral() / pi : azimuths.at(phiH_, phi);
+  };
+  return ((1 - place.fraction) * row(place.index) + place.fraction * row(place.index + 1)) /
+         (2 * slice.polar.integral());
+}
+
+double TensorHalfVectorSampler::pdf(const Direction& wi, const Direction& wo) const {
+  if (isBelowHorizon(wi) || isBelowHorizon(wo)) return 0;
+  const HalfOut at = toHalfOut(wi, wo);
+  const double cosine = std::max(0.0, wi.z) / pi;
+  const Choice choice = choiceOf(at.thetaO);
+  if (choice.count == 0) return cosine;
+  if (!at.valid) return tensorCosineFraction * cosine;
+  double sum = 0;
+  for (std::size_t i = 0; i < choice.count; ++i)
+    sum += choice.weights[i] *
+           density(slices_[choice.slices[i]], versineOf(at.thetaH), std::abs(at.phiH), isAlongNormal(wo));
+  const double cosD = std::cos(std::atan2(glm::length(wi - wo), glm::length(wi + wo)));
+  return tensorCosineFraction * cosine + (1 - tensorCosineFraction) * sum / halfOutJacobian(std::max(cosD, 1e-12));
 }
 
 }  // namespace gonio::factorization

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/baselines/half_out_samples.h"
-#include "core/brdf/direction_sample.h"
+#include "core/brdf/brdf.h"
 
 namespace gonio::factorization {
 
@@ -59,6 +59,45 @@ class HalfVectorSampler {
   std::vector<double> versines_;  ///< 1 - cos theta_h of the nodes
   std::vector<double> phiH_, thetaO_;
   std::vector<Curves> curves_;
+};
+
+/// Samples the direction of light for a viewer by its half vector, from a density g over the nodes of half-out
+/// coordinates: theta_h by its marginal distribution for theta_o, then |phi_h| by its conditional distribution,
+///   p(h | wo) = g(theta_h, |phi_h|, theta_o) / (2 Z(theta_o)),   p_w = p(h | wo) / (4 wo . h).
+/// The method of Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor Decomposition", for
+/// isotropic materials. Samples with a reflected direction below the horizon fail (density 0).
+///
+/// Differences from the paper: g is bilinear in (cos theta_h, phi_h) between the nodes, and one of the two nodes around
+/// theta_o is chosen at random with the weights of linear interpolation, so that the density is exactly that of the
+/// samples. A tenth of the samples is cosine-weighted, as for PDV factors; where g is 0, all samples are
+/// cosine-weighted. For a viewer along the normal, half vectors are uniform in phi_h. Immutable. 32 bytes per node.
+class TensorHalfVectorSampler {
+ public:
+  /// @param density g per solid angle of the half vector, >= 0, in the order of axes.index().
+  TensorHalfVectorSampler(const HalfOutAxes& axes, const std::vector<double>& density);
+
+  /// As Brdf::sample() and Brdf::pdf(). O(log nodes).
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  double pdf(const Direction& wi, const Direction& wo) const;
+
+ private:
+  /// The density of one viewer: the marginal over theta_h, and over phi_h for each node of theta_h.
+  struct Slice {
+    LinearDensity polar;
+    std::vector<LinearDensity> azimuths;
+  };
+  /// The nodes about an angle of the viewer that have a density, with the probabilities of their choice.
+  struct Choice {
+    std::size_t count = 0;
+    std::size_t slices[2] = {0, 0};
+    double weights[2] = {0, 0};
+  };
+  Choice choiceOf(double thetaO) const;
+  double density(const Slice& slice, double versine, double phi, bool vertical) const;
+
+  std::vector<double> versines_;  ///< 1 - cos theta_h of the nodes
+  std::vector<double> phiH_, thetaO_;
+  std::vector<Slice> slices_;  ///< one per node of theta_o
 };
 
 }  // namespace gonio::factorization

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/pairwise_brdf.h"
-#include "core/factorization/node_samples.h"
+#include "core/brdf/brdf.h"
+#include "core/factorization/half_difference_samples.h"
 #include "core/factorization/nonnegative_matrix.h"
 #include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"

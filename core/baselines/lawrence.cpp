@@ -8,7 +8,7 @@
 #include "core/baselines/half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/deviation_grid.h"
-#include "core/factorization/node_samples.h"
+#include "core/factorization/half_difference_samples.h"
 #include "core/factorization/nonnegative_matrix.h"
 #include "core/math/monotone_cubic.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"
@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 
 constexpr int curveNodes = 90;
-/// Of the mean value of a channel.
-constexpr double biasShare = 1e-2;
+/// The bias of the logarithm as a fraction of the mean value of a channel.
+constexpr double biasFraction = 1e-2;
 /// Weights of second differences, and of the size of the unknowns, relative to the mean weight of an unknown: the
 /// latter settles how p and q share a constant.
 constexpr double smoothness = 1e-5, size = 1e-10;
@@ -104,7 +104,7 @@ McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskCo
   const Rgb mean = meanValue(samples);
   for (int channel = 0; channel < 3; ++channel) {
     McCoolFactors::Channel& c = f.channels[std::size_t(channel)];
-    c.bias = biasShare * mean[channel];
+    c.bias = biasFraction * mean[channel];
     if (!(c.bias > 0)) continue;
     double highest = 0;
     for (const Rgb& value : samples.values) highest = std::max(highest, value[channel]);

@@ -5,11 +5,31 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
-#include "core/brdf/direction_sample.h"
-#include "core/brdf/incident_direction.h"
+#include "core/math/types.h"
 
 namespace gonio {
+
+/// A sampled direction of light and its density, 1/sr. pdf = 0: the sample failed and contributes nothing.
+struct DirectionSample {
+  Direction wi{0, 0, 1};
+  double pdf = 0;
+};
+
+/// Which direction of a pair is used as the file's incident direction. This matters only if the measurement is not
+/// reciprocal.
+enum class IncidentDirection {
+  viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light for a given viewer
+  light,   ///< wi, as the file names it
+  mean     ///< the mean of both, which is reciprocal
+};
+inline constexpr IncidentDirection allIncidentDirections[] = {IncidentDirection::viewer, IncidentDirection::light,
+                                                              IncidentDirection::mean};
+/// The name in files: "viewer", "light" or "mean".
+constexpr const char* incidentDirectionId(IncidentDirection incident) {
+  return incident == IncidentDirection::light ? "light" : incident == IncidentDirection::mean ? "mean" : "viewer";
+}
 
 /// A BRDF. Values are linear RGB, 1/sr, without the cosine; core/math/types.h defines the conventions. Immutable: every
 /// method may be called from several threads at once.
@@ -52,12 +72,12 @@ class Brdf {
 
   /// Whether sample() follows this BRDF better than cosine-weighted sampling does.
   virtual bool hasImportanceSampling() const { return false; }
-  /// Approximate rendering time per sample with sample() and pdf(), relative to a closed-form lobe.
+  /// Approximate rendering time per sample with sample() and pdf(), relative to a closed-form density.
   virtual double samplingCost() const { return 1; }
 
   /// Importance sampling: samples a direction of light wi for the viewer wo (z > 0) with the density pdf(), which is
-  /// roughly proportional to the value times cos theta_i. `u` in [0, 1)^3: u.x selects the lobe, u.y and u.z the
-  /// direction. The result is above the horizon with a positive density, or a failed sample with density 0.
+  /// roughly proportional to the value times cos theta_i. `u` in [0, 1)^3: u.x selects the component of a mixture, u.y
+  /// and u.z the direction. The result is above the horizon with a positive density, or a failed sample with density 0.
   /// Default: cosine-weighted.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of samples that do not fail;
@@ -79,6 +99,47 @@ std::shared_ptr<const Form> formOf(const std::shared_ptr<const Brdf>& brdf) {
 /// direction.
 inline std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentDirection incident) {
   return brdf->incidentDirection().value_or(incident) == incident ? brdf : brdf->readWith(incident);
+}
+
+/// The value of a pair when it is read with an incident direction. @param stored callable as Rgb(incident, outgoing)
+/// with the file's own incident and outgoing directions.
+template <class Stored>
+Rgb valueInOrder(IncidentDirection incident, const DirectionPair& pair, const Stored& stored) {
+  switch (incident) {
+    case IncidentDirection::light:
+      return stored(pair.wi, pair.wo);
+    case IncidentDirection::mean:
+      return (stored(pair.wo, pair.wi) + stored(pair.wi, pair.wo)) / 2.0;
+    default:
+      return stored(pair.wo, pair.wi);
+  }
+}
+
+/// An isotropic BRDF that calls a function per pair, only for pairs with both directions at or above the horizon.
+/// @tparam Value callable as Rgb(const Direction& wi, const Direction& wo), const, from several threads at once;
+/// returns finite linear RGB, 1/sr, without the cosine.
+template <typename Value>
+class PairwiseBrdf final : public Brdf {
+ public:
+  PairwiseBrdf(Value value, bool reciprocal) : value_(std::move(value)), reciprocal_(reciprocal) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      values[i] = isBelowHorizon(wi) || isBelowHorizon(wo) ? Rgb(0) : value_(wi, wo);
+    }
+  }
+  bool isReciprocal() const override { return reciprocal_; }
+
+ private:
+  Value value_;
+  bool reciprocal_;
+};
+
+template <typename Value>
+std::shared_ptr<const Brdf> makePairwiseBrdf(Value value, bool reciprocal = true) {
+  return std::make_shared<const PairwiseBrdf<Value>>(std::move(value), reciprocal);
 }
 
 }  // namespace gonio

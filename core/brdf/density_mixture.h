@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/brdf/direction_sample.h"
+#include "core/brdf/brdf.h"
 
 /// Densities of directions for importance sampling. A density is a small value with
 ///   Direction sample(const Direction& wo, const glm::dvec2& u) const;  // u in [0, 1)^2; any point of the sphere, or

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/coordinates/azimuth_rotation.h"
+#include "core/math/types.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -49,7 +49,7 @@ IncidenceBracket bracketOf(const std::vector<double>& nodes, double at) {
   return {next - 1, next, (at - nodes[next - 1]) / (nodes[next] - nodes[next - 1])};
 }
 
-/// Of azimuths, (-pi, pi]: the last node is followed by the first, a turn on.
+/// The bracket of an azimuth in (-pi, pi]: the last node is followed by the first one plus 2 pi.
 IncidenceBracket azimuthBracket(const IncidenceTable& table, double azimuth) {
   const std::vector<double>& nodes = table.azimuths;
   if (table.symmetric) return bracketOf(nodes, std::abs(azimuth));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/types.h"
+#include "core/coordinates/half_difference.h"
 
 /// The unit square of half vectors (microfacet normals) in which densities of reflected directions are tabulated: x =
 /// sqrt(2 theta / pi), which resolves the highlight finely; y = (phi + pi) / (2 pi). Dupuy and Jakob 2018, section 4.
@@ -26,10 +26,7 @@ inline Direction fromNormalSquare(const glm::dvec2& square, double turn) {
 }
 
 /// Whether the sum of two unit vectors defines a half vector above the horizon.
-inline bool isHalfVector(const Direction& sum) {
-  constexpr double minSquaredLength = 1e-24;
-  return sum.z > 0 && glm::dot(sum, sum) > minSquaredLength;
-}
+inline bool isHalfVector(const Direction& sum) { return sum.z > 0 && glm::dot(sum, sum) > minSquaredHalfLength; }
 
 /// The direction reflected about a normal; the zero vector if it is behind the microfacet (w . normal <= 0).
 inline Direction reflected(const Direction& w, const Direction& normal) {

@@ -8,7 +8,7 @@
 
 #include "core/brdf/density_mixture.h"
 #include "core/brdf/normal_square.h"
-#include "core/math/fast_atan2.h"
+#include "core/math/fast_functions.h"
 
 namespace gonio {
 
@@ -95,7 +95,7 @@ void evaluateBlock(const Tables& tables, std::span<const DirectionPair> pairs, b
 }
 
 /// Draws half vectors from the luminance over the square that the visible normals warp to.
-struct RglLobe {
+struct RglDensity {
   const Tables& tables;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
@@ -120,9 +120,9 @@ struct RglLobe {
   }
 };
 
-DensityMixture<CosineDensity, RglLobe> lobesOf(const Tables& tables) {
+DensityMixture<CosineDensity, RglDensity> densityOf(const Tables& tables) {
   constexpr double cosineFraction = 0.1;
-  return {{cosineFraction, 1 - cosineFraction}, CosineDensity{}, RglLobe{tables}};
+  return {{cosineFraction, 1 - cosineFraction}, CosineDensity{}, RglDensity{tables}};
 }
 
 /// A file without a luminance of its own, and values that are none, leave the choice to the visible normals.
@@ -185,9 +185,9 @@ void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> valu
 }
 
 DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {
-  return lobesOf(*tables_).sample(wo, u);
+  return densityOf(*tables_).sample(wo, u);
 }
 
-double RglBrdf::pdf(const Direction& wi, const Direction& wo) const { return lobesOf(*tables_).pdf(wi, wo); }
+double RglBrdf::pdf(const Direction& wi, const Direction& wo) const { return densityOf(*tables_).pdf(wi, wo); }
 
 }  // namespace gonio

@@ -30,7 +30,8 @@ struct RglData {
   /// symmetric under a rotation by pi, 4 for those with two planes of symmetry. The range starts at -pi.
   int azimuthReduction = 1;
   bool jacobian = true;  ///< the stored rgb were divided by ndf / (4 sigma); evaluation multiplies by it
-  /// Of a `_spec` file, else null. `rgb` is the colour of these spectra under D65 for the CIE 1931 observer.
+  /// The spectra of a `_spec` file, else null. `rgb` is the colour of these spectra under D65 for the CIE 1931
+  /// observer.
   std::shared_ptr<const RglSpectra> spectra;
 };
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
-#include "core/coordinates/grid_corners.h"
-#include "core/coordinates/half_difference_block.h"
+#include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_difference_grid.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 
@@ -23,7 +24,7 @@ std::string cellName(const HalfDifferenceGrid& grid, std::size_t index) {
          ", phi_d " + std::to_string(index % phi) + ")";
 }
 
-/// What checking a block of cells found.
+/// The result of checking a block of cells.
 struct Found {
   std::size_t validCount = 0, clampedCount = 0, firstBad = noCell;
 };
@@ -186,6 +187,29 @@ Rgb TabulatedBrdf::interpolate(const GridCorners& at, bool& valid) const {
   }
   valid = weightSum > 0;
   return valid ? sum / weightSum : Rgb(0);
+}
+
+TableStatistics tableStatistics(const TabulatedBrdf& table) {
+  TableStatistics statistics;
+  const auto values = table.values();
+  const auto valid = table.valid();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double smallest = infinity, largest = 0;
+  if (table.validCount() > 0) statistics.channels.fill({infinity, -infinity});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!valid[i]) continue;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double value = values[i][channel];
+      ChannelRange& range = statistics.channels[std::size_t(channel)];
+      range.min = std::min(range.min, value);
+      range.max = std::max(range.max, value);
+      if (value > 0) smallest = std::min(smallest, value);
+      largest = std::max(largest, value);
+    }
+  }
+  if (!values.empty()) statistics.invalidFraction = 1 - double(table.validCount()) / double(values.size());
+  if (largest > 0) statistics.dynamicRange = largest / smallest;
+  return statistics;
 }
 
 }  // namespace gonio

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -79,5 +80,17 @@ class TabulatedBrdf final : public Brdf {
 /// @throws Cancelled; Error if the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
                                                const TaskControl& control = {}, int azimuths = 16);
+
+/// Range of the valid values of one channel, 1/sr.
+struct ChannelRange {
+  double min = 0, max = 0;
+};
+
+struct TableStatistics {
+  std::array<ChannelRange, 3> channels;
+  double invalidFraction = 0;  ///< invalid cells / all cells
+  double dynamicRange = 0;     ///< largest / smallest positive value of any channel; 0 for a black table
+};
+TableStatistics tableStatistics(const TabulatedBrdf& table);
 
 }  // namespace gonio

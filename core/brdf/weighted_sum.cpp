@@ -57,7 +57,7 @@ class WeightedSum final : public Brdf {
     double left = u.x * total_;
     std::size_t term = 0;
     while (term + 1 < terms_.size() && left >= weights_[term]) left -= weights_[term++];
-    // What is left of the number chooses within the term.
+    // The remainder of the random number samples within the term.
     const double inner = std::clamp(left / weights_[term], 0.0, 1 - std::numeric_limits<double>::epsilon());
     DirectionSample result = terms_[term]->sample(wo, {inner, u.y, u.z});
     if (result.pdf > 0) result.pdf = pdf(result.wi, wo);

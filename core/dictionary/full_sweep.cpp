@@ -100,7 +100,7 @@ class Pass {
   Sizes sizes_;
 };
 
-/// The share [begin, end] of a control's progress.
+/// The part [begin, end] of a control's progress.
 TaskControl part(const TaskControl& control, double begin, double end) {
   return {.stop = control.stop,
           .progress = [&control, begin, end](double fraction) { control.report(begin + (end - begin) * fraction); }};

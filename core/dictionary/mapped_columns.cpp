@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"

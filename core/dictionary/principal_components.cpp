@@ -6,7 +6,7 @@
 #include <atomic>
 #include <string>
 
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
-#include "core/math/gram_svd.h"
+#include "core/math/decompositions.h"
 #include "core/support/task_control.h"
 
 namespace gonio::dictionary {
 
-/// The cells of a grid that a basis covers, and the data of their log-relative mapping (core/brdf/log_relative.h).
+/// The cells of a grid that a basis covers, and the data of their log-relative mapping (core/brdf/data_transform.h).
 struct MappedCells {
   HalfDifferenceGrid grid;
   std::vector<std::uint32_t> cells;  ///< indices into the grid, ascending: those valid in every material of the set

@@ -32,7 +32,7 @@ InterpolationSpace spaceFromJson(const JsonObject& object) {
   return InterpolationSpace(found - interpolationSpaceNames.begin());
 }
 
-/// Of one material: its own hash and its edits.
+/// The JSON that identifies one material: the hash of its file and its edits.
 nlohmann::json identityOf(const EditDocument& material) {
   nlohmann::json json = contentToJson(material);
   json["source"] = material.sourceSha256;

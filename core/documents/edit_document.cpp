@@ -9,8 +9,8 @@
 #include "core/io/byte_source.h"
 #include "core/io/json_text.h"
 #include "core/models/parameters_json.h"
-#include "core/support/file_in_errors.h"
-#include "core/support/lower_case.h"
+#include "core/support/error.h"
+#include "core/support/text.h"
 
 namespace gonio::editing {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 #include "core/editing/edit.h"
 #include "core/support/json_object.h"
 

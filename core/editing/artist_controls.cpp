@@ -76,7 +76,7 @@ constexpr ModelSpec controlsSpec = {.id = "artist-controls", .name = "Controls",
 bool isHighlight(ParameterRole role) { return role == ParameterRole::highlight || role == ParameterRole::peak; }
 bool isCoat(ParameterRole role) { return role == ParameterRole::coat || role == ParameterRole::coatEdge; }
 bool isEdge(ParameterRole role) { return role == ParameterRole::edge || role == ParameterRole::coatEdge; }
-/// Of any part of the highlights, edges and coats included.
+/// Whether a parameter belongs to the highlights, including edges and coats.
 bool isSpecular(ParameterRole role) { return isHighlight(role) || isCoat(role) || role == ParameterRole::edge; }
 bool isReflectance(ParameterRole role) {
   return role == ParameterRole::normalReflectance || role == ParameterRole::refractiveIndex;

@@ -9,10 +9,10 @@
 #include <limits>
 #include <optional>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/editing/lobe_change.h"
 #include "core/math/parallel.h"
-#include "core/support/number_text.h"
+#include "core/math/types.h"
+#include "core/support/text.h"
 
 namespace gonio::editing {
 
@@ -78,7 +78,8 @@ Rgb changed(const Rgb& value, const Rgb& change, const Rgb& floor) {
   return glm::max(glm::min(floor, value), value + change);
 }
 
-/// What a composition adds: exactly 0 where the edit leaves the model as it is, so that the base survives bit for bit.
+/// The change that a composition adds: exactly 0 where the edit leaves the model as it is, so that the base survives
+/// bit for bit.
 Rgb changeOf(const ActiveEdit& edit, const Rgb& value, const Rgb& edited, const Rgb& fitted) {
   return edit.composition == Composition::logPlus ? logPlusChange(value, edited, fitted) : edited - fitted;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cassert>
+#include <string>
 #include <utility>
 
 #include "core/editing/edit.h"
@@ -29,5 +30,13 @@ EditList moved(EditList edits, std::size_t from, std::size_t to);
 
 /// Memory of `list` in bytes, without the curves that it shares with `other`.
 std::size_t unsharedBytes(const EditList& list, const EditList& other);
+
+/// A short description of the effect of edits, such as "rougher, recoloured": at most two items of one to three words.
+/// A name that the user gave to an edit replaces its description. Empty if no edit has an effect.
+std::string editSummary(std::span<const Edit> edits);
+
+/// The name of an edited material, such as "gold-paint, rougher"; the material's own name if no edit has an effect.
+/// Valid as a file name: without '/', '\\' and ':'.
+std::string editedName(const std::string& material, std::span<const Edit> edits);
 
 }  // namespace gonio::editing

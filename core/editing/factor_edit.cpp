@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/factorization/pdv_operations.h"
+#include "core/support/error.h"
+
 namespace gonio::editing {
 
 namespace {
@@ -125,6 +128,122 @@ FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& whe
   edit.edited = std::make_shared<const PdvFactors>(factorsFromJson(object.object("edited")));
   edit.preserveDetail = object.flag("keepDetail");
   return edit;
+}
+
+namespace {
+
+using factorization::PdvFactors;
+using factorization::PdvTerm;
+using factorization::resampled;
+using factorization::widened;
+using Curve = std::vector<double>;
+
+/// A ratio is given only where there is something to compare with, and stays within what a hand would do.
+constexpr double minFraction = 1e-3, maxRatio = 100;
+
+double largestSize(const Curve& curve) {
+  double largest = 0;
+  for (const double value : curve) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Where, behind its highest place, a curve has fallen to half of it in size; the last node where it never does.
+double halfWidth(const Curve& nodes, const Curve& curve) {
+  const auto size = [&](std::size_t i) { return std::abs(curve[i]); };
+  std::size_t peak = 0;
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    if (size(i) > size(peak)) peak = i;
+  const double half = size(peak) / 2;
+  for (std::size_t i = peak + 1; i < curve.size(); ++i)
+    if (size(i) <= half && size(i - 1) > half)
+      return nodes[i - 1] + (nodes[i] - nodes[i - 1]) * (size(i - 1) - half) / (size(i - 1) - size(i));
+  return nodes.back();
+}
+
+Curve ratios(const Curve& from, const Curve& to) {
+  const double smallest = minFraction * largestSize(from);
+  Curve result(from.size(), 1);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (std::abs(from[i]) > smallest) result[i] = std::clamp(to[i] / from[i], -maxRatio, maxRatio);
+  return result;
+}
+
+Curve difference(const Curve& to, const Curve& from) {
+  Curve result = to;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= from[i];
+  return result;
+}
+
+/// Sums, not below 0: what the first term holds is never negative.
+Curve raised(const Curve& curve, const Curve& change) {
+  Curve result = curve;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = std::max(0.0, result[i] + change[i]);
+  return result;
+}
+
+/// One term of one channel of both sides of an edit.
+struct Change {
+  const PdvTerm &original, &edited;
+};
+
+void carryF1(const FactorEdit& edit, const Change& change, const PdvFactors& target, Curve& f1) {
+  const Curve& nodes = edit.original->thetaNodes;
+  const Curve to = resampled(edit.edited->thetaNodes, change.edited.f1, nodes);
+  const Curve factors = resampled(nodes, ratios(change.original.f1, to), target.thetaNodes);
+  for (std::size_t i = 0; i < f1.size(); ++i) f1[i] *= factors[i];
+}
+
+void carryF2(const FactorEdit& edit, const Change& change, const PdvFactors& target, bool first, Curve& f2) {
+  const Curve& nodes = edit.original->deviationNodes;
+  const Curve to = resampled(edit.edited->deviationNodes, change.edited.f2, nodes);
+  const double width = halfWidth(nodes, change.original.f2), targetWidth = halfWidth(target.deviationNodes, f2);
+  const double stretch = width > 0 ? halfWidth(nodes, to) / width : 1;
+  if (!(stretch > 0) || !(targetWidth > 0)) return;
+  f2 = widened(target.deviationNodes, f2, stretch);
+  if (!first) return;
+  Curve places = target.deviationNodes;
+  for (double& place : places) place *= width / targetWidth;
+  f2 = raised(f2, resampled(nodes, difference(to, widened(nodes, change.original.f2, stretch)), places));
+}
+
+void carryF3(const FactorEdit& edit, const Change& change, const PdvFactors& target, Curve& f3) {
+  if (target.phiNodes.size() < 2) return;
+  const Curve& nodes = edit.original->phiNodes;
+  const Curve to = resampled(edit.edited->phiNodes, change.edited.f3, nodes);
+  f3 = raised(f3, resampled(nodes, difference(to, change.original.f3), target.phiNodes));
+}
+
+void checkAlike(const FactorEdit& edit, const FactorEdit::Curves& target) {
+  if (!edit.original || !edit.edited || !target) throw Error("a factor edit without curves cannot be transferred");
+  for (const FactorEdit::Curves& own : {edit.original, edit.edited})
+    if (own->form != target->form || own->transform != target->transform)
+      throw Error(
+          "the factor edit and the factors of the material differ in the number of curves (2 or 3) or in the "
+          "transform, expected the same");
+}
+
+}  // namespace
+
+FactorEdit transferredEdit(const FactorEdit& edit, const FactorEdit::Curves& target) {
+  checkAlike(edit, target);
+  FactorEdit result = edit;
+  result.original = target;
+  if (*target == *edit.original) return result;
+  const bool dropped = edit.edited->terms() < edit.original->terms();
+  PdvFactors curves = dropped ? target->truncated(edit.edited->terms()) : *target;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto& originals = edit.original->channels[channel];
+    const auto& edits = edit.edited->channels[channel];
+    std::vector<PdvTerm>& terms = curves.channels[channel];
+    for (std::size_t i = 0; i < std::min({terms.size(), originals.size(), edits.size()}); ++i) {
+      const Change change{originals[i], edits[i]};
+      carryF1(edit, change, *target, terms[i].f1);
+      carryF2(edit, change, *target, i == 0, terms[i].f2);
+      if (i == 0) carryF3(edit, change, *target, terms[i].f3);
+    }
+  }
+  result.edited = std::make_shared<const PdvFactors>(factorization::withRoomForEdits(curves));
+  return result;
 }
 
 }  // namespace gonio::editing

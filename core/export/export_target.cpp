@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <iterator>
 
-#include "core/editing/edit_summary.h"
+#include "core/editing/edit_list.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/sampling/directional_albedo.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::exports {
 
@@ -33,7 +33,7 @@ std::vector<std::string> exportWarnings(const Brdf& material) {
   return {text};
 }
 
-/// What would help where a target that grows with the SNR misses it.
+/// A hint for the case that a target whose size grows with the SNR does not reach it.
 std::string shortfall(double snr, const ExportOptions& options) {
   char text[160];
   std::snprintf(text, sizeof text, "rendered SNR %.1f dB, less than the requested %.0f dB: %s", snr, options.snr,

@@ -11,7 +11,7 @@
 #include "core/export/export_target.h"
 #include "core/export/shaders/reciprocal_lobes.h"
 #include "core/export/shaders/surface_values.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 /// The rows of exportTargets(), and functions that the targets share.
 namespace gonio::exports {

@@ -25,7 +25,7 @@ std::vector<std::size_t> rowEnds(const MaskedTensor& t) {
   return ends;
 }
 
-/// What a sweep needs of the tensor: sums over the last mode for all (i, j), then sums over the first two.
+/// The data of the tensor that a sweep needs: sums over the last mode for all (i, j), then sums over the first two.
 class Sweep {
  public:
   Sweep(const MaskedTensor& tensor, RankOne& term)

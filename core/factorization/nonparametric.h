@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/factorization/half_difference_samples.h"
+#include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
 
@@ -53,5 +54,10 @@ NonparametricFit fitNonparametric(const HalfDifferenceSamples& samples, const No
 
 /// Linear between the nodes; G / cos is constant beyond the last node of G.
 std::shared_ptr<const Brdf> makeNonparametricBrdf(NonparametricFactors factors);
+
+/// The two nodes around a position (in units of nodes) and the fraction between them, clamped to the ends.
+NodeInterval nonparametricInterval(double position);
+/// The two nodes of G around a polar angle (rad), and the fraction between them.
+inline NodeInterval maskingInterval(double theta) { return nonparametricInterval(degrees(theta) - 0.5); }
 
 }  // namespace gonio::factorization

@@ -105,7 +105,7 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
                               const TaskControl& control = {});
 
 /// The BRDF of factors, evaluated from the curves (monotone cubic between the nodes). Importance sampling follows the
-/// first term (core/factorization/pdv_sampler.h), which is tabulated at the first sample.
+/// first term (core/factorization/pdv_brdf.h), which is tabulated at the first sample.
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors);
 /// The factors of a BRDF from makePdvBrdf(); null for others.
 std::shared_ptr<const PdvFactors> pdvFactorsOf(const Brdf& brdf);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/factorization/masked_rank_one.h"
@@ -26,5 +27,16 @@ struct PdvSamples {
 /// Parallel, deterministic. @throws Cancelled.
 PdvSamples samplePdv(const TabulatedBrdf& table, const PdvFactors& axes, PdvWeights weights,
                      const TaskControl& control = {});
+
+/// Relative residual at each node of each axis (theta_R, |Dp|, |phi|).
+using PdvResidualsAlong = std::array<std::vector<double>, 3>;
+
+/// One entry for each number of terms 1, 2, ...: per axis and node, |y - y^| / |y| over the cells at this node and all
+/// channels, with the norm and the samples of factorizePdv(); 0 where y is 0. The mean of the squares over the nodes of
+/// any axis, weighted by |y|^2, is the square of PdvFactorization::residuals. About 0.3 s for a MERL table.
+/// @throws Cancelled.
+std::vector<PdvResidualsAlong> residualsAlong(const TabulatedBrdf& table, const PdvFactors& factors,
+                                              PdvWeights weights = PdvWeights::projectedSolidAngle,
+                                              const TaskControl& control = {});
 
 }  // namespace gonio::factorization

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "core/support/error.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 
@@ -148,7 +148,7 @@ Surface drawnSurface(const FigureDrawing& drawing, double dotsPerInch) {
 TextWidth cairoTextWidth(const std::string& font) {
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1));
   const std::shared_ptr<cairo_t> cairo(cairo_create(surface.get()), cairo_destroy);
-  // Of a large page: widths scale with it.
+  // The scale of a large page: widths scale with it.
   constexpr double scale = 100;
   cairo_scale(cairo.get(), scale, scale);
   setUnhintedText(cairo.get());

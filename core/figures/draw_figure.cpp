@@ -8,8 +8,7 @@
 
 #include "core/figures/figure_number.h"
 #include "core/rendering/error_maps.h"
-#include "core/rendering/false_colour.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 

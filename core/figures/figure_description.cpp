@@ -9,12 +9,12 @@
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/io/json_text.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 #include "core/support/json_object.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 

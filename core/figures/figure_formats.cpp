@@ -8,7 +8,7 @@
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_layout.h"
 #include "core/figures/figure_svg.h"
-#include "core/support/lower_case.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 

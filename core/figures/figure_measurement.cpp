@@ -10,7 +10,7 @@
 #include "core/figures/figure_number.h"
 #include "core/rendering/error_maps.h"
 #include "core/study/accuracy_study.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 

@@ -7,7 +7,7 @@
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_number.h"
 #include "core/rendering/render_picture.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::figures {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/math/parallel.h"
 #include "core/math/sampling.h"
+#include "core/math/types.h"
 
 namespace gonio::fitting {
 

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/metrics/metric_domain.h"
+#include "core/metrics/brdf_metric.h"
 
 namespace gonio::fitting {
 

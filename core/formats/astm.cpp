@@ -8,12 +8,11 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/scattered_samples.h"
-#include "core/io/colour_columns.h"
+#include "core/io/byte_source.h"
 #include "core/io/csv_text.h"
-#include "core/io/format_mismatch.h"
 #include "core/io/text_lines.h"
-#include "core/math/spectrum.h"
-#include "core/support/lower_case.h"
+#include "core/math/colour.h"
+#include "core/support/text.h"
 
 /// Text files similar to ASTM E1392 (Standard Practice for Angle Resolved Optical Scatter Measurements, 1996), such as
 /// the reflectance data of Cornell University's Program of Computer Graphics: lines with a key and text, among them

@@ -6,7 +6,7 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/scattered_samples.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/io/text_lines.h"
 
 /// One sample of the CUReT BRDF database (Dana, van Ginneken, Nayar and Koenderink 1999, "Reflectance and Texture of
@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t measurements = 205, angles = 4;
 /// 205 rows of seven numbers in any notation.
 constexpr std::uint64_t maxCuretBytes = 1 << 17;
-/// Of one channel: 61 rows of 206 numbers.
+/// Maximum size of the file of one channel: 61 rows of 206 numbers.
 constexpr std::uint64_t maxChannelBytes = 1 << 20;
 /// Radians end at a full turn; rounded to a few digits.
 constexpr double maxCuretRadians = 2 * pi + 0.01;
@@ -35,7 +35,7 @@ constexpr double maxCuretRadians = 2 * pi + 0.01;
 const std::string expectedCuret =
     "205 rows of 5 or 7 numbers: two directions in polar angle and azimuth, then the values";
 
-/// Of text whose first row is one of a channel's file.
+/// Refuses a text whose first row belongs to the file of one channel.
 void refuseChannelFile(const io::TextLine& line) {
   if (io::words(line.text).size() == measurements + 1)
     throw io::FormatMismatch(

@@ -6,10 +6,10 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/scattered_samples.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/io/text_lines.h"
-#include "core/math/spectrum.h"
-#include "core/support/lower_case.h"
+#include "core/math/colour.h"
+#include "core/support/text.h"
 
 /// Text files of the pgII goniophotometer of pab (Apian-Bennewitz 2010, "New scanning gonio-photometer for extended
 /// BRTF measurements"), also written by mgpp and read by Tekari: a header of lines that begin with #, then rows of
@@ -82,7 +82,7 @@ std::optional<io::TextLine> readGoniophotometerHeader(io::TextLines& lines, Goni
   return line;
 }
 
-/// Of the values after the two angles.
+/// The colour of a row: of the values after the two angles.
 Rgb colourOf(const GoniophotometerHeader& header, const std::vector<double>& row) {
   if (row.size() == 3) return Rgb(row[2]);
   const glm::dvec3 three(row[2], row[3], row[4]);

@@ -9,7 +9,7 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/scatter_table.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 
 /// BSDF text files of LightTools (Synopsys), `.bsdf`, in the layout that libbsdf (Kimura 2015) reads:
 ///
@@ -43,10 +43,10 @@ namespace {
 
 const std::string expectedLightTools = "the keys ScatterRadial and AOI (LightTools BSDF)";
 
-/// Of the light about the plane of incidence, degrees.
+/// Azimuth of the light, degrees.
 constexpr double lightAzimuth = 90;
 
-/// What stands before the values of a block. Keys that a block lacks are those of the block before.
+/// The keys before the values of a block. Keys that a block lacks are those of the block before.
 struct BlockHeader {
   double incident = 0, plane = 0;
   bool isFront = true, isReflection = true;

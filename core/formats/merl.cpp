@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "core/formats/formats.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/materials/encode.h"
 #include "core/math/parallel.h"
 
@@ -194,8 +194,8 @@ std::shared_ptr<const TabulatedBrdf> ownTable(const EditedMaterial& material, bo
   return editing::bakeEdits(base.table, material.edits, control);
 }
 
-/// Of a table with such a grid that table, edited cell by cell; of other materials the grid of the options, or else
-/// 90 x 90 x 180 angles (360 over the whole circle of phi_d).
+/// The table to write. For a table with such a grid: that table, edited cell by cell; for other materials: the grid of
+/// the options, or else 90 x 90 x 180 angles (360 over the whole circle of phi_d).
 template <bool reciprocal>
 Encoded encodeMerlMaterial(const EditedMaterial& material, const EncodeOptions& options, const TaskControl& control) {
   constexpr HalfDifferenceGrid usual{.phiDCount = reciprocal ? 180 : 360, .reciprocal = reciprocal};

@@ -7,7 +7,7 @@
 #include "core/formats/formats.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::formats {
 

@@ -9,8 +9,8 @@
 #include "core/formats/formats.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/file_in_errors.h"
-#include "core/support/number_text.h"
+#include "core/support/error.h"
+#include "core/support/text.h"
 
 namespace gonio::formats {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "core/support/error.h"
-#include "core/support/lower_case.h"
+#include "core/support/text.h"
 
 namespace gonio::formats {
 

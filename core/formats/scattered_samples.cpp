@@ -9,7 +9,7 @@
 
 #include "core/acquisition/reconstruction.h"
 #include "core/io/csv_text.h"
-#include "core/materials/bundled_basis.h"
+#include "core/materials/basis_file.h"
 
 namespace gonio::formats {
 

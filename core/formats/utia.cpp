@@ -8,8 +8,8 @@
 
 #include "core/brdf/utia_brdf.h"
 #include "core/formats/formats.h"
+#include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
-#include "core/io/format_mismatch.h"
 #include "core/io/image_io.h"
 #include "core/materials/encode.h"
 
@@ -30,7 +30,7 @@ static_assert(std::endian::native == std::endian::little, "the formats are littl
 
 constexpr std::size_t side = UtiaBrdf::directionCount;
 constexpr std::uint64_t binBytes = 3 * side * side * sizeof(double);
-/// Of a picture with 288 x 288 pixels; ten times what it has without compression.
+/// Maximum size of a picture with 288 x 288 pixels: ten times what it has without compression.
 constexpr std::uint64_t maxExrBytes = 1 << 24;
 /// No BRDF value comes near it: bytes of another format, read as float64, mostly lie beyond.
 constexpr double maxValue = 1e9;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/formats/formats.h"
 #include "core/formats/scatter_table.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 
 /// Tabular BSDF files of Zemax OpticStudio (Rykowski 2008, "BSDF Data Interchange File Format Specification"), `.bsdf`:
 ///

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio {
 
@@ -32,7 +32,8 @@ void requireProfile(std::span<const glm::dvec2> profile, int segments) {
     throw Error("surface of revolution: the profile is open, expected a closed profile or one from axis to axis");
 }
 
-/// Of the polygon that the profile and the axis enclose, positive where it runs upward on the side away from the axis.
+/// The area of the polygon that the profile and the axis enclose, positive where it runs upward on the side away from
+/// the axis.
 double enclosedArea(std::span<const glm::dvec2> profile) {
   double twice = 0;
   for (std::size_t i = 0; i < profile.size(); ++i) {

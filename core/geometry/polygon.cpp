@@ -13,7 +13,7 @@ namespace gonio {
 namespace {
 
 /// Twice the polygon's area times its unit normal (Newell).
-glm::dvec3 areaNormal(std::span<const glm::vec3> corners) {
+glm::dvec3 areaVector(std::span<const glm::vec3> corners) {
   const glm::dvec3 origin(corners[0]);
   glm::dvec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -112,7 +112,7 @@ class EarClipping {
 
 std::vector<TriangleIndices> triangulatePolygon(std::span<const glm::vec3> corners) {
   if (corners.size() == 3) return {{0, 1, 2}};
-  std::vector<glm::dvec2> p = flattened(corners, areaNormal(corners));
+  std::vector<glm::dvec2> p = flattened(corners, areaVector(corners));
   if (corners.size() == 4 && turn(p[3], p[0], p[1]) > 0 && turn(p[0], p[1], p[2]) > 0 && turn(p[1], p[2], p[3]) > 0 &&
       turn(p[2], p[3], p[0]) > 0) {
     const auto length = [&](int a, int b) { return glm::length(glm::dvec3(corners[b]) - glm::dvec3(corners[a])); };

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/mesh_topology.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace gonio {
 

@@ -8,13 +8,70 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <tuple>
 
-#include "core/geometry/corner_normals.h"
+#include "core/math/fast_functions.h"
+#include "core/math/parallel.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio {
+
+namespace {
+
+/// An edge of one triangle under the smaller of its vertices.
+struct HalfEdge {
+  std::uint32_t low, high, triangle;
+  bool ascending;
+
+  bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> weldedVertices(std::span<const glm::vec3> positions) {
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t i) {
+    const glm::vec3& p = positions[i];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const auto keyA = key(a), keyB = key(b);
+    return keyA != keyB ? keyA < keyB : a < b;
+  });
+  std::vector<std::uint32_t> result(positions.size());
+  for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+    if (key(order[i]) != key(order[first])) first = i;
+    result[order[i]] = order[first];
+  }
+  return result;
+}
+
+std::optional<std::vector<SharedEdge>> closedEdges(std::span<const TriangleIndices> welded) {
+  std::vector<HalfEdge> halves;
+  halves.reserve(3 * welded.size());
+  for (std::size_t triangle = 0; triangle < welded.size(); ++triangle)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t from = welded[triangle][i], to = welded[triangle][(i + 1) % 3];
+      halves.push_back({std::min(from, to), std::max(from, to), std::uint32_t(triangle), from < to});
+    }
+  std::sort(halves.begin(), halves.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  if (halves.size() % 2 != 0) return std::nullopt;
+  std::vector<SharedEdge> edges;
+  edges.reserve(halves.size() / 2);
+  for (std::size_t i = 0; i < halves.size(); i += 2) {
+    const HalfEdge &a = halves[i], &b = halves[i + 1];
+    const bool third = i + 2 < halves.size() && halves[i + 2].sameEdge(a);
+    if (!a.sameEdge(b) || a.ascending == b.ascending || third) return std::nullopt;
+    edges.push_back({a.triangle, b.triangle});
+  }
+  return edges;
+}
 
 namespace {
 
@@ -56,7 +113,7 @@ bool isDegenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return !(glm::length(glm::cross(ab, ac)) > 1e-14 * longest);
 }
 
-/// Of length 1, or of length 0 where there is none.
+/// The normal with length 1, or the zero vector if there is none.
 glm::vec3 unitOrMissing(const glm::vec3& normal) {
   const double length = glm::length(Direction(normal));
   return isFinite(normal) && length > 0 ? glm::vec3(Direction(normal) / length) : glm::vec3(0);
@@ -250,6 +307,82 @@ glm::dmat4 placement(double scale, double yaw, const glm::dvec3& translation) {
   const glm::dmat4 unit(1);
   return glm::translate(unit, translation) * glm::rotate(unit, yaw, glm::dvec3(0, 1, 0)) *
          glm::scale(unit, glm::dvec3(scale));
+}
+
+namespace {
+
+/// Beyond, the square of their number would make bad files slow.
+constexpr std::size_t maxFacesAboutAVertex = 1000;
+
+constexpr std::size_t trianglesABlock = 4096;
+
+/// A face's part in the mean about one of its corners.
+struct CornerFace {
+  Direction normal;  ///< unit, of the face
+  double angle;      ///< of the face at the corner, rad
+};
+
+std::vector<CornerFace> cornerFaces(std::span<const glm::vec3> positions, std::span<const TriangleIndices> triangles) {
+  std::vector<CornerFace> faces(3 * triangles.size());
+  parallelForBlocks(triangles.size(), trianglesABlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t triangle = begin; triangle < end; ++triangle) {
+      const TriangleIndices& t = triangles[triangle];
+      const Direction normal = glm::normalize(areaNormal(positions[t[0]], positions[t[1]], positions[t[2]]));
+      for (int i = 0; i < 3; ++i) {
+        const Direction at(positions[t[i]]);
+        const Direction a = Direction(positions[t[(i + 1) % 3]]) - at, b = Direction(positions[t[(i + 2) % 3]]) - at;
+        faces[3 * triangle + std::size_t(i)] = {normal, fastAtan2(glm::length(glm::cross(a, b)), glm::dot(a, b))};
+      }
+    }
+  });
+  return faces;
+}
+
+/// The corners at each vertex: those of vertex v are corners[begin[v]] to corners[begin[v + 1] - 1], ascending.
+struct CornersOfVertices {
+  std::vector<std::size_t> begin;
+  std::vector<std::size_t> corners;
+
+  CornersOfVertices(std::size_t vertices, std::span<const TriangleIndices> triangles)
+      : begin(vertices + 1), corners(3 * triangles.size()) {
+    for (const TriangleIndices& t : triangles)
+      for (int i = 0; i < 3; ++i) ++begin[t[i] + 1];
+    for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+      corners[next[triangles[corner / 3][int(corner % 3)]]++] = corner;
+  }
+  std::span<const std::size_t> at(std::size_t vertex) const {
+    return std::span(corners).subspan(begin[vertex], begin[vertex + 1] - begin[vertex]);
+  }
+};
+
+}  // namespace
+
+Direction areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return glm::cross(Direction(b) - Direction(a), Direction(c) - Direction(a));
+}
+
+std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions,
+                                         std::span<const TriangleIndices> welded) {
+  const std::vector<CornerFace> faces = cornerFaces(positions, welded);
+  const CornersOfVertices about(positions.size(), welded);
+  static const double cosCrease = std::cos(creaseAngle);
+  const auto normalAt = [&](std::size_t corner) {
+    const Direction own = faces[corner].normal;
+    const std::span<const std::size_t> others = about.at(welded[corner / 3][int(corner % 3)]);
+    Direction sum(0);
+    if (others.size() <= maxFacesAboutAVertex)
+      for (const std::size_t other : others)
+        if (glm::dot(faces[other].normal, own) >= cosCrease) sum += faces[other].angle * faces[other].normal;
+    // All parts lie within the crease angle of `own`, so the sum is never short unless there is none.
+    return glm::vec3(glm::dot(sum, own) > 0 ? glm::normalize(sum) : own);
+  };
+  std::vector<glm::vec3> normals(faces.size());
+  parallelForBlocks(welded.size(), trianglesABlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) normals[corner] = normalAt(corner);
+  });
+  return normals;
 }
 
 }  // namespace gonio

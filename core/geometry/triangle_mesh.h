@@ -3,14 +3,33 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/geometry/mesh_topology.h"
 #include "core/math/types.h"
 
+/// Topology of triangle meshes by the positions of vertices, since files repeat a vertex where texture coordinates or
+/// normals differ.
 namespace gonio {
+
+/// A triangle of a mesh: three indices of vertices, counter-clockwise as seen from outside.
+using TriangleIndices = glm::uvec3;
+
+/// For each vertex, the lowest index of a vertex at the same position. O(n log n).
+std::vector<std::uint32_t> weldedVertices(std::span<const glm::vec3> positions);
+
+/// An edge, as the indices of its two triangles.
+struct SharedEdge {
+  std::uint32_t triangle, other;
+};
+
+/// All edges of a closed, consistently wound surface, where each edge belongs to exactly two triangles, in opposite
+/// directions; empty for any other surface. @param welded triangles with welded vertices. O(n log n).
+std::optional<std::vector<SharedEdge>> closedEdges(std::span<const TriangleIndices> welded);
 
 /// The arrays of a mesh.
 struct MeshArrays {
@@ -107,5 +126,19 @@ TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix);
 
 /// Scales by `scale`, then rotates about +y by `yaw` (rad, from +z toward +x), then moves by `translation`.
 glm::dmat4 placement(double scale, double yaw, const glm::dvec3& translation);
+
+/// Two faces form a crease, without a common shading normal, if the angle between their normals exceeds this (rad).
+inline constexpr double creaseAngle = radians(40);
+
+/// Twice the area times the unit normal of a triangle, by the right-hand rule from its winding. Computed in double
+/// precision.
+Direction areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// Unit shading normals of all corners, 3 per triangle: the mean of the face normals at the corner's vertex that are
+/// within creaseAngle of the corner's own face, weighted by the faces' angles there (Thürmer and Wüthrich 1998,
+/// "Computing Vertex Normals from Polygonal Facets"). Thus a cube is sharp and a torus smooth, independently of the
+/// triangulation of faces. Corners at vertices with more than 1000 faces have the normal of their face.
+/// @param welded triangles with welded vertices (weldedVertices()), none degenerate. O(corners x faces per vertex).
+std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions, std::span<const TriangleIndices> welded);
 
 }  // namespace gonio

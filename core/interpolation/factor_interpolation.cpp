@@ -34,7 +34,7 @@ class FactorInterpolation final : public Interpolation {
   std::vector<Factors> factors_;
 };
 
-/// What all factorisations share: that of the first material that has factors, else nodes for the set.
+/// The options that all factorisations share: those of the first material that has factors, else nodes for the set.
 factorization::PdvOptions sharedOptions(std::span<const InterpolationMaterial> ends,
                                         const InterpolationOptions& options, const TaskControl& control) {
   for (const InterpolationMaterial& end : ends)

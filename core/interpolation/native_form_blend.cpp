@@ -35,10 +35,10 @@ std::shared_ptr<const RglBrdf> rglBlend(const RglBrdf& nodes, const Brdf& blend,
   return file->withColours(std::move(colours.rgb), std::move(luminance));
 }
 
-/// What the difference reflects of a uniform light, its sign aside, over what the blend reflects: the mean over the
-/// viewers, dB.
+/// The accuracy in dB: -20 log10 of the albedo of the absolute difference over the albedo of the blend, which is the
+/// mean over the viewers.
 double accuracyOf(const Brdf& brdf, const std::vector<MomentProbe>& probes, const Brdf& blend) {
-  double share = 0;
+  double ratio = 0;
   int viewers = 0;
   for (std::size_t i = 0; i < probes.size(); ++viewers) {
     double error = 0, whole = 0;
@@ -49,9 +49,9 @@ double accuracyOf(const Brdf& brdf, const std::vector<MomentProbe>& probes, cons
       error += weight * (difference.x + difference.y + difference.z);
       whole += weight * reflected;
     }
-    share += error / whole;
+    ratio += error / whole;
   }
-  return share > 0 ? -20 * std::log10(share / viewers) : std::numeric_limits<double>::infinity();
+  return ratio > 0 ? -20 * std::log10(ratio / viewers) : std::numeric_limits<double>::infinity();
 }
 
 NativeFormBlend bestRglBlend(std::span<const InterpolationMaterial> ends, std::span<const double> weights,
@@ -67,7 +67,7 @@ NativeFormBlend bestRglBlend(std::span<const InterpolationMaterial> ends, std::s
   return best;
 }
 
-/// Of all that have a weight.
+/// Whether a condition is true of all materials that have a weight.
 template <typename Condition>
 bool all(std::span<const InterpolationMaterial> ends, std::span<const double> weights, const Condition& condition) {
   for (std::size_t i = 0; i < ends.size(); ++i)

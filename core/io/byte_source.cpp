@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -16,7 +15,7 @@
 namespace gonio::io {
 
 namespace {
-/// What is read between two looks at the stop token.
+/// Number of bytes that are read between two checks of the stop token.
 constexpr std::size_t maxPieceBytes = std::size_t(1) << 26;
 }  // namespace
 

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/io/json_text.h"
 
 namespace gonio::io {

@@ -20,7 +20,7 @@
 #include <string_view>
 
 #include "core/support/error.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::io {
 
@@ -99,7 +99,7 @@ class Cursor {
   std::size_t at_;
 };
 
-/// What the sizes of the buffers follow from.
+/// The properties of a file that determine the sizes of the buffers.
 struct Layout {
   std::array<std::int32_t, 4> window{};  ///< of the data: min x, min y, max x, max y
   std::size_t channels = 0;

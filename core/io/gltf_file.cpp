@@ -14,7 +14,6 @@
 
 #include "core/io/json_text.h"
 #include "core/support/error.h"
-#include "core/support/file_in_errors.h"
 #include "core/support/json_object.h"
 
 namespace gonio::io {

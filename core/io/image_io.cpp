@@ -14,7 +14,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::io {
 

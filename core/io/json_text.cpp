@@ -6,7 +6,7 @@
 
 #include "core/support/error.h"
 #include "core/support/json_object.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::io {
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
-#include "core/support/file_in_errors.h"
-#include "core/support/lower_case.h"
+#include "core/support/text.h"
 
 namespace gonio::io {
 

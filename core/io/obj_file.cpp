@@ -11,7 +11,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/io/text_lines.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::io {
 

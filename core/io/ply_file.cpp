@@ -15,10 +15,10 @@
 #include <tuple>
 
 #include "core/geometry/polygon.h"
-#include "core/io/append_bytes.h"
+#include "core/io/byte_source.h"
 #include "core/io/text_lines.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::io {
 

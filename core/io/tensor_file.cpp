@@ -8,8 +8,7 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
-#include "core/io/append_bytes.h"
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 
 namespace gonio::io {
 

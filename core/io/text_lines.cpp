@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 
 namespace gonio::io {
 

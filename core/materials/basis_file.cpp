@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <mutex>
 
 #include "core/brdf/data_transform.h"
+#include "core/brdf/neural_brdf.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/materials/grid_json.h"
-#include "core/support/file_in_errors.h"
+#include "core/materials/bundled_library.h"
+#include "core/support/error.h"
 
 namespace gonio::materials {
 
@@ -89,7 +92,7 @@ MappedCells mappingOf(const Sizes& sizes, io::ContainerReader& file) {
   return mapping;
 }
 
-/// What appendColumn() wrote. @param name for errors.
+/// Reads a column that appendColumn() wrote. @param name for errors.
 Eigen::VectorXf basisColumn(const Sizes& sizes, const std::string& name, io::ContainerReader& file) {
   const auto cells = Eigen::Index(sizes.cells);
   const auto scale = file.number<float>();
@@ -183,6 +186,54 @@ std::shared_ptr<const BasisFile> readBasis(const io::ByteSource& source) {
 
 std::shared_ptr<const BasisFile> readBasis(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return readBasis(io::FileSource(path)); });
+}
+
+namespace {
+
+/// Number of components of the bundled basis. The others carry little information on any material, and would cost
+/// memory.
+constexpr int components = 64;
+
+void raise(std::vector<float>& largest, const TabulatedBrdf& table) {
+  for (std::size_t cell = 0; cell < largest.size(); ++cell)
+    largest[cell] = std::max(largest[cell], float(maxChannel(Rgb(table.values()[cell]))));
+}
+
+/// Those of libraryTrainingPaths(). A copy is evaluated as the network that it is: its table
+/// of the MERL grid would take longer than all else.
+std::vector<std::function<std::shared_ptr<const Brdf>()>> trainingMaterials() {
+  std::vector<std::function<std::shared_ptr<const Brdf>()>> result;
+  for (const MeasuredMaterial& measured : measuredMaterials())
+    result.push_back([&measured] { return measuredMaterial(measured).brdf; });
+  for (const NearMeasuredMaterial& copy : nearMeasuredMaterials())
+    if (!isOriginalBundled(copy))
+      result.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
+  return result;
+}
+
+BundledBasis learn(const TaskControl& control) {
+  const auto materials = trainingMaterials();
+  BundledBasis basis;
+  basis.largest.resize(bundledBasisGrid.size());
+  const auto load = [&](std::size_t m) {
+    control.throwIfStopped();
+    const auto table = bakeTable(*materials[m](), bundledBasisGrid);
+    raise(basis.largest, *table);
+    return table;
+  };
+  basis.components =
+      dictionary::learnPrincipalComponents(materials.size(), load, {.maxComponents = components}, control);
+  return basis;
+}
+
+}  // namespace
+
+std::shared_ptr<const BundledBasis> bundledBasis(const TaskControl& control) {
+  static std::mutex mutex;
+  static std::shared_ptr<const BundledBasis> basis;
+  const std::scoped_lock lock(mutex);
+  if (!basis) basis = std::make_shared<const BundledBasis>(learn(control));
+  return basis;
 }
 
 }  // namespace gonio::materials

@@ -5,9 +5,35 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/coordinates/half_difference_grid.h"
 #include "core/dictionary/principal_components.h"
 #include "core/io/byte_source.h"
+#include "core/support/json_object.h"
+
+/// Grids in the JSON descriptions of files.
+namespace gonio::materials {
+
+inline constexpr int maxGridNodes = 1024;  ///< per axis
+
+inline nlohmann::json gridJson(const HalfDifferenceGrid& grid) {
+  return {{"thetaH", grid.thetaHCount},
+          {"thetaD", grid.thetaDCount},
+          {"phiD", grid.phiDCount},
+          {"reciprocal", grid.reciprocal}};
+}
+
+/// @throws Error that names a member which is missing or not in [1, maxGridNodes].
+inline HalfDifferenceGrid gridOf(const JsonObject& object) {
+  const auto count = [&](const char* key) { return int(object.number(key, 1, maxGridNodes)); };
+  return {.thetaHCount = count("thetaH"),
+          .thetaDCount = count("thetaD"),
+          .phiDCount = count("phiD"),
+          .reciprocal = object.flag("reciprocal")};
+}
+
+}  // namespace gonio::materials
 
 /// A file of principal components, `.basis`, with which materials are reconstructed from the samples of a plan. A
 /// container (core/io/container.h) "GONIOPCA", version 2; a description with the grid, the numbers of cells, components
@@ -44,5 +70,20 @@ void writeBasis(const dictionary::PrincipalComponents& basis, int components,
 std::shared_ptr<const BasisFile> readBasis(const std::filesystem::path& path);
 /// The same for bytes; errors name no file.
 std::shared_ptr<const BasisFile> readBasis(const io::ByteSource& source);
+
+/// Every second node of MERL tables in theta_h and theta_d, every fourth in phi_d. A finer grid does not improve
+/// reconstructions from scattered points.
+inline constexpr HalfDifferenceGrid bundledBasisGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 45};
+
+/// The principal components of the bundled materials and the largest of their values, on bundledBasisGrid; used to
+/// reconstruct scattered measurements.
+struct BundledBasis {
+  dictionary::PrincipalComponents components;  ///< of the measured and near-measured bundled materials
+  std::vector<float> largest;                  ///< per cell, the largest channel value of all bundled materials, 1/sr
+};
+
+/// Computed at the first call in a process (5 s), then shared; 19 MB. @throws Cancelled; the next call then starts
+/// again.
+std::shared_ptr<const BundledBasis> bundledBasis(const TaskControl& control = {});
 
 }  // namespace gonio::materials

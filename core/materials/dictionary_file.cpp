@@ -5,11 +5,11 @@
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
 #include "core/io/sha256.h"
-#include "core/materials/grid_json.h"
-#include "core/support/file_in_errors.h"
+#include "core/materials/basis_file.h"
+#include "core/support/error.h"
 
 extern "C" {
-// Of the file that the build takes in (bundled_files.S).
+// The first byte of the bundled dictionary file, which the build includes (bundled_files.S).
 extern const std::byte gonioBundledDictionary[];
 extern const std::byte gonioBundledDictionaryEnd[];
 }
@@ -24,7 +24,8 @@ using nlohmann::json;
 
 constexpr io::ContainerFormat dictionaryFormat{.name = "dictionary", .signature = "GONIODIC"};
 constexpr int maxDictionaries = 256;
-/// Of matrices that were orthonormal before they were rounded to single precision.
+/// Maximum deviation from orthonormality of matrices that were orthonormal before they were rounded to single
+/// precision.
 constexpr double maxRounding = 1e-4;
 
 Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size) {

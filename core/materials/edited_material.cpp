@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::materials {
 

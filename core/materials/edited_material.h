@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 #include "core/editing/edit.h"
 #include "core/materials/material.h"
 

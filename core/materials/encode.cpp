@@ -11,8 +11,8 @@
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rgl/rgl_file.h"
-#include "core/support/file_in_errors.h"
-#include "core/support/lower_case.h"
+#include "core/support/error.h"
+#include "core/support/text.h"
 
 namespace gonio::materials {
 
@@ -24,7 +24,7 @@ bool isUnchanged(const EditedMaterial& material) {
          material.base.brdf->incidentDirection().value_or(IncidentDirection::viewer) == IncidentDirection::viewer;
 }
 
-/// What a material is that a format cannot hold.
+/// The properties of a material that a format cannot represent, as sentences for the user.
 std::vector<std::string> unheld(const EditedMaterial& material, const FormatCapabilities& holds) {
   std::vector<std::string> losses;
   const Brdf& brdf = *material.shown.brdf;

@@ -5,12 +5,12 @@
 #include <cassert>
 #include <future>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_formats.h"
 #include "core/materials/npf_file.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::materials {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/io/format_mismatch.h"
-#include "core/support/lower_case.h"
+#include "core/io/byte_source.h"
+#include "core/support/text.h"
 
 namespace gonio::materials {
 

@@ -8,7 +8,7 @@
 
 #include "core/io/csv_text.h"
 #include "core/io/sha256.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::materials {
 

@@ -4,7 +4,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 #include "core/support/json_object.h"
 
 namespace gonio::materials {

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/math/linear_ramp.h"
+#include "core/math/sampling.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -86,7 +86,7 @@ struct MarginalWarp::Strip {
   double below = 0, lowTotal = 0, highTotal = 0;
 
   double total(double y) const { return (1 - y) * lowTotal + y * highTotal; }
-  /// Of the density or the integral of a row up to a column.
+  /// The density, or the integral of a row up to a column, in the strip.
   double at(const SliceStack<float>& stack, std::size_t column, double y) const {
     double sum = 0;
     for (int i = 0; i < blend.count; ++i) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/math/incremental_qr.h"
+#include "core/math/decompositions.h"
 #include "core/support/error.h"
 
 namespace gonio {

@@ -48,7 +48,7 @@ struct PursuitResult {
 
 /// Orthogonal matching pursuit (Pati et al. 1993): each step chooses the atom with the largest |<residual, atom>| /
 /// |atom|, the lowest index among equals, from those outside the span of the chosen atoms; then all coefficients are
-/// solved by least squares (core/math/incremental_qr.h). The residual never increases. At most AtomSet::length() atoms
+/// solved by least squares (core/math/decompositions.h). The residual never increases. At most AtomSet::length() atoms
 /// are chosen. O(atoms x length) per step. @throws Error if the signal has another length than the atoms or is not
 /// finite.
 PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/math/fast_atan2.h"
+#include "core/math/fast_functions.h"
 
 namespace gonio {
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -43,5 +44,24 @@ Direction fromSpherical(double theta, double phi);
 double polarAngle(const Direction& w);
 /// Azimuth in (-pi, pi] (rad); 0 at the pole.
 double azimuth(const Direction& w);
+
+/// Rotates directions about the normal, for example to evaluate an anisotropic material at several azimuths.
+class AzimuthRotation {
+ public:
+  /// @param angle rad, counter-clockwise seen from above.
+  explicit AzimuthRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)), minusS_(-s_) {}
+
+  // Two sums, not a difference and a sum: despite -ffp-contract=off, GCC 12 fuses the latter in some of the functions
+  // where it is inlined, and results would differ in the last bit.
+  Direction operator()(const Direction& w) const { return {c_ * w.x + minusS_ * w.y, s_ * w.x + c_ * w.y, w.z}; }
+  DirectionPair operator()(const DirectionPair& pair) const { return {(*this)(pair.wi), (*this)(pair.wo)}; }
+
+ private:
+  double c_, s_, minusS_;
+};
+
+struct Ray {
+  Direction origin, direction;  ///< world, `direction` unit
+};
 
 }  // namespace gonio

@@ -2,8 +2,15 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <string_view>
+
+#include "core/brdf/data_transform.h"
+#include "core/math/fast_functions.h"
+#include "core/math/types.h"
 
 namespace gonio::metrics {
 
@@ -34,7 +41,7 @@ enum class BrdfMetric {
 enum class MetricFactor {
   one,
   cosI,    ///< cos theta_i
-  cosines  ///< max(cos theta_i cos theta_o, logRelativeOffset), core/brdf/log_relative.h
+  cosines  ///< max(cos theta_i cos theta_o, logRelativeOffset), core/brdf/data_transform.h
 };
 /// The function of x = factor times BRDF value in which the difference d is computed.
 enum class MetricDomain {
@@ -82,5 +89,68 @@ std::span<const BrdfMetric> minimisableMetrics();
 std::string_view metricId(BrdfMetric metric);
 /// The metric of an id or alias. @throws Error that lists the ids.
 BrdfMetric metricByName(std::string_view name);
+
+// Arithmetic of the metrics, shared by their evaluation and minimisation.
+
+/// The factor of a BRDF value at these cosines.
+inline double metricFactor(MetricFactor factor, double cosI, double cosO) {
+  switch (factor) {
+    case MetricFactor::one:
+      return 1;
+    case MetricFactor::cosI:
+      return cosI;
+    default:
+      return std::max(cosI * cosO, logRelativeOffset);
+  }
+}
+
+inline double metricWeight(MetricWeight weight, double cosI, double cosO) {
+  switch (weight) {
+    case MetricWeight::one:
+      return 1;
+    case MetricWeight::cosO:
+      return cosO;
+    default:
+      return cosI * cosO;
+  }
+}
+
+/// Calls `visitor` with the function (r, t) -> d of a domain that treats channels separately; r, t >= 0.
+template <typename Visitor>
+void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
+  switch (domain) {
+    case MetricDomain::log:
+      // ln((1 + r) / (1 + t)) without cancellation for small values.
+      return visitor([](double r, double t) { return fastLog1p((r - t) / (1 + t)); });
+    case MetricDomain::cubeRoot:
+      return visitor([](double r, double t) { return fastCbrt(r) - fastCbrt(t); });
+    case MetricDomain::gamma:
+      if (gamma == 2) return visitor([](double r, double t) { return std::sqrt(r) - std::sqrt(t); });
+      return visitor([gamma](double r, double t) { return gammaTransformed(r, gamma) - gammaTransformed(t, gamma); });
+    case MetricDomain::logRelative:
+      return visitor([](double r, double t) { return fastLog1p((r - t) / (t + logRelativeOffset)); });
+    default:
+      return visitor([](double r, double t) { return r - t; });
+  }
+}
+
+/// Calls `visitor` with the function d -> |d|^p.
+template <typename Visitor>
+void visitPower(MetricPower power, Visitor&& visitor) {
+  switch (power) {
+    case MetricPower::square:
+      return visitor([](double d) { return d * d; });
+    case MetricPower::absolute:
+      return visitor([](double d) { return std::abs(d); });
+    default:
+      return visitor([](double d) { return fastCbrt(d * d); });
+  }
+}
+
+/// CIE 1976 L*, a*, b* of a BRDF value (1/sr, linear sRGB, >= 0), where the perfect diffuser, 1 / pi, is white.
+Rgb labOf(const Rgb& value);
+/// The differences of L*, a*, b* of n pairs of colours. @param reference, test 3 x n, BRDF values as for labOf().
+/// @param differences 3 x n, result.
+void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& test, Eigen::Array3Xd& differences);
 
 }  // namespace gonio::metrics

@@ -14,13 +14,13 @@
 #include <span>
 #include <vector>
 
-#include "core/brdf/mirrored_nodes.h"
+#include "core/brdf/bake_table.h"
 #include "core/brdf/tabulated_brdf.h"
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
-#include "core/metrics/decibels.h"
-#include "core/metrics/metric_domain.h"
+#include "core/math/types.h"
+#include "core/metrics/brdf_metric.h"
+#include "core/metrics/image_metrics.h"
 
 namespace gonio::metrics {
 
@@ -79,7 +79,7 @@ struct Cells {
   std::vector<Rgb> reference, test;
 };
 
-/// What is compared: pairs of directions with both values and their weights.
+/// The compared values: pairs of directions with both values and their weights.
 struct Compared {
   std::span<const DirectionPair> pairs;
   std::span<const Rgb> reference, test;

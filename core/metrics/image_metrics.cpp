@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/metrics/decibels.h"
 #include "core/support/error.h"
 
 namespace gonio::metrics {

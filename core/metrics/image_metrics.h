@@ -3,10 +3,19 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "core/math/image.h"
 
 namespace gonio::metrics {
+
+/// 10 log10(signal / noise) of two energies, dB. +infinity without noise; NaN without signal, with or without noise.
+inline double decibels(double signal, double noise) {
+  if (!(signal > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (noise == 0) return std::numeric_limits<double>::infinity();
+  return 10 * std::log10(signal / noise);
+}
 
 /// One picture rendered twice: equal expectation, independent noise.
 using PicturePair = std::array<Image, 2>;

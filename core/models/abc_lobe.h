@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 
 /// Common parts of the two ABC models: Löw, Kronander, Ynnerman and Unger 2012, "BRDF Models for Accurate and Efficient

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/math/fast_atan2.h"
+#include "core/math/fast_functions.h"
 #include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/math/fast_exp.h"
+#include "core/math/fast_functions.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {

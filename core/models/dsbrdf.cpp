@@ -4,9 +4,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/math/fast_atan2.h"
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/excess_sampler.h"
 #include "core/models/registry.h"

@@ -6,9 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/fast_atan2.h"
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {

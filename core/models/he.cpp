@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/fast_exp.h"
+#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/he_series.h"
 #include "core/models/registry.h"

@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 #include "core/math/types.h"
 
 /// Parts of the model of He, Torrance, Sillion and Greenberg 1991 that are not closed forms.

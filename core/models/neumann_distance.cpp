@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"

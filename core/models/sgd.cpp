@@ -7,8 +7,7 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 
-#include "core/math/fast_atan2.h"
-#include "core/math/fast_exp.h"
+#include "core/math/fast_functions.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "core/math/fast_exp.h"
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 
 /// Parts of the SGD model: Bagher, Soler and Holzschuch 2012, "Accurate Fitting of Measured Reflectances using a
 /// Shifted Gamma Micro-facet Distribution".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/spherical_harmonics.h"
+#include "core/math/special_functions.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/fast_atan2.h"
-#include "core/math/fast_exp.h"
+#include "core/math/fast_functions.h"
 #include "core/math/quadrature.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"

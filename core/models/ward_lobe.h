@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/math/fast_exp.h"
+#include "core/math/fast_functions.h"
 #include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"

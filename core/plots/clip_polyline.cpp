@@ -12,7 +12,7 @@ namespace {
 
 bool isFinite(const glm::dvec2& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
-/// The shares [first, second] of the way from a to b that lie inside.
+/// The fractions [first, second] of the segment from a to b between which it lies inside.
 std::optional<std::pair<double, double>> insideFractions(const glm::dvec2& a, const glm::dvec2& b,
                                                          const glm::dvec2& min, const glm::dvec2& max) {
   double enter = 0, leave = 1;

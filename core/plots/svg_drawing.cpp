@@ -8,7 +8,7 @@
 
 #include "core/io/byte_source.h"
 #include "core/math/types.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::plots {
 

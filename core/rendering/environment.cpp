@@ -8,9 +8,10 @@
 #include <glm/common.hpp>
 #include <span>
 
-#include "core/math/fast_atan2.h"
+#include "core/io/image_io.h"
+#include "core/math/fast_functions.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio {
 
@@ -201,5 +202,17 @@ EnvironmentMap::Sample EnvironmentMap::sampleAbove(const Direction& normal, doub
 }
 
 EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
+
+std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
+                                                      const std::filesystem::path& folder) {
+  for (const std::string& bundled : bundledEnvironmentNames())
+    if (nameOrPath == bundled) return bundledEnvironment(nameOrPath);
+  const std::filesystem::path path = folder / nameOrPath;
+  if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
+    throw Error(path.string() + ": found neither a bundled environment (" + bundledEnvironmentList() +
+                ") nor a file with this name");
+  // A map's errors name it, by its path here.
+  return std::make_shared<const EnvironmentMap>(io::readImage(path), path.string());
+}
 
 }  // namespace gonio

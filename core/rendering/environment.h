@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -93,5 +94,11 @@ std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name
 std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();
 std::shared_ptr<const EnvironmentMap> furnaceEnvironment();
+
+/// A bundled environment by its name, or a latitude-longitude map from a file (HDR or EXR).
+/// @param folder base of relative paths; empty: the current folder.
+/// @throws Error that names the file and its fault, if it is neither.
+std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
+                                                      const std::filesystem::path& folder = {});
 
 }  // namespace gonio

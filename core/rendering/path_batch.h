@@ -2,13 +2,109 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/rendering/light_sampling.h"
-#include "core/rendering/path_samples.h"
+#include <cmath>
+
+#include "core/math/sampling.h"
+#include "core/math/types.h"
+#include "core/rendering/film.h"
 #include "core/rendering/path_tracer.h"
-#include "core/rendering/recorded_paths.h"
-#include "core/rendering/shading_frame.h"
+#include "core/rendering/scene_light.h"
 
 namespace gonio {
+
+/// Identifies the sample points of a path: its pixel and the index of its sample.
+struct PathSeed {
+  std::uint32_t pixel, sample;
+};
+
+/// Sample points for one purpose (Dimension) at one reflection: an independent two-dimensional set per pixel. The
+/// set-up is cached for consecutive paths of a pixel.
+class PathSamples {
+ public:
+  enum Dimension : std::uint32_t { filmPosition, reflectedDirection, reflectedDensity, survival, firstLight };
+
+  /// @param reflection 0 at the camera.
+  PathSamples(int reflection, std::uint32_t dimension)
+      : dimension_(std::uint32_t(reflection) * dimensionsPerBounce + dimension), pixel_(0), points_(seedOf(0)) {}
+
+  glm::dvec2 pair(const PathSeed& path) { return pointsOf(path.pixel)[path.sample]; }
+  double number(const PathSeed& path) { return pointsOf(path.pixel).first(path.sample); }
+
+ private:
+  static constexpr std::uint32_t dimensionsPerBounce = 1024;
+
+  std::uint32_t seedOf(std::uint32_t pixel) const { return hashCombine(pixel, dimension_); }
+  const SobolPoints& pointsOf(std::uint32_t pixel) {
+    if (pixel != pixel_) points_ = SobolPoints(seedOf(pixel_ = pixel));
+    return points_;
+  }
+
+  std::uint32_t dimension_, pixel_;
+  SobolPoints points_;
+};
+
+/// The local frame at a point of a surface.
+struct ShadingFrame {
+  Direction tangent, bitangent, normal;  ///< world, orthonormal, right-handed
+
+  Direction toLocal(const Direction& world) const {
+    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
+  }
+  Direction toWorld(const Direction& local) const { return local.x * tangent + local.y * bitangent + local.z * normal; }
+};
+
+/// The frame of anisotropic materials on spheres and meshes: `tangent` is in the direction of the right-handed rotation
+/// about +y (to the right, seen from outside), `bitangent` = normal x tangent (upward, seen from outside); at the poles
+/// the tangent is +x.
+inline ShadingFrame shadingFrame(const Direction& normal) {
+  const double radius = std::sqrt(normal.x * normal.x + normal.z * normal.z);
+  const Direction tangent = radius > 0 ? Direction{normal.z / radius, 0, -normal.x / radius} : Direction{1, 0, 0};
+  return {tangent, glm::cross(normal, tangent), normal};
+}
+
+/// A frame with arbitrary tangent, for isotropic materials (Duff et al. 2017, "Building an Orthonormal Basis,
+/// Revisited").
+inline ShadingFrame anyFrame(const Direction& n) {
+  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+/// A sampled direction from a point toward a light. Values do not include the cosine.
+struct LightSample {
+  Direction toLight{0};  ///< world, unit
+  double distance = 0;   ///< infinite for distant light; 0 if the sample failed
+  Rgb radiance{0};       ///< for a light without size: irradiance perpendicular to the direction
+  double density = 0;    ///< 1/sr; 0 for a light without size
+};
+
+/// Whether a light subtends a solid angle, so that directions sampled from a material can hit it.
+bool hasSize(const SceneLight& light);
+
+/// Samples the lights of a scene, which must outlive this object.
+class LightSampler {
+ public:
+  explicit LightSampler(const Scene& scene);
+
+  /// Samples a light. The radiance is 0 if the sample is below the horizon of the surface, by its geometric normal.
+  /// @param u two numbers in [0, 1); not used for lights without size.
+  LightSample sample(const SceneLight& light, const Direction& position, const Direction& normal,
+                     const glm::dvec2& u) const;
+  /// Radiance of a light in a direction that hits it, and density of that direction.
+  struct Found {
+    Rgb radiance{0};
+    double density = 0;  ///< of sample(), 1/sr
+  };
+  /// Radiance of a light with size, and density of sample(), for a direction (world) that hits it at a distance; both
+  /// are 0 on the back of an area light.
+  Found evalLight(const SceneLight& light, const Direction& toward, double distance) const;
+  /// Radiance of the visible environment in a world direction. Precondition: the scene shows it.
+  Rgb background(const Direction& toward) const;
+
+ private:
+  const Scene& scene_;
+  EnvironmentRotation rotation_;
+  std::shared_ptr<const EnvironmentMap> background_;  ///< null if the scene does not show it
+};
 
 /// Traces many camera paths together, step by step, so that the BRDF values of a material are evaluated in one call.
 /// Results of a path do not depend on the other paths of the batch.

@@ -4,7 +4,6 @@
 
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/film.h"
-#include "core/rendering/recorded_paths.h"
 #include "core/support/task_control.h"
 
 namespace gonio {

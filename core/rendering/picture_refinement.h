@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/rendering/path_tracer.h"
-#include "core/support/pause.h"
+#include "core/support/task_control.h"
 
 namespace gonio {
 

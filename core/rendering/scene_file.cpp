@@ -9,10 +9,9 @@
 #include "core/io/byte_source.h"
 #include "core/io/json_text.h"
 #include "core/io/mesh_file.h"
-#include "core/rendering/bundled_scenes.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/render_picture.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 #include "core/support/json_object.h"
 
 namespace gonio {

@@ -4,10 +4,18 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "core/rendering/scene.h"
 
 namespace gonio {
+
+struct BundledScene {
+  std::string_view name, json;
+};
+/// resources/scenes/*.json, in the order of display.
+std::span<const BundledScene> bundledScenes();
 
 /// Reads a scene from JSON text; docs/scenes.md has the format. An object with the material "each" is repeated for
 /// every displayed material, side by side along x.

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "core/geometry/mesh_intersector.h"
-#include "core/rendering/ray.h"
+#include "core/math/types.h"
 
 namespace gonio {
 

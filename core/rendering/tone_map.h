@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/math/colour.h"
 #include "core/math/image.h"
-#include "core/math/srgb.h"
 
 namespace gonio {
 

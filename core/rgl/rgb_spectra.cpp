@@ -7,7 +7,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "core/fitting/bounded_quadratic.h"
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 
 namespace gonio::rgl {
 
@@ -123,7 +123,7 @@ class Fan {
   }
 
  private:
-  /// nm: the ends of the locus, with the approximated observer of core/math/spectrum.h.
+  /// nm: the ends of the locus, with the approximated observer of core/math/colour.h.
   static constexpr int reddest = 640, bluest = 440;
 
   void add(const Spectrum& a, const Spectrum& b, const Spectrum& c) {
@@ -138,7 +138,7 @@ class Fan {
     for (std::size_t k = 0; k < knots; ++k) sum += spectrum[k] * observer_[k];
     return sum;
   }
-  /// Of one knot, so bright that the largest channel is 1.
+  /// The spectrum of one knot, scaled so that the largest channel is 1.
   Spectrum single(double nanometres) const {
     Spectrum spectrum{};
     const auto knot = std::size_t(knotAt(nanometres));

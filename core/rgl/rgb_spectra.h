@@ -18,7 +18,7 @@ struct SpectralBasis {
 };
 
 /// The smoothest basis (least squared second differences) with exactly the primaries as colours under D65, for the CIE
-/// 1931 observer of core/math/spectrum.h. Computed once, a few ms.
+/// 1931 observer of core/math/colour.h. Computed once, a few ms.
 const SpectralBasis& spectralBasis();
 
 /// The spectrum of a linear sRGB colour at the knots of spectralBasis(), nowhere negative: the sum of the basis for a

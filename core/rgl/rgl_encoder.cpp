@@ -26,10 +26,10 @@ constexpr std::size_t angleCounts[] = {8, 16, 24, 32, 40, 48, 64, 96}, nodeCount
 /// Steps without a gain, after which only the largest sizes are tried.
 constexpr int maxWithoutGain = 2;
 constexpr double leastGain = 0.1;  // dB
-/// What the largest files must gain over one that reaches the SNR without the margin.
+/// SNR that the largest files must gain over one that reaches the requested SNR without the margin.
 constexpr double worthMore = 1;  // dB
 
-/// What may be written: its values, and what they are worth.
+/// A possible file: its values and their accuracy.
 struct Candidate {
   RglSize size;
   std::shared_ptr<const RglBrdf> brdf, spectralBrdf;
@@ -167,7 +167,7 @@ class Encoder {
     own.bytes = source_->bytes.size();
     if (!own.own->changed) {
       own.brdf = own.spectralBrdf = file;
-      // Of a copy only the spectra that it is given can differ.
+      // A copy differs from the source at most in the spectra that it gets.
       if (!sourceData().spectra && negativeCount(sourceData().rgb) > 0) setBrdf(own, file, control.between(0.5, 1));
       own.rgbSnr = own.snr = std::numeric_limits<double>::infinity();
       return own;

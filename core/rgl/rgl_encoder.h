@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/rgl/rgl_sampler.h"
 
 namespace gonio::rgl {

@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/io/format_mismatch.h"
-#include "core/math/spectrum.h"
+#include "core/io/byte_source.h"
+#include "core/math/colour.h"
 #include "core/rgl/rgb_spectra.h"
-#include "core/rgl/spectral_edit.h"
+#include "core/rgl/rgl_edit.h"
 
 namespace gonio::rgl {
 
@@ -70,7 +70,7 @@ SliceStack<glm::vec3> readColours(const io::TensorFile& file, std::string_view n
   return result;
 }
 
-/// What the planes of `rgb` or `spectra` add to linear sRGB.
+/// The weights of the planes of `rgb` or `spectra` in linear sRGB.
 std::vector<Rgb> planeWeights(const io::TensorFile& file, bool spectral) {
   if (!spectral) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<float> wavelengths = increasing(file, "wavelengths");

@@ -3,10 +3,15 @@
 #pragma once
 
 #include "core/brdf/rgl_brdf.h"
-#include "core/rgl/normal_density.h"
 #include "core/support/task_control.h"
 
 namespace gonio::rgl {
+
+/// A distribution D of microfacet normals, 1/sr, over the square of core/brdf/normal_square.h (rows azimuth, columns
+/// polar angle), and sigma, the projected area of the microfacets, over directions on the same square. One slice each.
+struct NormalDensity {
+  SliceStack<float> ndf, sigma;
+};
 
 /// The parameterisation of a material without the polar angles of the incident direction.
 struct RglLayout {

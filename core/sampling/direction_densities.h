@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/math/types.h"
 
 /// Densities (core/brdf/density_mixture.h) that draw directions themselves, not the half vectors of

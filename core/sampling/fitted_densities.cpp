@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array fittedDegrees{10.0, 40.0, 65.0};
 
-/// Of one viewer, each ring turned against the last.
+/// Adds probes of one viewer on rings, each rotated against the one before.
 void addProbes(const Brdf& brdf, const Direction& wo, int spokes, std::vector<MomentProbe>& probes) {
   constexpr int rings = 44;
   constexpr double firstRing = 5e-5, goldenTurn = 0.6180339887498949;
@@ -63,11 +63,11 @@ std::vector<MomentProbe> probesOf(const Brdf& brdf, std::span<const double> view
 }
 
 constexpr double minAlpha = 1e-3, maxAlpha = 1, maxSpecularFraction = 0.95;
-/// A share while the widths are sought.
+/// A fraction while the widths are optimised.
 constexpr double searchFraction = 0.7;
 constexpr std::array grainFractions{0.2, 0.4, 0.6, 0.75, 0.9};
-/// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
-/// the light, have no less noise.
+/// Fraction of the second moment that an anisotropic density must save: if it saves less, pictures under an
+/// environment, which also sample the light, have no less noise.
 constexpr double minGrainGain = 0.5;
 
 /// The second moment of the estimator as a function of the grain.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/linear_ramp.h"
+#include "core/math/sampling.h"
 
 namespace gonio {
 
@@ -42,10 +42,9 @@ std::size_t ringOf(const std::array<double, count>& ascending, double value) {
 template <typename Distribution, typename ShadowedCosine>
 double visibleDensity(const Direction& w, const Direction& wo, const Distribution& distribution,
                       const ShadowedCosine& shadowedCosine) {
-  constexpr double minSquaredLength = 1e-24;
   const Direction sum = w + wo;
   const double squaredLength = glm::dot(sum, sum);
-  if (!(squaredLength > minSquaredLength) || sum.z < 0) return 0;
+  if (!(squaredLength > minSquaredHalfLength) || sum.z < 0) return 0;
   const Direction above{wo.x, wo.y, std::max(0.0, wo.z)};
   return distribution(sum / std::sqrt(squaredLength)) / (4 * shadowedCosine(above));
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/math/types.h"
+#include "core/coordinates/half_difference.h"
 
 /// Densities (core/brdf/density_mixture.h) that draw half vectors, the normals of microfacets, and reflect the viewer
 /// about them. alphaX and alphaY are the roughness along x and y.
@@ -26,10 +26,9 @@ struct HalfVectorDensity {
     return 2 * glm::dot(wo, h) * h - wo;
   }
   double density(const Direction& w, const Direction& wo) const {
-    constexpr double minSquaredLength = 1e-24;
     Direction sum = w + wo;
     const double squaredLength = glm::dot(sum, sum);
-    if (!(squaredLength > minSquaredLength)) return 0;
+    if (!(squaredLength > minSquaredHalfLength)) return 0;
     const double length = std::sqrt(squaredLength);  // 2 cos theta_d
     if (sum.z < 0) sum = -sum;
     return normals.density(sum / length) / (2 * length);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/brdf/normal_square.h"
-#include "core/coordinates/azimuth_rotation.h"
-#include "core/math/fast_atan2.h"
+#include "core/math/fast_functions.h"
+#include "core/math/types.h"
 
 namespace gonio {
 
@@ -16,7 +16,7 @@ namespace {
 
 // The unit square of half vectors: x = tan(theta/2)^(1/4), which resolves mirror-like highlights without trigonometric
 // functions; y = (phi + pi) / (2 pi), with phi the azimuth relative to the viewer's. The same functions in GLSL:
-// shaders/preview/sampling_lobe.glsl.
+// shaders/preview/sampling_density.glsl.
 
 /// The horizontal direction of azimuth 0: the viewer's, or the x axis for a viewer at the normal.
 glm::dvec2 densityAxis(const Direction& wo) {

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "core/metrics/brdf_metrics.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 

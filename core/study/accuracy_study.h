@@ -6,7 +6,6 @@
 
 #include "core/math/image.h"
 #include "core/rendering/render_picture.h"
-#include "core/rendering/rendered_comparison.h"
 #include "core/study/representation_builder.h"
 #include "core/study/study_record.h"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/study/accuracy_study.h"
 
 namespace gonio::study {

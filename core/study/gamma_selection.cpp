@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 

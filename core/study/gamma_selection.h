@@ -6,7 +6,6 @@
 
 #include "core/fitting/fit.h"
 #include "core/rendering/render_picture.h"
-#include "core/rendering/rendered_comparison.h"
 
 namespace gonio::study {
 

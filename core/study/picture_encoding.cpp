@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/dictionary/decode.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 

@@ -11,7 +11,7 @@
 #include "core/formats/pdv.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::study {
 

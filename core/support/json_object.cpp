@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio {
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 
-#include "core/acquisition/plan_file.h"
+#include "core/acquisition/measured_values.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
-#include "core/materials/bundled_basis.h"
 #include "core/study/training_files.h"
 #include "python/bindings/representations.h"
 

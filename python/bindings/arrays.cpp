@@ -6,7 +6,7 @@
 #include <array>
 
 #include "core/math/parallel.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 
 namespace gonio::python {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/acquisition/factor_plan.h"
 #include "core/acquisition/factor_prediction.h"
-#include "core/acquisition/factor_readings_file.h"
 #include "python/bindings/materials.h"
 
 namespace gonio::python {

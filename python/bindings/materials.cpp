@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_brdf.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/documents/edit_document.h"
 #include "core/materials/bundled_library.h"

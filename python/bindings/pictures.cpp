@@ -8,8 +8,8 @@
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/registry.h"
-#include "core/rendering/environment_file.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/environment.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "core/study/accuracy_study.h"
 #include "python/bindings/representations.h"
@@ -73,7 +73,7 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
     Result made;
     made.errors = metrics::brdfErrors(*a.brdf(), *b.brdf(), maxPolarAngle);
     made.brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf(), *b.brdf());
-    const RenderedComparison comparison(*a.brdf(), {.width = size, .height = size, .samples = samples, .lobe = {}},
+    const RenderedComparison comparison(*a.brdf(), {.width = size, .height = size, .samples = samples, .density = {}},
                                         control.between(0.2, 0.6));
     ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
     made.renderedSnr = comparison.signalToNoiseRatio(picture);

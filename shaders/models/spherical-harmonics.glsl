@@ -7,7 +7,7 @@
 const int PARAMETER_COUNT_SPHERICAL_HARMONICS = 35;
 const int harmonicBands = 5;
 
-// Twin of core/math/spherical_harmonics.h for one order m: the polar parts of bands m..4.
+// Twin of core/math/special_functions.h for one order m: the polar parts of bands m..4.
 void normalisedLegendre(int m, float diagonal, float z, out float q[harmonicBands]) {
   float before = 0.0, last = diagonal, lastFactor = 0.0;
   q[m] = diagonal;

@@ -59,12 +59,12 @@ vec3 evaluateBlend(vec3 wi, vec3 wo) {
   ivec3 count = textureSize(blendTables[0], 0);
   vec3 place = tablePlace(vec3(count), blendPhiPeriods[0], at);
   ivec3 low = ivec3(place);
-  vec3 share = place - vec3(low);
+  vec3 fraction = place - vec3(low);
   vec4 sum = vec4(0.0);
   for (int corner = 0; corner < 8; ++corner) {
     ivec3 step = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
     ivec3 node = ivec3((low.x + step.x) % count.x, min(low.yz + step.yz, count.yz - 1));
-    vec3 weights = mix(1.0 - share, share, vec3(step));
+    vec3 weights = mix(1.0 - fraction, fraction, vec3(step));
     sum += weights.x * weights.y * weights.z * blendAtNode(node, vec3(count));
   }
   return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);

@@ -37,9 +37,9 @@ vec3 blurredTexel(ivec2 at) {
 vec3 blurredRadiance(vec3 world) {
   vec2 at = environmentPosition(world) * vec2(blurredSize) - 0.5;
   ivec2 low = ivec2(floor(at));
-  vec2 share = at - vec2(low);
-  return mix(mix(blurredTexel(low), blurredTexel(low + ivec2(1, 0)), share.x),
-             mix(blurredTexel(low + ivec2(0, 1)), blurredTexel(low + ivec2(1, 1)), share.x), share.y);
+  vec2 fraction = at - vec2(low);
+  return mix(mix(blurredTexel(low), blurredTexel(low + ivec2(1, 0)), fraction.x),
+             mix(blurredTexel(low + ivec2(0, 1)), blurredTexel(low + ivec2(1, 1)), fraction.x), fraction.y);
 }
 #endif
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/factorization/pdv_brdf.cpp: BRDF values straight from factor curves, read from a small buffer that
-// widgets/preview/gl/factor_texture.h fills, one edit behind the other: rgb by place, set, term, axis, the last fastest,
+// widgets/preview/gl/edit_chain.h fills, one edit behind the other: rgb by place, set, term, axis, the last fastest,
 // so that all terms at a place lie side by side. `terms` and `axes` (2: F1 F2, 3: and F3) are constants of the step that
 // calls.
 //   FACTOR_EDITS  how many edits
@@ -24,14 +24,14 @@ vec3 factorPlaces(vec3 wi, vec3 wo, int edit, int axes) {
     float acute = acuteAngle(abs(deviation.y), abs(deviation.x));
     at.z = deviation.x < 0.0 ? pi - acute : acute;
   }
-  vec3 share = clamp(at / factorEnds[edit], 0.0, 1.0);
-  share.y = sqrt(share.y);
-  return share * float(factorPlaceCount - 1);
+  vec3 fraction = clamp(at / factorEnds[edit], 0.0, 1.0);
+  fraction.y = sqrt(fraction.y);
+  return fraction * float(factorPlaceCount - 1);
 }
 
 // By hand: drivers filter with weights of a few bits.
-vec3 factorCurve(int at, int stride, float share) {
-  return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + stride).rgb, share);
+vec3 factorCurve(int at, int stride, float fraction) {
+  return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + stride).rgb, fraction);
 }
 
 // Linear RGB in 1/sr of the edited (0) or the original (1) curves at factorPlaces().
@@ -40,10 +40,10 @@ vec3 evaluateFactors(vec3 places, float cosines, int edit, int set, int terms, i
   vec3 sum = vec3(0.0);
   vec3 before = min(floor(places), float(factorPlaceCount - 2));
   ivec3 at = factorFirst[edit] + ivec3(before) * stride + set * terms * axes;
-  vec3 share = places - before;
+  vec3 fraction = places - before;
   for (int term = 0; term < terms; ++term) {
-    vec3 product = factorCurve(at.x, stride, share.x) * factorCurve(at.y + 1, stride, share.y);
-    if (axes == 3) product *= factorCurve(at.z + 2, stride, share.z);
+    vec3 product = factorCurve(at.x, stride, fraction.x) * factorCurve(at.y + 1, stride, fraction.y);
+    if (axes == 3) product *= factorCurve(at.z + 2, stride, fraction.z);
     at += axes;
     sum += product;
   }

@@ -8,10 +8,10 @@ uniform sampler3D incidenceValues;  // (rgb, 1) above the horizon, else 0: x pol
 uniform sampler2D incidenceNodes;   // a row for each of these
 uniform ivec3 incidenceCounts;
 
-// Two nodes with the share of the second.
+// Two nodes with the fraction of the second.
 struct IncidenceBracket {
   ivec2 nodes;
-  float share;
+  float fraction;
 };
 
 float incidenceNode(int row, int index) { return texelFetch(incidenceNodes, ivec2(index, row), 0).x; }
@@ -50,10 +50,10 @@ float anglePolar(float sine, float cosine) { return cosine < 0.0 ? pi - acuteAng
 // Nodes below the horizon are dropped by their alpha of 0.
 vec4 incidenceLookup(int incident, IncidenceBracket p, IncidenceBracket a) {
   vec4 low = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.x, incident), 0),
-                 texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.x, incident), 0), p.share);
+                 texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.x, incident), 0), p.fraction);
   vec4 high = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.y, incident), 0),
-                  texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.y, incident), 0), p.share);
-  return mix(low, high, a.share);
+                  texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.y, incident), 0), p.fraction);
+  return mix(low, high, a.fraction);
 }
 
 // Linear RGB in 1/sr; `valid` is false where the value is 0 because nothing was measured there.
@@ -73,8 +73,8 @@ vec3 evaluateIncidenceTable(vec3 wi, vec3 wo, out bool valid) {
   IncidenceBracket incident = incidenceBracket(2, thetaI);
   vec4 sum = vec4(0.0);
   for (int k = 0; k < 2; ++k) {
-    float share = k == 0 ? 1.0 - incident.share : incident.share;
-    if (share <= 0.0) continue;
+    float fraction = k == 0 ? 1.0 - incident.fraction : incident.fraction;
+    if (fraction <= 0.0) continue;
     // The viewer that sees the same of the highlight under this angle of incidence.
     float theta = incidenceNode(2, incident.nodes[k]), s = sin(theta), c = cos(theta);
     vec3 seen = vec3(c * at.x - s * at.z, at.y, s * at.x + c * at.z);
@@ -85,7 +85,7 @@ vec3 evaluateIncidenceTable(vec3 wi, vec3 wo, out bool valid) {
     IncidenceBracket polars = incidenceBracket(0, anglePolar(length(seen.xy), seen.z));
     vec4 found = incidenceLookup(incident.nodes[k], polars, azimuthBracket(seen.xy));
 #endif
-    if (found.a > 0.0) sum += share * vec4(found.rgb / found.a, 1.0);
+    if (found.a > 0.0) sum += fraction * vec4(found.rgb / found.a, 1.0);
   }
   vec3 value = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
   vec2 ends = vec2(incidenceNode(0, 0), incidenceNode(0, incidenceCounts.x - 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/brdf/incident_direction.h: a measurement that can be read in any order of its directions.
+// Twin of core/brdf/brdf.h: a measurement that can be read in any order of its directions.
 //   INCIDENT_VIEWER, INCIDENT_LIGHT  which directions take the place of the incident one (both: the mean)
 #if defined(INCIDENT_VIEWER) || defined(INCIDENT_LIGHT)
 

@@ -3,7 +3,7 @@
 #include "grain.glsl"
 #include "math.glsl"
 
-// Twins of core/editing/lobe_warp.h.
+// Twins of core/editing/lobe_change.h.
 vec3 turnedBy(vec3 w, vec3 axis, float cosine) {
   return w * cosine + cross(axis, w) + axis * (dot(axis, w) / (1.0 + cosine));
 }

@@ -7,21 +7,21 @@
 
 // Between two runs of slices (those of two azimuths), each at its texture coordinate along z.
 struct Slices {
-  float low, high, share;
+  float low, high, fraction;
 };
 
 vec2 warpNode(sampler3D cells, vec2 node, Slices at) {
   vec2 size = vec2(textureSize(cells, 0).xy);
   vec2 place = (node + 0.5) / size;
   vec2 value = texture(cells, vec3(place, at.low)).xy;
-  if (at.share > 0.0) value = mix(value, texture(cells, vec3(place, at.high)).xy, at.share);
+  if (at.fraction > 0.0) value = mix(value, texture(cells, vec3(place, at.high)).xy, at.fraction);
   return value;
 }
 
 vec2 warpRow(sampler2D rows, float row, Slices at) {
   float place = (row + 0.5) / float(textureSize(rows, 0).x);
   vec2 value = texture(rows, vec2(place, at.low)).xy;
-  if (at.share > 0.0) value = mix(value, texture(rows, vec2(place, at.high)).xy, at.share);
+  if (at.fraction > 0.0) value = mix(value, texture(rows, vec2(place, at.high)).xy, at.fraction);
   return value;
 }
 

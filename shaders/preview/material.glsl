@@ -79,7 +79,7 @@ vec3 measuredInPlane(vec3 wi, vec3 wo, vec3 movedIn, vec3 movedOut, out bool val
 #include "preview/lobe_warp.glsl"
 #endif
 vec3 withChange(vec3 value, vec3 change) { return max(min(value, vec3(0.0)), value + change); }
-// Twin of core/editing/composition.h.
+// Twin of core/editing/differential_edit.h.
 vec3 logPlusChange(vec3 value, vec3 edited, vec3 fitted) { return (1.0 + max(value, vec3(0.0))) * ((edited - fitted) / (1.0 + fitted)); }
 EDIT_UNIFORMS
 #define FACTOR_STEP(edit, terms, axes, keepDetail, strength) value = editedByFactors(value, wi, wo, edit, terms, axes, keepDetail, strength);

@@ -36,7 +36,7 @@ vec3 rglColour(vec2 point, Slices at) {
   vec2 size = vec2(textureSize(rglColours, 0).xy);
   vec2 place = (point * (size - 1.0) + 0.5) / size;
   vec3 value = texture(rglColours, vec3(place, at.low)).rgb;
-  if (at.share > 0.0) value = mix(value, texture(rglColours, vec3(place, at.high)).rgb, at.share);
+  if (at.fraction > 0.0) value = mix(value, texture(rglColours, vec3(place, at.high)).rgb, at.fraction);
   return value;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/geometry/mesh_intersector.h: rays against the triangles of all meshes of a scene, by the bounding volumes
-// of core/geometry/bounding_volumes.h. widgets/preview/gl/mesh_texture.cpp has the layout.
+// of core/geometry/mesh_intersector.h. widgets/preview/gl/mesh_texture.cpp has the layout.
 uniform usampler2D meshTexels;
 uniform int meshTriangles, meshNormals;  // the first texel of each part; the nodes begin at 0
 uniform float meshRadii[MESHES];         // of the bounding spheres

@@ -30,7 +30,7 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
   const models::Model& model = models::layered();
   editing::DifferentialEdit edit{
       .model = &model, .fitted = models::defaultParameters(model.spec()), .composition = composition};
-  const auto lobe = std::make_shared<const TabulatedDensity>(*base);
+  const auto density = std::make_shared<const TabulatedDensity>(*base);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   double factor = 1;
   const auto next = [&] {
@@ -38,7 +38,7 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
     edit.edited = edit.fitted;
     for (const char* id : {"base-roughness", "flakes-roughness", "coat-roughness"})
       edit.edited.values[*model.spec().find(id)] *= factor;
-    fixture.renderer.setSubject({widgets::EditedMaterial{base, {{edit}}}, lobe});
+    fixture.renderer.setSubject({widgets::EditedMaterial{base, {{edit}}}, density});
     fixture.renderer.restart();
     fixture.accumulate(1);
   };

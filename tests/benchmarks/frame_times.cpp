@@ -14,7 +14,7 @@
 
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
-#include "widgets/preview/preview_navigation.h"
+#include "widgets/preview/preview_input.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace {
@@ -87,9 +87,9 @@ class Session {
   void run() {
     const PreviewSubject ggx = modelAlone("ggx", 0.3);
     const auto table = bakeTable(*widgets::subjectBrdf(ggx));
-    const auto lobe = std::make_shared<const TabulatedDensity>(*table);
+    const auto density = std::make_shared<const TabulatedDensity>(*table);
     measure("nothing: the empty window", [](int) {});
-    measure("open a material", [&](int) { preview_.content().setSubject(widgets::measuredSubject(table, lobe)); });
+    measure("open a material", [&](int) { preview_.content().setSubject(widgets::measuredSubject(table, density)); });
     measure(
         "exposure", [&](int step) { preview_.setExposure(0.05 * step); }, 20);
     measure("choose a model (new shader)", [&](int) { preview_.content().setSubject(ggx); });
@@ -104,7 +104,7 @@ class Session {
     const Scene spheres = openScene("two-spheres"), bowl = openScene("bowl");
     measure("another scene (new shader)", [&](int) { preview_.content().showScene(spheres); });
     measure("orbit", orbit, 60);
-    preview_.content().setSecond(widgets::measuredSubject(table, lobe), "Other");
+    preview_.content().setSecond(widgets::measuredSubject(table, density), "Other");
     for (const auto& [mode, name] : {std::pair{CompareMode::split, "compare: split"},
                                      {CompareMode::difference, "compare: difference"},
                                      {CompareMode::twoUp, "compare: side by side"},

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "core/geometry/bundled_meshes.h"
-#include "core/geometry/embree_device.h"
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/mesh_file.h"
 

@@ -109,7 +109,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   const auto count = std::size_t(state.range(0));
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
-  const auto lobe = fixture.renderer.subject().lobe;
+  const auto density = fixture.renderer.subject().density;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.
   const auto first = std::vector<double>(count, 1.0 / double(count));
@@ -121,11 +121,11 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
     weights.assign(count, t / double(count - 1));
     weights[0] = 1 - t;
     widgets::PreviewSubject subject = widgets::blendSubject(*blend, weights);
-    subject.lobe = lobe;
+    subject.density = density;
     fixture.renderer.setSubject(subject);
     fixture.accumulate(1);
   }
-  fixture.renderer.setSubject(widgets::measuredSubject(materials[0].table, lobe));
+  fixture.renderer.setSubject(widgets::measuredSubject(materials[0].table, density));
 }
 void directionalLinearBlend(benchmark::State& state) {
   runBlendDrag(state, false, editing::InterpolationSpace::linear);

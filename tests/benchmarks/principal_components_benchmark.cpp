@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/math/gram_svd.h"
+#include "core/math/decompositions.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/editing/edit.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
@@ -26,7 +26,7 @@ std::shared_ptr<const Brdf> materialOf(Kind kind) {
 void renderSphere(benchmark::State& state, Kind kind, bool inStudio) {
   const auto brdf = materialOf(kind);
   const Scene scene = sphereScene(inStudio ? studioEnvironment() : nullptr);
-  const RenderOptions options{.width = 128, .height = 128, .samples = 64, .lobe = {}};
+  const RenderOptions options{.width = 128, .height = 128, .samples = 64, .density = {}};
   for (auto _ : state) benchmark::DoNotOptimize(renderPicture(*brdf, scene, options));
 }
 void inStudio(benchmark::State& state, Kind kind) { renderSphere(state, kind, true); }

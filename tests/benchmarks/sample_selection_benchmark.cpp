@@ -81,7 +81,7 @@ const dictionary::PrincipalComponents& trainedBasis() {
   return training.basis;
 }
 
-/// Reading or computing the materials is told apart; the peak is that of the process so far.
+/// Reading or computing the materials is reported separately; the peak is that of the process so far.
 void learnFromMaterials(benchmark::State& state) {
   for (auto _ : state) {
     const Training training(int(state.range(0)));

@@ -8,7 +8,7 @@
 #include <new>
 #include <random>
 
-#include "core/support/lower_case.h"
+#include "core/support/text.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/fuzz/reader_targets.h"
 #include "tests/support/test_program.h"

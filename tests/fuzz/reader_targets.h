@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "core/acquisition/factor_plan.h"
 #include "core/acquisition/factor_prediction.h"
-#include "core/acquisition/factor_readings_file.h"
-#include "core/acquisition/plan_file.h"
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/measured_values.h"
+#include "core/acquisition/sampling_plan.h"
 #include "core/documents/edit_document.h"
 #include "core/figures/figure_description.h"
 #include "core/formats/code.h"

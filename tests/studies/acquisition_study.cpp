@@ -26,7 +26,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/support/error.h"
 #include "tests/studies/acquisition_records.h"
 #include "tests/studies/comparison_judge.h"

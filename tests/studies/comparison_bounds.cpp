@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/math/monotone_cubic.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/baselines/baselines.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/studies/comparison_records.h"
 
 namespace gonio::study {

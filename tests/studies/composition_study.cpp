@@ -18,7 +18,7 @@
 #include "core/fitting/fit.h"
 #include "core/io/image_io.h"
 #include "core/models/registry.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/tone_map.h"
 #include "tests/studies/composition_truths.h"
 #include "tests/studies/highlight_hue.h"

@@ -14,12 +14,12 @@
 #include <sstream>
 
 #include "core/acquisition/dictionary_reconstruction.h"
-#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
+#include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/support/error.h"
 #include "tests/studies/study_program.h"
 

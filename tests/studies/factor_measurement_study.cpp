@@ -12,7 +12,7 @@
 
 #include "core/acquisition/factor_prediction.h"
 #include "core/materials/material.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::factor_measurement_study {

@@ -72,7 +72,7 @@ void print(const Ends& ends) {
   const double middle = std::sqrt(ends.firstRoughness * ends.secondRoughness);
   const auto truth = ggx(diffuse, middle);
   const Scene scene = comparisonScene();
-  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .lobe = estimateSamplingDensity(*truth)};
+  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .density = estimateSamplingDensity(*truth)};
   const Image picture = renderPicture(*truth, scene, render);
   Family family;
   constexpr int members = 25;

@@ -85,16 +85,18 @@ std::vector<std::pair<std::string, std::shared_ptr<const Brdf>>> representations
 
 int run(const std::vector<std::string>& names) {
   const Scene scene = comparisonScene();
-  std::printf("material, representation, lobe, chosen, ratio, lobe (material alone), chosen (material alone), ratio\n");
+  std::printf(
+      "material, representation, closed form, chosen, ratio, closed form (material alone), chosen (material alone), "
+      "ratio\n");
   for (const std::string& name : names)
     for (const auto& [kind, brdf] : representations(materials::readMaterial("library:rgl/" + name).brdf)) {
       const auto own = std::make_shared<const RenderMaterial>(brdf);
-      const auto lobe =
-          std::make_shared<const RenderMaterial>(brdf, estimateSamplingDensity(*brdf), RenderMaterial::LobeUse::always);
+      const auto closedForm = std::make_shared<const RenderMaterial>(brdf, estimateSamplingDensity(*brdf),
+                                                                     RenderMaterial::DensityUse::always);
       const Film reference = render(scene, own, Strategy::both, referenceSamples, 2).film;
       std::printf("%s, %s", name.c_str(), kind.c_str());
       for (const Strategy strategy : {Strategy::both, Strategy::materials}) {
-        const Picture a = render(scene, lobe, strategy, samples, 1), b = render(scene, own, strategy, samples, 1);
+        const Picture a = render(scene, closedForm, strategy, samples, 1), b = render(scene, own, strategy, samples, 1);
         const double fitted = errorOf(a.film, reference) * std::sqrt(a.seconds / b.seconds),
                      density = errorOf(b.film, reference);
         std::printf(", %.4f, %.4f, %.2f", fitted, density, fitted / density);

@@ -15,12 +15,12 @@
 #include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/brdf/neural_brdf.h"
-#include "core/materials/bundled_basis.h"
+#include "core/materials/basis_file.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::scattered_completion_study {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "core/brdf/incident_direction.h"
+#include "core/brdf/brdf.h"
 #include "core/materials/bundled_library.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/study/evaluation_time.h"
 #include "tests/studies/study_program.h"
 

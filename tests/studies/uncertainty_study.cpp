@@ -10,9 +10,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/acquisition/plan_file.h"
 #include "core/acquisition/reconstruction.h"
-#include "core/brdf/log_relative.h"
+#include "core/acquisition/sampling_plan.h"
+#include "core/brdf/data_transform.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/material.h"
 #include "core/support/error.h"
@@ -37,9 +37,9 @@ const Way ways[] = {{"ridge 40, as many components as samples", publishedRidge, 
                     {"ridge 40, all components", publishedRidge, all, 0, false},
                     {"ridge auto, all components", std::nullopt, all, 0, false},
                     {"ridge 40, all components, noise 10 %", publishedRidge, all, 0.1, false},
-                    {"ridge 40, all components, noise 10 % told", publishedRidge, all, 0.1, true},
+                    {"ridge 40, all components, noise 10 % stated", publishedRidge, all, 0.1, true},
                     {"ridge auto, all components, noise 10 %", std::nullopt, all, 0.1, false},
-                    {"ridge auto, all components, noise 10 % told", std::nullopt, all, 0.1, true}};
+                    {"ridge auto, all components, noise 10 % stated", std::nullopt, all, 0.1, true}};
 
 struct Figures {
   double error = 0, leftOut = 0, overDeviation = 0, within = 0;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/io/image_io.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "core/rgl/rgl_file.h"

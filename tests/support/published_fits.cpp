@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/io/csv_text.h"
-#include "core/support/file_in_errors.h"
+#include "core/support/error.h"
 
 namespace gonio::test {
 

@@ -62,7 +62,7 @@ class AcquisitionChartsTest : public QObject {
     QVERIFY(QRectF(shown.chart.rect()).contains(QRectF(pole - QPointF(radius, radius), QSizeF(2, 2) * radius)));
   }
 
-  /// Light and viewer are drawn where places() tells, in different colours, with a line between them.
+  /// Light and viewer are drawn at places(), in different colours, with a line between them.
   void bothDotsAndTheirLineAreDrawn() {
     Shown<HemisphereChart> shown;
     const QList<QPointF> at = shown.chart.places(1);

@@ -28,14 +28,10 @@ Image blockMeans(const Image& image) {
 }
 
 /// Brushed materials under an environment: sampled along their grain, in the shader as on the CPU.
-class AnisotropicPreviewTest : public QObject {
+class AnisotropicPreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// Both converge to the same picture: what the shader draws follows the density that it divides by.
   void picturesAreThoseOfTheCpu_data() {
@@ -52,8 +48,8 @@ class AnisotropicPreviewTest : public QObject {
     QFETCH(bool, isSampledAlongIt);
     widgets::PreviewSubject subject = alone(grain);
     const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
-    QCOMPARE(subject.lobe->grain().fraction > 0, isSampledAlongIt);
+    subject.density = std::make_shared<const TabulatedDensity>(*brdf);
+    QCOMPARE(subject.density->grain().fraction > 0, isSampledAlongIt);
     // Means of 8 x 8 pixels: the noise of single ones averages out, what a density that is not the shader's own adds or
     // loses does not.
     constexpr int samples = 1024, side = test::OffscreenSpheres::side;
@@ -70,18 +66,15 @@ class AnisotropicPreviewTest : public QObject {
   void theGrainTakesNoiseAway() {
     widgets::PreviewSubject subject = alone({"ggx-anisotropic", 0.05, 0.4, 0.5});
     const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
+    subject.density = std::make_shared<const TabulatedDensity>(*brdf);
     const Image converged = spheres_->drawn(subject, studio(), 4096);
     const double along = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
-    subject.lobe = std::make_shared<const TabulatedDensity>(*bakeTable(*brdf));
-    QCOMPARE(subject.lobe->grain().fraction, 0.0);
+    subject.density = std::make_shared<const TabulatedDensity>(*bakeTable(*brdf));
+    QCOMPARE(subject.density->grain().fraction, 0.0);
     const double mean = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
     qInfo("64 samples per pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);
     QVERIFY(along > mean + 2);
   }
-
- private:
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(AnisotropicPreviewTest)

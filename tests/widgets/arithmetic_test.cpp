@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/inputs/arithmetic.h"
+#include "widgets/inputs/number_field.h"
 
 #include <QTest>
 

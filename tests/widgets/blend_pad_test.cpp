@@ -168,7 +168,7 @@ class BlendPadTest : public QObject {
     QVERIFY(m_pad->weights() == (std::vector{1.0, 0.0, 0.0}));
   }
 
-  /// Another count of materials: the place goes to the nearest that there is; showing a place tells nobody.
+  /// Another count of materials: the place goes to the nearest that there is; showing a place reports nobody.
   void thePlaceFollowsTheCorners() {
     makePad(4);
     QSignalSpy edited(m_pad.get(), &BlendPad::placeEdited);

@@ -42,21 +42,15 @@ widgets::PreparedBlendPtr prepared(InterpolationSpace space,
 const std::vector<std::vector<double>> someWeights{{0.3, 0.7}, {0.2, 0.5, 0.3}, {0.1, 0.2, 0.3, 0.4}};
 
 /// The shader's blends against the core's.
-class BlendPreviewTest : public QObject {
+class BlendPreviewTest : public test::SphereTest {
   Q_OBJECT
  private:
-  std::unique_ptr<test::OffscreenSpheres> m_spheres;
-
   Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
-    return m_spheres->drawn(subject, scene, samples);
+    return spheres_->drawn(subject, scene, samples);
   }
 
  private Q_SLOTS:
-  void initTestCase() {
-    m_spheres = std::make_unique<test::OffscreenSpheres>();
-    if (!m_spheres->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { m_spheres.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// Tables that stand for another form: only in spaces whose values are mixed by the shader.
   void tablesOfOtherForms() {
@@ -75,7 +69,7 @@ class BlendPreviewTest : public QObject {
       for (const std::vector<double>& weights : someWeights) {
         const auto blend = prepared(space, ends(int(weights.size())));
         const auto subject = widgets::blendSubject(*blend, weights);
-        const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
+        const double snr = spheres_->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
         const QString what =
             QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
         qInfo("%s", qPrintable(what));
@@ -86,8 +80,8 @@ class BlendPreviewTest : public QObject {
   void theStudioToo() {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
     const auto subject = widgets::blendSubject(*blend, someWeights[0]);
-    const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(someWeights[0]),
-                                            sphereScene(studioEnvironment()), 30);
+    const double snr =
+        spheres_->agreement(subject, *blend->interpolation->brdf(someWeights[0]), sphereScene(studioEnvironment()), 30);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -101,7 +95,7 @@ class BlendPreviewTest : public QObject {
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
-      const double snr = m_spheres->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
+      const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
       QVERIFY2(snr > 40, qPrintable(what));
@@ -113,7 +107,7 @@ class BlendPreviewTest : public QObject {
     const Image alone = drawn(widgets::measuredSubject(ends(1)[0].table), sphereScene(), 64);
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
       auto subject = widgets::blendSubject(*prepared(space, ends(2)), {1, 0});
-      subject.lobe = {};
+      subject.density = {};
       QVERIFY(drawn(subject, sphereScene(), 64).pixels == alone.pixels);
     }
   }
@@ -159,11 +153,11 @@ class BlendPreviewTest : public QObject {
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::differential}) {
       const auto blend = widgets::prepareBlend(space, materials);
       auto whole = widgets::blendSubject(*blend, {1, 0});
-      whole.lobe = {};
+      whole.density = {};
       QVERIFY(drawn(whole, sphereScene(), 64).pixels == alone.pixels);
       const auto snr = [&](const std::vector<double>& weights) {
         const auto subject = widgets::blendSubject(*blend, weights);
-        return m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
+        return spheres_->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
       };
       const double near = snr({0.95, 0.05}), middle = snr({0.5, 0.5});
       qInfo("%s: %.1f dB at 95 %%, %.1f dB at 50 %%", qPrintable(widgets::spaceName(space)), near, middle);
@@ -176,13 +170,13 @@ class BlendPreviewTest : public QObject {
     }
   }
 
-  /// Subjects are told apart by what they blend and how much.
+  /// Subjects differ in the materials that they blend and in the weights.
   void subjectsAreToldApart() {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, widgets::measuredSubject(ends(1)[0].table, half.lobe)));
+    QVERIFY(!widgets::sameSubject(half, widgets::measuredSubject(ends(1)[0].table, half.density)));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

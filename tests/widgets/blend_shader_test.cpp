@@ -13,7 +13,7 @@
 #include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/subject_textures.h"
 
 namespace blend_shader_test {
 using namespace gonio;

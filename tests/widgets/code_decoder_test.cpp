@@ -187,7 +187,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     QVERIFY(zeros > 0 && bounded > 0 && largest > 0);
   }
 
-  /// The texture is that of an uploaded table in all that a shader can tell.
+  /// The texture is that of an uploaded table in everything that a shader can observe.
   void theTextureIsThatOfATable() {
     const Ensemble ensemble = ensembleOn(oddGrid, 2);
     const SparseCode code = randomCode(ensemble, DataTransform::logPlus, {20, 20, 20});

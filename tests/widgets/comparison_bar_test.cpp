@@ -53,7 +53,7 @@ class ComparisonBarTest : public QObject {
     QCOMPARE(reported.front().front().value<PreviewComparison>().mode, CompareMode::twoUp);
   }
 
-  /// The subject of the other side exchanges the two: a side against itself tells nothing.
+  /// The subject of the other side exchanges the two: a side against itself reports nothing.
   void choosingTheOtherSideExchanges() {
     bar_->setComparison({.mode = CompareMode::split});
     std::pair<ComparedSubject, ComparedSubject> reported{};
@@ -73,7 +73,8 @@ class ComparisonBarTest : public QObject {
     QCOMPARE(list(*bar_, "Second side")->currentIndex(), int(ComparedSubject::measured));
   }
 
-  /// A material dragged out of the library, and a file, are told when they are dropped here; other things are refused.
+  /// A material dragged out of the library, and a file, are reported when they are dropped here; other things are
+  /// refused.
   void aDroppedMaterialIsToldAsReference() {
     QStringList dropped;
     connect(bar_.get(), &ComparisonBar::referenceDropped, this, [&](const QString& path) { dropped << path; });

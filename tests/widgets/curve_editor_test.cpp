@@ -183,7 +183,7 @@ class CurveEditorTest : public QObject {
     QVERIFY(!m_editor->selected()[1] && m_editor->selected()[last]);
   }
 
-  /// The pointer tells its place; the line under the chart its values.
+  /// The readout shows the position of the pointer, the line under the chart its values.
   void tellsWhereThePointerIs() {
     QSignalSpy pointed(m_editor.get(), &CurveEditor::pointedAt);
     const QPoint over(at(2).x(), 60);

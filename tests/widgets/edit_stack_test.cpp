@@ -61,7 +61,7 @@ class EditStackTest : public QObject {
     QTRY_VERIFY(list()->viewport()->width() <= 280 && rightEdge() < list()->viewport()->width());
   }
 
-  /// By keyboard: the eye, the strength, the deletion of each entry; nothing is shown before it is told back.
+  /// By keyboard: the eye, the strength, the deletion of each entry; nothing is shown before it is reported back.
   void tellsWhatIsWanted() {
     QSignalSpy enabled(m_stack.get(), &EditStack::enabledChosen);
     QSignalSpy strength(m_stack.get(), &EditStack::strengthEdited);

@@ -13,7 +13,7 @@ using widgets::EnvironmentTexels;
 class EnvironmentTexelsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// The map tells the radiance and the density of its pixels, the pool draws with that density.
+  /// The map contains the radiance and the density of its pixels, the pool draws with that density.
   void texelsAreThoseOfTheEnvironment() {
     const auto environment = skyEnvironment();
     const auto texels = widgets::environmentTexels(environment);

@@ -7,7 +7,7 @@
 #include "core/models/registry.h"
 #include "core/rendering/scene_file.h"
 #include "tests/support/test_program.h"
-#include "tests/widgets/preview_pictures.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace flat_uniforms_test {
 using namespace gonio;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/frame_budget.h"
+#include "widgets/preview/picture_drawer.h"
 
 #include <QTest>
 

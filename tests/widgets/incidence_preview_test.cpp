@@ -63,24 +63,11 @@ bool jumps(const Brdf& brdf, const DirectionPair& pair, double tolerance) {
   return false;
 }
 
-editing::Edit rougher() {
-  const models::Model& model = models::findModel("ggx");
-  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-  edit.composition = editing::Composition::logPlus;
-  edit.edited = edit.fitted;
-  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
-  return {edit};
-}
-
 /// The shader's tables of angles of incidence are those of core/brdf/incidence_table_brdf.h.
-class IncidencePreviewTest : public QObject {
+class IncidencePreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   void forms_data() {
     QTest::addColumn<bool>("aboutMirror");
@@ -96,8 +83,9 @@ class IncidencePreviewTest : public QObject {
     QFETCH(bool, symmetric);
     const auto brdf = material(aboutMirror ? Axis::mirror : Axis::normal, symmetric);
     comparePairs(*brdf, brdf);
-    comparePictures({brdf}, sphereScene());
-    comparePictures({brdf, {rougher()}}, sphereScene());
+    verify({widgets::EditedMaterial{brdf}});
+    verify(
+        {widgets::EditedMaterial{brdf, {test::rougherEdit("ggx", "roughness", 0.5, editing::Composition::logPlus)}}});
   }
 
  private:
@@ -119,15 +107,6 @@ class IncidencePreviewTest : public QObject {
     qInfo("%.1e; %d pairs at jumps", worst, left);
     QVERIFY(worst < tolerance && left < 10);
   }
-
-  void comparePictures(const widgets::EditedMaterial& material, const Scene& scene) {
-    const widgets::PreviewSubject subject{material};
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene, 40);
-    qInfo("%.1f dB", snr);
-    QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
-  }
-
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(IncidencePreviewTest)

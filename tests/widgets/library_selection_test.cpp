@@ -9,7 +9,6 @@
 #include "tests/widgets/library_test_support.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_chips.h"
-#include "widgets/library/library_menu.h"
 #include "widgets/library/quick_look.h"
 
 namespace library_selection_test {

@@ -12,8 +12,8 @@
 #include "tests/widgets/library_test_support.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/library/library_chips.h"
+#include "widgets/library/library_model.h"
 #include "widgets/library/library_selection.h"
-#include "widgets/library/thumbnail_colour.h"
 
 namespace library_view_test {
 using namespace gonio::widgets;

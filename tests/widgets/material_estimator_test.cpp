@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/material_estimator.h"
+#include "widgets/preview/preview_side.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -22,7 +22,7 @@ class MaterialEstimatorTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  /// Of many requests the last one is told, once: what came between is left out.
+  /// Of many requests the last one is reported, once: what came between is left out.
   void theNewestRequestWins() {
     MaterialEstimator estimator;
     QSignalSpy reported(&estimator, &MaterialEstimator::estimated);
@@ -31,8 +31,8 @@ class MaterialEstimatorTest : public QObject {
     QTRY_VERIFY(!estimator.isBusy());
     QCOMPARE(reported.count(), 1);
     const auto estimate = reported.front().front().value<widgets::MaterialEstimate>();
-    QVERIFY(areSimilar(*estimate.lobe, TabulatedDensity(*widgets::subjectBrdf(ggx(0.05)))));
-    QVERIFY(!areSimilar(*estimate.lobe, TabulatedDensity(*widgets::subjectBrdf(ggx(0.9)))));
+    QVERIFY(areSimilar(*estimate.density, TabulatedDensity(*widgets::subjectBrdf(ggx(0.05)))));
+    QVERIFY(!areSimilar(*estimate.density, TabulatedDensity(*widgets::subjectBrdf(ggx(0.9)))));
   }
 
   void cancelledRequestsAreNotTold() {
@@ -46,7 +46,7 @@ class MaterialEstimatorTest : public QObject {
     QVERIFY(!estimator.isBusy());
   }
 
-  /// What cannot be estimated is told, and the next request gets its chance.
+  /// What cannot be estimated is reported, and the next request gets its chance.
   void aFailureIsTold() {
     widgets::PreviewSubject wrong = ggx(0.3);
     std::get<widgets::StandaloneModel>(wrong.shown).parameters.values.clear();

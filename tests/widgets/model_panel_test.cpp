@@ -16,7 +16,7 @@ using namespace gonio;
 class ModelPanelTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Every model stands once under its family's title, which cannot be chosen; choosing tells the model of the entry.
+  /// Every model stands once under its family's title, which cannot be chosen; choosing reports the model of the entry.
   void modelsByFamily() {
     widgets::ModelPanel panel;
     auto* list = panel.findChild<QComboBox*>();

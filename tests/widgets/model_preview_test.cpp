@@ -15,12 +15,7 @@ using namespace gonio;
 using editing::Composition;
 
 editing::Edit edit(const char* id, Composition composition) {
-  const models::Model& model = models::findModel(id);
-  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-  edit.composition = composition;
-  edit.edited = edit.fitted;
-  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
-  return {edit};
+  return test::rougherEdit(id, "roughness", 0.5, composition);
 }
 
 /// Factors of two terms.
@@ -31,14 +26,10 @@ factorization::PdvFactors factorsOf(factorization::PdvForm form) {
 }
 
 /// Materials that are a model or factors are shown by these, not by a table of them.
-class ModelPreviewTest : public QObject {
+class ModelPreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// Also the picture of the model alone, to the bit. Chrome's highlight is narrower than a pixel: by chance alone its
   /// picture differs from the CPU's.
@@ -81,13 +72,8 @@ class ModelPreviewTest : public QObject {
  private:
   void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
     QVERIFY(!formOf<TabulatedBrdf>(*base) && widgets::isShownNatively(*base));
-    const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
-    qInfo("%.1f dB", snr);
-    QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
+    SphereTest::verify({widgets::EditedMaterial{base, edits}});
   }
-
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(ModelPreviewTest)

@@ -13,11 +13,9 @@
 #include "widgets/inputs/collapsible_section.h"
 #include "widgets/parameters/colour_swatch.h"
 #include "widgets/parameters/formula_text.h"
-#include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"
 #include "widgets/parameters/parameter_row.h"
 #include "widgets/parameters/parameter_text.h"
-#include "widgets/parameters/slider_range.h"
 
 namespace parameter_panel_test {
 using namespace gonio;

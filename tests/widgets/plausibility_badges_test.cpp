@@ -26,7 +26,7 @@ std::vector<PlausibilityCheck> checks() {
 class PlausibilityBadgesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// The word and the state are told to those who see no colour and to screen readers.
+  /// The word and the state are given to those who see no colour and to screen readers.
   void badgesTellTheirState() {
     PlausibilityBadges badges;
     badges.setChecks(checks());

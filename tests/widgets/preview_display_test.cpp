@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/models/model.h"
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 

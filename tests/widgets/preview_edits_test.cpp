@@ -4,7 +4,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "tests/support/test_program.h"
-#include "tests/widgets/preview_pictures.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace preview_edits_test {
 using namespace gonio;
@@ -33,16 +33,11 @@ editing::Edit widerEdit(const TabulatedBrdf& table, int terms, double factor, bo
           .strength = 0.8};
 }
 
-class PreviewEditsTest : public QObject {
+class PreviewEditsTest : public test::SphereTest {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    renderer_ = &spheres_->renderer();
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// The live edit of the shader is the edit of the core.
   void editedPicture() {
@@ -157,12 +152,12 @@ class PreviewEditsTest : public QObject {
       editing::EditList edits = before;
       edits.push_back({edit});
       edits.insert(edits.end(), behind.begin(), behind.end());
-      renderer_->setSubject({widgets::EditedMaterial{table, edits}});
-      renderer_->accumulate(4);
-      return renderer_->readPicture().pixels;
+      renderer().setSubject({widgets::EditedMaterial{table, edits}});
+      renderer().accumulate(4);
+      return renderer().readPicture().pixels;
     };
-    test::showSphere(*renderer_, sphereScene());
-    renderer_->setSize({side, side});
+    test::showSphere(renderer(), sphereScene());
+    renderer().setSize({side, side});
     const auto expected = shown(0.5);
     QVERIFY(shown(2) != expected);
     QVERIFY(shown(0.5) == expected);
@@ -203,19 +198,15 @@ class PreviewEditsTest : public QObject {
     const models::Model& model = models::findModel("ggx");
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
-    renderer_->setSubject(widgets::measuredSubject(table));
-    test::showSphere(*renderer_, sphereScene());
-    renderer_->setSize({side, side});
-    renderer_->accumulate(8);
-    const Image plain = renderer_->readPicture();
-    renderer_->setSubject({widgets::EditedMaterial{table, {{edit}}}});
-    renderer_->accumulate(8);
-    QVERIFY(renderer_->readPicture().pixels == plain.pixels);
+    renderer().setSubject(widgets::measuredSubject(table));
+    test::showSphere(renderer(), sphereScene());
+    renderer().setSize({side, side});
+    renderer().accumulate(8);
+    const Image plain = renderer().readPicture();
+    renderer().setSubject({widgets::EditedMaterial{table, {{edit}}}});
+    renderer().accumulate(8);
+    QVERIFY(renderer().readPicture().pixels == plain.pixels);
   }
-
- private:
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
-  widgets::PreviewRenderer* renderer_ = nullptr;
 };
 
 GONIO_TEST(PreviewEditsTest)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_navigation.h"
+#include "widgets/preview/preview_input.h"
 
 #include <QTest>
 #include <cmath>

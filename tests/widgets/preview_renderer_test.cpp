@@ -6,7 +6,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/widgets/filter_step.h"
-#include "tests/widgets/preview_pictures.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace preview_renderer_test {
 using namespace gonio;
@@ -15,16 +15,11 @@ using test::bakedModel;
 
 constexpr int side = test::OffscreenSpheres::side;
 
-class PreviewRendererTest : public QObject {
+class PreviewRendererTest : public test::SphereTest {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    renderer_ = &spheres_->renderer();
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// The model alone, without its table, is the model of the core: under one light every model, under an environment
   /// one.
@@ -44,17 +39,17 @@ class PreviewRendererTest : public QObject {
   void modelAloneIgnoresTheTable() {
     const models::Model& ggx = models::findModel("ggx");
     const widgets::PreviewSubject subject{widgets::StandaloneModel{&ggx, models::defaultParameters(ggx.spec())}};
-    test::showSphere(*renderer_, sphereScene());
-    renderer_->setSize({side, side});
-    renderer_->setSubject(subject);
-    renderer_->accumulate(8);
-    const Image alone = renderer_->readPicture();
-    renderer_->setSubject(widgets::measuredSubject(bakedModel("lambert", {})));
-    renderer_->accumulate(8);
-    QVERIFY(renderer_->readPicture().pixels != alone.pixels);
-    renderer_->setSubject(subject);
-    renderer_->accumulate(8);
-    QVERIFY(renderer_->readPicture().pixels == alone.pixels);
+    test::showSphere(renderer(), sphereScene());
+    renderer().setSize({side, side});
+    renderer().setSubject(subject);
+    renderer().accumulate(8);
+    const Image alone = renderer().readPicture();
+    renderer().setSubject(widgets::measuredSubject(bakedModel("lambert", {})));
+    renderer().accumulate(8);
+    QVERIFY(renderer().readPicture().pixels != alone.pixels);
+    renderer().setSubject(subject);
+    renderer().accumulate(8);
+    QVERIFY(renderer().readPicture().pixels == alone.pixels);
   }
 
   /// Two pictures of one context share a table's texture and keep their own accumulations.
@@ -93,14 +88,14 @@ class PreviewRendererTest : public QObject {
     for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = i % 2 == 0;  // every second phi_d
     const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
     const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
-    test::showSphere(*renderer_, sphereScene());
-    renderer_->setSize({side, side});
-    renderer_->setSubject(widgets::measuredSubject(full));
-    renderer_->accumulate(4);
-    const Image expected = renderer_->readPicture();
-    renderer_->setSubject(widgets::measuredSubject(sparse));
-    renderer_->accumulate(4);
-    const Image actual = renderer_->readPicture();
+    test::showSphere(renderer(), sphereScene());
+    renderer().setSize({side, side});
+    renderer().setSubject(widgets::measuredSubject(full));
+    renderer().accumulate(4);
+    const Image expected = renderer().readPicture();
+    renderer().setSubject(widgets::measuredSubject(sparse));
+    renderer().accumulate(4);
+    const Image actual = renderer().readPicture();
     std::size_t different = 0;
     for (std::size_t i = 0; i < expected.pixels.size(); ++i)
       if (!(glm::length(expected.pixels[i] - actual.pixels[i]) <= 1e-5f * (1 + glm::length(expected.pixels[i]))))
@@ -113,10 +108,6 @@ class PreviewRendererTest : public QObject {
     QVERIFY2(double(different) <= most + 4 * std::sqrt(most),
              qPrintable(QString("%1 pixels differ, expected at most %2").arg(different).arg(most)));
   }
-
- private:
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
-  widgets::PreviewRenderer* renderer_ = nullptr;
 };
 
 GONIO_TEST(PreviewRendererTest)

@@ -5,7 +5,7 @@
 #include "core/rendering/path_tracer.h"
 #include "core/rendering/scene_file.h"
 #include "tests/support/test_program.h"
-#include "tests/widgets/preview_pictures.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace preview_scenes_test {
 using namespace gonio;
@@ -15,16 +15,11 @@ using test::rougherEdit;
 
 constexpr int side = test::OffscreenSpheres::side;
 
-class PreviewScenesTest : public QObject {
+class PreviewScenesTest : public test::SphereTest {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    renderer_ = &spheres_->renderer();
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// Under one light both pictures are sums over the same sphere with different edge samples and float tables: they
   /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
@@ -56,11 +51,11 @@ class PreviewScenesTest : public QObject {
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
       EffectPlan plan = widgets::previewPlan(scene, material);
       plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::maxReflections);
-      renderer_->setSubject(subject);
-      renderer_->setScene(scene, plan);
+      renderer().setSubject(subject);
+      renderer().setScene(scene, plan);
       constexpr int small = 12;
-      renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
-      renderer_->setSize({small, small});
+      renderer().setSize({side, side});  // so that each target is a new one: none may unbind a texture
+      renderer().setSize({small, small});
       const std::vector slotMaterials(2, material);
       const double snr = snrOf(scene, bindMaterials(scene, slotMaterials), plan, small, 768);
       qInfo("%s: %.1f dB", name.c_str(), snr);
@@ -73,7 +68,7 @@ class PreviewScenesTest : public QObject {
     const auto other = bakedModel("ggx", {{"roughness", 0.6}, {"f0", 0.2}});
     const widgets::PreviewSubject edited{widgets::EditedMaterial{other, {rougherEdit("ggx", "roughness", 0.4)}},
                                          std::make_shared<const TabulatedDensity>(*other)};
-    const auto traced = std::make_shared<const RenderMaterial>(widgets::subjectBrdf(edited), edited.lobe);
+    const auto traced = std::make_shared<const RenderMaterial>(widgets::subjectBrdf(edited), edited.density);
     for (const char* name : {"two-spheres", "row"}) checkTwoMaterials(name, edited, traced, 1);
   }
 
@@ -98,14 +93,14 @@ class PreviewScenesTest : public QObject {
  private:
   /// Of the renderer's scene against the path tracer, whose noise does not count.
   double snrOf(const Scene& scene, const RenderMaterials& materials, const EffectPlan& plan, int size, int samples) {
-    for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
+    for (int i = 0; i < samples / 64; ++i) renderer().accumulate(64);
     metrics::PicturePair traced;
     for (std::size_t i = 0; i < 2; ++i) {
       Film film(size, size);
       PathTracer(scene, materials, plan, 7 + i).accumulate(film, samples / 2);
       traced[i] = film.image();
     }
-    const Image shown = renderer_->readPicture();
+    const Image shown = renderer().readPicture();
     return metrics::signalToNoiseRatio(traced, {shown, shown});
   }
 
@@ -118,17 +113,14 @@ class PreviewScenesTest : public QObject {
     const RenderMaterials bound = bindMaterials(scene, slots);
     EffectPlan plan = planEffects(scene, bound);
     plan.reflections = std::min(plan.reflections, reflections);
-    renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table)));
-    renderer_->setScene(scene, plan, {other});
+    renderer().setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedDensity>(*table)));
+    renderer().setScene(scene, plan, {other});
     constexpr int small = 24;
-    renderer_->setSize({small, small});
+    renderer().setSize({small, small});
     const double snr = snrOf(scene, bound, plan, small, 512);
     qInfo("%s: %.1f dB", name, snr);
     QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
   }
-
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
-  widgets::PreviewRenderer* renderer_ = nullptr;
 };
 
 GONIO_TEST(PreviewScenesTest)

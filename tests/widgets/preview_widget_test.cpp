@@ -241,7 +241,7 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(!widget_->overlay()->name(0)->isVisible());
   }
 
-  /// The bar follows the mouse and the keys, and tells its place.
+  /// The bar follows the mouse and the keys, and states its position.
   void splitBarMoves() {
     content().setSubject(widgets::measuredSubject(table_), "A");
     content().setSecond(widgets::measuredSubject(table_), "B");
@@ -261,7 +261,7 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(moves.count() >= 3);
   }
 
-  /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
+  /// The legend states the range of the colours: 0.18 against black is a difference of at most 0.18 here.
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
     content().setSubject(widgets::measuredSubject(table_), "Grey");
@@ -277,7 +277,7 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(widget_->differenceRange(), 0.25);
   }
 
-  /// While shaders are compiled and tables uploaded, the picture before stays, and the status tells why.
+  /// While shaders are compiled and tables uploaded, the picture before stays, and the status states why.
   void thePictureStaysUntilTheNextOneIsDone() {
     const auto status = [&] {
       QStringList texts;
@@ -300,7 +300,7 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(!status().contains("Compiling"));
   }
 
-  /// A shader that does not compile is told, and the next one is drawn.
+  /// A shader that does not compile is reported, and the next one is drawn.
   void aFailureIsToldAndNotForEver() {
     QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
     const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");

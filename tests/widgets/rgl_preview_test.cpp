@@ -29,23 +29,11 @@ std::shared_ptr<const RglBrdf> synthetic(const std::vector<float>& phis) {
   return rgl::readRgl(io::MemorySource(rgl.file())).brdf;
 }
 
-editing::Edit rougher() {
-  const models::Model& model = models::findModel("ggx");
-  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-  edit.edited = edit.fitted;
-  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
-  return {edit};
-}
-
 /// The shader's RGL files are those of core/brdf/rgl_brdf.h.
-class RglPreviewTest : public QObject {
+class RglPreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   void syntheticFiles_data() {
     QTest::addColumn<std::vector<float>>("phis");
@@ -58,12 +46,12 @@ class RglPreviewTest : public QObject {
   void syntheticFiles() {
     QFETCH(std::vector<float>, phis);
     const auto brdf = synthetic(phis);
-    const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
-    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 50);
+    const auto density = std::make_shared<const TabulatedDensity>(*brdf);
+    verify({widgets::EditedMaterial{brdf}, density}, sphereScene(), 50);
     // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
     for (const IncidentDirection incident : {IncidentDirection::light, IncidentDirection::mean})
-      verify({widgets::EditedMaterial{brdf->withIncident(incident)}, lobe}, sphereScene(), 24);
-    verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 50);
+      verify({widgets::EditedMaterial{brdf->withIncident(incident)}, density}, sphereScene(), 24);
+    verify({widgets::EditedMaterial{brdf, {test::rougherEdit("ggx", "roughness", 0.5)}}, density}, sphereScene(), 50);
   }
 
   /// Under one light, where nothing is drawn, and under the studio, where directions are.
@@ -77,20 +65,11 @@ class RglPreviewTest : public QObject {
     const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl" / (name.toStdString() + "_rgb.bsdf");
     if (!fs::exists(path)) QSKIP("the development data is absent");
     const auto brdf = rgl::readRgl(io::FileSource(path)).brdf;
-    const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
-    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 40);
-    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
-    verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 40);
+    const auto density = std::make_shared<const TabulatedDensity>(*brdf);
+    verify({widgets::EditedMaterial{brdf}, density}, sphereScene(), 40);
+    verify({widgets::EditedMaterial{brdf}, density}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
+    verify({widgets::EditedMaterial{brdf, {test::rougherEdit("ggx", "roughness", 0.5)}}, density}, sphereScene(), 40);
   }
-
- private:
-  void verify(const widgets::PreviewSubject& subject, const Scene& scene, double least) {
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene, least);
-    qInfo("%.1f dB", snr);
-    QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
-  }
-
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(RglPreviewTest)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/scene_tracer.h"
+#include "widgets/preview/preview_side.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -13,7 +13,7 @@ namespace scene_tracer_test {
 using namespace gonio;
 using widgets::SceneTracer;
 
-/// Lambert, until it is told to fail.
+/// Lambert, until it is switched to fail.
 class FailingBrdf final : public Brdf {
  public:
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -47,7 +47,7 @@ class SceneTracerTest : public QObject {
     QCOMPARE(failures.count(), 0);
   }
 
-  /// What the material throws is told, once; the next request gets its chance.
+  /// What the material throws is reported, once; the next request gets its chance.
   void aFailureIsTold() {
     const Traced traced;
     SceneTracer tracer;
@@ -75,7 +75,7 @@ class SceneTracerTest : public QObject {
     QCOMPARE(failures.count(), 0);
   }
 
-  /// Destroyed while it works and after it failed: it throws nothing and tells nothing.
+  /// Destroyed while it works and after it failed: it throws nothing and reports nothing.
   void mayBeDestroyedWithAFailure() {
     for (int i = 0; i < 20; ++i) {
       const Traced traced;

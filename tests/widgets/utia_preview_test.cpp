@@ -59,24 +59,11 @@ std::vector<DirectionPair> testPairs() {
   return pairs;
 }
 
-editing::Edit rougher(editing::Composition composition) {
-  const models::Model& model = models::findModel("ggx");
-  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-  edit.composition = composition;
-  edit.edited = edit.fitted;
-  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
-  return {edit};
-}
-
 /// The shader's UTIA materials are those of core/brdf/utia_brdf.h.
-class UtiaPreviewTest : public QObject {
+class UtiaPreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    spheres_ = std::make_unique<test::OffscreenSpheres>();
-    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-  }
-  void cleanupTestCase() { spheres_.reset(); }
+  void initTestCase() { openSpheres(); }
 
   /// The texture is float32 and the arithmetic float: half precision would be off by 5e-4 of a value.
   void pairsOfDirections() {
@@ -99,7 +86,7 @@ class UtiaPreviewTest : public QObject {
   void picturesOfEdits() {
     for (const auto composition :
          {editing::Composition::additive, editing::Composition::logPlus, editing::Composition::lobes})
-      verify(brushedMaterial(), {rougher(composition)}, sphereScene());
+      verify(brushedMaterial(), {test::rougherEdit("ggx", "roughness", 0.5, composition)}, sphereScene());
   }
 
  private:
@@ -117,14 +104,9 @@ class UtiaPreviewTest : public QObject {
   void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits, const Scene& scene,
               double least = 50) {
     widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
-    const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedDensity>(*brdf);
-    const double snr = spheres_->agreement(subject, *brdf, scene, least);
-    qInfo("%.1f dB", snr);
-    QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
+    subject.density = std::make_shared<const TabulatedDensity>(*widgets::subjectBrdf(subject));
+    SphereTest::verify(subject, scene, least);
   }
-
-  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(UtiaPreviewTest)

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
@@ -21,26 +21,23 @@ std::shared_ptr<const Brdf> notReciprocal() {
 }
 
 /// Tables over the whole circle of phi_d in the shader are those of the core, with and without edits.
-class WholeCirclePreviewTest : public QObject {
+class WholeCirclePreviewTest : public test::SphereTest {
   Q_OBJECT
  private Q_SLOTS:
+  void initTestCase() { openSpheres(); }
+
   void sameAsCpu() {
-    test::OffscreenSpheres spheres;
-    if (!spheres.isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     const auto brdf = notReciprocal();
     const auto table = bakeTable(*brdf, {.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 180, .reciprocal = false});
-    const models::Model& model = models::findModel("ggx");
-    editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-    edit.edited = edit.fitted;
-    edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
-    for (const editing::EditList& edits : {editing::EditList{}, editing::EditList{{edit}}}) {
+    const editing::Edit edit = test::rougherEdit("ggx", "roughness", 0.5);
+    for (const editing::EditList& edits : {editing::EditList{}, editing::EditList{edit}}) {
       const widgets::PreviewSubject subject{widgets::EditedMaterial{table, edits}};
-      QVERIFY(spheres.agreement(subject, *editing::applyEdits(table, edits), sphereScene(), 50) > 50);
+      QVERIFY(spheres_->agreement(subject, *editing::applyEdits(table, edits), sphereScene(), 50) > 50);
       // The table holds the material itself; one that folds phi_d would not.
-      QVERIFY(spheres.agreement(subject, *editing::applyEdits(brdf, edits), sphereScene(), 35) > 35);
+      QVERIFY(spheres_->agreement(subject, *editing::applyEdits(brdf, edits), sphereScene(), 35) > 35);
     }
     const auto folded = bakeTable(*brdf, {.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 90});
-    QVERIFY(spheres.agreement({widgets::EditedMaterial{folded}}, *brdf, sphereScene(), 25) < 25);
+    QVERIFY(spheres_->agreement({widgets::EditedMaterial{folded}}, *brdf, sphereScene(), 25) < 25);
   }
 };
 

@@ -17,7 +17,7 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int rangeCount = 3, columnCount = 2 * rangeCount, visibleRows = 2;
-/// What a new row forbids, until its ends are typed: light beyond this angle, whatever the viewer.
+/// A new row initially forbids light beyond this angle, for all viewers.
 constexpr double newLowest = radians(80);
 
 acquisition::AngleRange& rangeOf(acquisition::ForbiddenRegion& region, int column) {
@@ -67,11 +67,6 @@ ForbiddenRegionsEditor::ForbiddenRegionsEditor(QWidget* parent)
     fill();
     Q_EMIT regionsEdited();
   });
-  fill();
-}
-
-void ForbiddenRegionsEditor::setRegions(const std::vector<acquisition::ForbiddenRegion>& regions) {
-  m_regions = regions;
   fill();
 }
 

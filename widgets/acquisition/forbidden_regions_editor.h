@@ -20,7 +20,6 @@ class ForbiddenRegionsEditor : public QWidget {
  public:
   explicit ForbiddenRegionsEditor(QWidget* parent = nullptr);
 
-  void setRegions(const std::vector<acquisition::ForbiddenRegion>& regions);
   const std::vector<acquisition::ForbiddenRegion>& regions() const { return m_regions; }
   QTableWidget& table() const { return *m_table; }
   QPushButton& addButton() const { return *m_add; }

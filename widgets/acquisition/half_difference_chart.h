@@ -2,13 +2,34 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QBrush>
 #include <QImage>
+#include <QString>
+#include <cstdint>
 
 #include "core/coordinates/half_difference_grid.h"
-#include "widgets/acquisition/cell_state.h"
 #include "widgets/acquisition/sample_chart.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
+
+/// State of a cell of the grid.
+enum class CellState : std::uint8_t {
+  measurable,
+  belowHorizon,  ///< light or viewer is below the horizon
+  grazing,       ///< beyond the maximum polar angle
+  forbidden,     ///< in a forbidden region of the rig
+  unlearned      ///< invalid in at least one material of the training set
+};
+
+/// The shaded states, in the order of the legend.
+inline constexpr CellState shadedStates[] = {CellState::belowHorizon, CellState::grazing, CellState::forbidden,
+                                             CellState::unlearned};
+
+/// "beyond the max. polar angle"
+QString stateName(CellState state);
+/// Shading of cells, distinguishable by the hatching.
+QBrush stateBrush(CellState state, const PlotStyle& style);
 
 /// The cells of a grid at one phi_d.
 struct HalfDifferenceSlice {

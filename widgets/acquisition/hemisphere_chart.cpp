@@ -16,11 +16,11 @@ namespace {
 
 constexpr int ringStep = 15, rayStep = 30;
 constexpr double directionRadius = 4, markedDirectionRadius = 6;
-/// Of the legend, in heights of the font: a row, its first mark from the left, from an entry to the next beside the
-/// text.
+/// Measures of the legend in heights of the font: a row, the distance of its first mark from the left, the gap between
+/// entries beside the text.
 constexpr double legendRowHeight = 1.3, legendLeft = 0.8, legendEntry = 1.8;
-/// Of the ray that carries the rings' labels. Nodes of a grid have their half vector at azimuth 0: few samples lie on
-/// the other side.
+/// Azimuth of the ray with the labels of the rings. Nodes of a grid have their half vector at azimuth 0: few samples
+/// lie on the other side.
 constexpr double labelAzimuth = radians(188);
 
 const SeriesRole lightRole = SeriesRole::edited, viewerRole = SeriesRole::fit;

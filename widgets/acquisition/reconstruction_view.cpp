@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 #include "widgets/charts/plot_style.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/interpolation/sphere_picture.h"

@@ -18,7 +18,7 @@ namespace gonio::widgets {
 namespace {
 /// How near the pointer has to be, px.
 constexpr double chartReach = 12;
-/// Of a dot, px.
+/// Radius of a dot, px.
 constexpr double sampleRadius = 4.5;
 }  // namespace
 

@@ -102,7 +102,7 @@ void CurveEditor::choosePoints() {
                              : editing::controlPoints(m_nodes, shownCurve(m_curves), pointFraction, maxPoints);
   m_selected.assign(m_points.size(), false);
   m_current = -1;
-  // What was said of a point of other curves is not true of these.
+  // The hovered point belonged to the previous curves.
   m_hovered.reset();
   m_announced.clear();
   setAccessibleDescription({});

@@ -10,13 +10,13 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double reach = 9;       // pixels
+constexpr double pickRadius = 9;  // pixels
 constexpr double keyPixels = 10;  // Shift: a tenth
 }  // namespace
 
 int CurveEditor::pointAt(const QPointF& position) const {
   int nearest = -1;
-  double best = reach;
+  double best = pickRadius;
   for (std::size_t i = 0; i < m_points.size(); ++i) {
     const QPointF away = pointPosition(i) - position;
     const double distance = std::max(std::abs(away.x()), std::abs(away.y()));

@@ -4,6 +4,7 @@
 
 #include <QRectF>
 #include <QString>
+#include <QWidget>
 #include <array>
 #include <vector>
 
@@ -67,5 +68,22 @@ class CurveView {
 QPen ghostPen(int channel, const PlotStyle& style, double opacity);
 /// Pen of the mean of the channels.
 QPen meanPen(const PlotStyle& style);
+
+/// Legend of curve editors in one row: the channels, their mean, the measured curves.
+class CurveLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CurveLegend(QWidget* parent = nullptr);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QStringList names() const;
+};
 
 }  // namespace gonio::widgets

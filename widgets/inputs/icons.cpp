@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QPixmapCache>
 #include <numbers>
 
 namespace gonio::widgets {
@@ -109,5 +110,15 @@ void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect) {
 }
 
 QIcon glyphIcon(Glyph glyph) { return QIcon(new GlyphEngine(glyph)); }
+
+QPixmap scaledPixmap(const QPixmap& pixmap, const QSize& size) {
+  const QString key = QStringLiteral("scaled/%1/%2x%3").arg(pixmap.cacheKey()).arg(size.width()).arg(size.height());
+  QPixmap result;
+  if (!QPixmapCache::find(key, &result)) {
+    result = pixmap.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPixmapCache::insert(key, result);
+  }
+  return result;
+}
 
 }  // namespace gonio::widgets

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QIcon>
+#include <QPixmap>
 
 namespace gonio::widgets {
 
@@ -13,5 +14,9 @@ enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, p
 QIcon glyphIcon(Glyph glyph);
 /// The same with the painter's pen, in a rectangle.
 void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect);
+
+/// A pixmap scaled to a size with the same aspect ratio, averaged over areas (unlike painting a large pixmap small).
+/// Cached, so that it can be called in every paint event.
+QPixmap scaledPixmap(const QPixmap& pixmap, const QSize& size);
 
 }  // namespace gonio::widgets

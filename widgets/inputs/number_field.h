@@ -3,8 +3,14 @@
 #pragma once
 
 #include <QLineEdit>
+#include <QString>
+#include <optional>
 
 namespace gonio::widgets {
+
+/// The value of a typed number or of simple arithmetic: + - * / ^, parentheses, the constant pi, and decimal points or
+/// commas ("0,3*2" is 0.6). A trailing `unit` is ignored. Empty for other texts and for results that are not finite.
+std::optional<double> evaluateArithmetic(const QString& text, const QString& unit = {});
 
 /// A field for one number: hard range, unit suffix, simple arithmetic, four significant digits. Enter or leaving the
 /// field commits, Esc restores, arrow keys step (Shift a tenth). Text that the user did not change preserves the exact

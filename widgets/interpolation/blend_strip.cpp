@@ -15,7 +15,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double minSide = 30, maxSide = 96, usualSide = 56, gap = 3;
+constexpr double minSide = 30, maxSide = 96, usualSide = 56, sphereGap = 3;
 constexpr int minRows = 4, usualRows = 5;
 }  // namespace
 
@@ -78,29 +78,30 @@ double BlendStrip::headerHeight() const { return fontMetrics().height() * 1.6; }
 
 double BlendStrip::side() const {
   const double rows = double(std::max<std::size_t>(1, m_rows.size())), steps = double(std::max(1, int(m_steps.size())));
-  return std::clamp(std::min((width() - labelWidth()) / steps - gap, (height() - headerHeight()) / rows - gap), minSide,
-                    maxSide);
+  return std::clamp(
+      std::min((width() - labelWidth()) / steps - sphereGap, (height() - headerHeight()) / rows - sphereGap), minSide,
+      maxSide);
 }
 
 QRectF BlendStrip::rowArea(int row) const {
-  const double pitch = side() + gap;
+  const double pitch = side() + sphereGap;
   return {0, headerHeight() + row * pitch, labelWidth() + double(m_steps.size()) * pitch, pitch};
 }
 
 QRectF BlendStrip::cell(int row, int step) const {
-  const double pitch = side() + gap;
+  const double pitch = side() + sphereGap;
   const QRectF area = rowArea(row);
-  return {labelWidth() + step * pitch + gap / 2, area.top() + gap / 2, side(), side()};
+  return {labelWidth() + step * pitch + sphereGap / 2, area.top() + sphereGap / 2, side(), side()};
 }
 
 QSize BlendStrip::sizeHint() const {
-  return {int(labelWidth() + double(m_steps.size()) * (usualSide + gap)),
-          int(headerHeight() + usualRows * (usualSide + gap))};
+  return {int(labelWidth() + double(m_steps.size()) * (usualSide + sphereGap)),
+          int(headerHeight() + usualRows * (usualSide + sphereGap))};
 }
 
 QSize BlendStrip::minimumSizeHint() const {
-  return {int(labelWidth() + double(m_steps.size()) * (minSide + gap)),
-          int(headerHeight() + minRows * (minSide + gap))};
+  return {int(labelWidth() + double(m_steps.size()) * (minSide + sphereGap)),
+          int(headerHeight() + minRows * (minSide + sphereGap))};
 }
 
 BlendStrip::Cell BlendStrip::cellAt(const QPointF& position) const {
@@ -186,7 +187,7 @@ void BlendStrip::drawRow(QPainter& painter, int row) const {
     paintSphere(painter, content.pictures[std::size_t(step)], cell(row, step), palette());
   if (content.note.isEmpty()) return;
   painter.setPen(palette().color(QPalette::WindowText));
-  const QRectF note(labelWidth() + gap, area.top(), area.width() - labelWidth() - 2 * gap, area.height());
+  const QRectF note(labelWidth() + sphereGap, area.top(), area.width() - labelWidth() - 2 * sphereGap, area.height());
   const int lines = std::max(1, int(note.height() / fontMetrics().lineSpacing()));
   const QString fitting = fontMetrics().elidedText(content.note, Qt::ElideRight, int(note.width()) * lines);
   painter.drawText(note, Qt::AlignCenter | Qt::TextWordWrap, fitting);
@@ -197,7 +198,8 @@ void BlendStrip::drawSteps(QPainter& painter) const {
   const double line = fontMetrics().height();
   for (int step = 0; step < m_steps.size(); ++step) {
     const QRectF column = cell(0, step);
-    painter.drawText(QRectF(column.left() - gap, 0, column.width() + 2 * gap, line), Qt::AlignCenter, m_steps[step]);
+    painter.drawText(QRectF(column.left() - sphereGap, 0, column.width() + 2 * sphereGap, line), Qt::AlignCenter,
+                     m_steps[step]);
   }
   if (m_mark < 0 || m_steps.size() < 2) return;
   const double first = cell(0, 0).center().x(), last = cell(0, int(m_steps.size()) - 1).center().x();

@@ -3,16 +3,38 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QDateTime>
+#include <QHash>
 #include <QImage>
 #include <QPixmap>
+#include <QString>
+#include <QStringList>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/math/types.h"
-#include "widgets/library/library_note.h"
 
 namespace gonio::widgets {
+
+/// The user's notes about a library material.
+struct LibraryNote {
+  static constexpr int maxRating = 5;
+
+  bool favourite = false;
+  int rating = 0;  ///< 1 to 5; 0: none
+  QStringList tags = {};
+  QDateTime opened = {};  ///< last time; null: never
+
+  bool isEmpty() const { return *this == LibraryNote{}; }
+  bool operator==(const LibraryNote&) const = default;
+};
+
+/// Notes by the id of the material, over all libraries.
+using LibraryNotes = QHash<QString, LibraryNote>;
+
+/// The tags of a comma-separated text, each once, in order.
+QStringList tagsOf(const QString& text);
 
 /// A material that can be opened from the library.
 struct LibraryItem {
@@ -128,5 +150,12 @@ class LibraryModel : public QAbstractListModel {
   };
   std::optional<Reference> m_reference;
 };
+
+/// The mean of a picture's opaque pixels, in linear light, as CIE L*, a*, b*; black if there are none.
+Rgb meanLab(const QImage& picture);
+
+/// Dissimilarity of two materials by their thumbnails: the Euclidean norm of the colour difference (CIE 1976 delta E)
+/// and 10 per octave of roughness. 0: equal.
+double dissimilarity(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness);
 
 }  // namespace gonio::widgets

@@ -7,16 +7,66 @@
 #include <memory>
 #include <vector>
 
-#include "widgets/panels/edit_entry.h"
-
-class QAction;
 class QLabel;
-class QMenu;
+class QLineEdit;
 class QToolButton;
+class QAction;
+class QMenu;
 
 namespace gonio::widgets {
 
-class EditRow;
+/// One edit of a stack, for display.
+struct EditEntry {
+  QString name;  ///< shown
+  QString toolTip = {};
+  double strength = 1;  ///< [0, 1]
+  bool enabled = true;
+  QString ownName = {};  ///< name given by the user, the initial text of renaming
+  QString effect = {};   ///< measured effect, a line below the strength; empty: none
+
+  bool operator==(const EditEntry&) const = default;
+};
+
+class NumberField;
+class ParameterSlider;
+
+/// One edit of an EditStack: at the top the eye, the name and the Delete button; below them the strength, then the
+/// measured effect.
+class EditRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EditRow(QWidget* parent = nullptr);
+
+  void show(const EditEntry& entry);
+  /// Shows a field for the name; Return or leaving the field commits, Escape reverts.
+  void beginRename();
+
+ Q_SIGNALS:
+  void enabledChosen(bool enabled);
+  void editingStarted();
+  void strengthEdited(double strength);
+  void editingFinished();
+  void renamed(const QString& name);
+  void deleteRequested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void endRename();
+  void elideName();
+
+  QToolButton* m_eye;
+  QLabel* m_name;
+  QLineEdit* m_nameField;
+  ParameterSlider* m_slider;
+  NumberField* m_field;
+  QToolButton* m_delete;
+  QLabel* m_effect;
+  QString m_fullName, m_ownName;
+};
 
 /// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and number,
 /// a button that deletes. One is selected. Rows can be dragged (or moved by Alt+Up, Alt+Down), renamed (F2 or a

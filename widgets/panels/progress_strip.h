@@ -34,7 +34,6 @@ class ProgressStrip : public QWidget {
   /// Shows a result, such as "Wrote chrome.bsdf", for this time.
   void showNotice(const QString& text, int milliseconds);
   QString notice() const;
-  QToolButton* entriesButton() const { return m_entries; }
 
  Q_SIGNALS:
   void cancelRequested();

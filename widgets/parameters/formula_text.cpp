@@ -73,7 +73,7 @@ class FormulaReader {
     }
   }
 
-  /// What an index or an exponent covers: an expression in parentheses, or all that is not an operator.
+  /// The end of an index or exponent: an expression in parentheses, or all that is not an operator.
   qsizetype endOfScript() const {
     qsizetype end = m_at;
     if (m_text[end] == u'(') {

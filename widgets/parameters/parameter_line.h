@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
+#include <utility>
 
 #include "core/models/parameter_spec.h"
 #include "widgets/inputs/number_field.h"
@@ -13,6 +14,10 @@
 class QHBoxLayout;
 
 namespace gonio::widgets {
+
+/// Minimum and maximum of a parameter's slider: the soft range. If the fitted value is outside, the range is extended
+/// beyond this value, but not beyond the hard range.
+std::pair<double, double> sliderRange(const models::ParameterSpec& spec, double fitted);
 
 /// One number of a parameter in a row of aligned columns: label, slider, number field, space for a swatch, reset arrow.
 /// Double-click on the label or slider, or Backspace on the slider, requests a reset.

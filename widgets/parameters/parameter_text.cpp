@@ -28,7 +28,6 @@ QString displayNumber(const models::ParameterSpec& spec, double value) {
 }  // namespace
 
 void setRoughnessDisplay(RoughnessDisplay display) { chosenRoughness = display; }
-RoughnessDisplay roughnessDisplay() { return chosenRoughness; }
 
 QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 

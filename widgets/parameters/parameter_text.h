@@ -17,7 +17,6 @@ QString toQString(std::string_view text);
 enum class RoughnessDisplay { alpha, squareRoot };
 /// A setting of the whole program; call ParameterPanel::showUnits() afterwards.
 void setRoughnessDisplay(RoughnessDisplay display);
-RoughnessDisplay roughnessDisplay();
 
 /// The displayed number is displayFactor() * value^displayPower() in displayUnit(); angles are in degrees.
 double displayFactor(const models::ParameterSpec& spec);

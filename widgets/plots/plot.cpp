@@ -10,8 +10,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
-#include "widgets/inputs/dialog_folder.h"
-#include "widgets/inputs/open_file_dialog.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_text.h"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/plots/slice_chart.h"
 
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 
 namespace gonio::widgets {
 

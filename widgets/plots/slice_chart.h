@@ -8,7 +8,7 @@
 /// Parts of a slice chart that need no widget.
 namespace gonio::widgets {
 
-/// The colour map of core/rendering/false_colour.h for QCustomPlot; cells with NaN stay transparent.
+/// The colour map of core/rendering/error_maps.h for QCustomPlot; cells with NaN stay transparent.
 QCPColorGradient viridisGradient();
 /// One colour for all numbers.
 QCPColorGradient plainGradient(const QColor& colour);

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 
 namespace gonio::widgets {
 

@@ -5,9 +5,28 @@
 #include <algorithm>
 
 #include "core/support/error.h"
-#include "widgets/preview/gl/opengl_version.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
+
+FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted, bool resting) const {
+  const double budget = (resting ? restingMs : interactiveMs) * 1e6;
+  const auto affordable = [&](double atPixels) {
+    return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
+  };
+  const int full = affordable(pixels);
+  if (accumulated == 0 && !resting && full < minFirstSamples) {
+    const double scale = nsPerSample_ * pixels / 4 > maxFirstFrameMs * 1e6 ? 0.25 : 0.5;
+    return {affordable(pixels * scale * scale), scale};
+  }
+  return {std::min(full, std::max(1, wanted - accumulated)), 1.0};
+}
+
+void FrameBudget::record(double pixels, int samples, double milliseconds) {
+  const double measured = milliseconds * 1e6 / std::max(1.0, pixels * samples);
+  // One slow frame (a page fault, another program) must not starve the next ones: move half way.
+  nsPerSample_ = 0.5 * (nsPerSample_ + measured);
+}
 
 namespace {
 bool isAtRest(const PictureRequest& request) {
@@ -43,7 +62,7 @@ void PictureDrawer::take(const PictureRequest& request) {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
     const PictureRequest::Side& wanted = request.sides[i];
-    // Of a scene that is not drawn, the film before stays until the next one comes.
+    // If a scene is not drawn, the previous film stays until the next one is ready.
     if (!request.isDrawn && !wanted.subject.isEmpty()) continue;
     if (side.film && !wanted.film) {
       side.picture.restart();

@@ -9,14 +9,14 @@
 #include <mutex>
 
 #include "widgets/preview/gl/code_decoder.h"
-#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/picture_readback.h"
+#include "widgets/preview/gl/textures.h"
 #include "widgets/preview/picture_drawer.h"
-#include "widgets/preview/task_failure.h"
+#include "widgets/preview/preview_side.h"
 
 namespace gonio::widgets {
 
-/// What lives in the thread. Its public functions may be called from there alone, but for request().
+/// The object in the rendering thread. Only request() may be called from other threads.
 class PictureThread::Worker : public QObject {
  public:
   Worker(PictureThread& thread, const QOffscreenSurface& surface)

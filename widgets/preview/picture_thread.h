@@ -6,7 +6,7 @@
 #include <QThread>
 #include <memory>
 
-#include "widgets/preview/picture_request.h"
+#include "widgets/preview/picture_drawer.h"
 
 class QOffscreenSurface;
 class QSurfaceFormat;

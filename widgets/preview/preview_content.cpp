@@ -68,7 +68,7 @@ bool PreviewContent::isComparing() const {
   return m_comparison.mode != CompareMode::off && !m_first.subject().isEmpty() && !m_second.subject().isEmpty();
 }
 
-/// What the side's picture simulates.
+/// Plans the effects that the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
   static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
   adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials()));
@@ -241,7 +241,7 @@ bool PreviewContent::isWorthShowing(const PreviewSide& side) const {
 
 PictureRequest PreviewContent::request() const {
   PictureRequest::Side first = m_first.request(), second = m_second.request();
-  // What is compared comes from one renderer.
+  // Both pictures of a comparison come from the same renderer.
   if (isWorthShowing(m_first) && (!isComparing() || isWorthShowing(m_second))) {
     first.film = m_first.tracer().film();
     if (isComparing()) second.film = m_second.tracer().film();

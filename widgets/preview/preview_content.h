@@ -10,7 +10,7 @@ namespace gonio::widgets {
 
 /// A further material of a scene with several materials, in the forms for the shader and the path tracer.
 struct SceneMaterial {
-  PreviewSubject subject = {};  ///< with its lobe; empty: none
+  PreviewSubject subject = {};  ///< with its density; empty: none
   std::shared_ptr<const RenderMaterial> material = nullptr;
 };
 
@@ -30,8 +30,8 @@ class PreviewContent : public QObject {
  public:
   explicit PreviewContent(QObject* parent = nullptr);
 
-  /// Sets the first subject. Its lobe (sampling density) is estimated in the background. Until then the previous lobe
-  /// is used if neither the previous nor the new subject is a base without edits, else subject.lobe. An unchanged
+  /// Sets the first subject. Its sampling density is estimated in the background. Until then the previous density
+  /// is used if neither the previous nor the new subject is a base without edits, else subject.density. An unchanged
   /// subject does not restart the picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});
   /// Sets the second subject of comparisons. It costs nothing if it is empty or the mode is off.

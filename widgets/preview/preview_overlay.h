@@ -9,7 +9,37 @@
 #include "core/rendering/effect_plan.h"
 #include "widgets/preview/gl/preview_comparison.h"
 
+class QLabel;
+class QPushButton;
+
 namespace gonio::widgets {
+
+/// A line over the preview that states that something other than the material is shown, with a button to end this.
+class PreviewBanner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit PreviewBanner(QWidget* viewport);
+
+  /// An empty text hides it.
+  void showText(const QString& text, const QString& button);
+  QString text() const { return m_whole; }
+  QPushButton* button() const { return m_button; }
+  QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  void dismissed();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void elide();
+
+  QString m_whole;
+  QLabel* m_text;
+  QPushButton* m_button;
+};
 
 /// "1 sample", "64 samples".
 QString samplesText(int samples);
@@ -18,7 +48,6 @@ QString samplesText(int samples);
 QString effectsText(const EffectPlan& plan, int followed);
 
 class FalseColourLegend;
-class PreviewBanner;
 class SplitBar;
 
 /// The overlays of the preview's picture: facts about the frame, a ring for keyboard focus, a hint if it is empty, a

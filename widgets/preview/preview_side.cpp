@@ -2,7 +2,138 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_side.h"
 
+#include <QtConcurrentRun>
+#include <algorithm>
+#include <chrono>
+
 namespace gonio::widgets {
+
+MaterialEstimator::MaterialEstimator(QObject* parent) : QObject(parent) {
+  connect(&m_watcher, &QFutureWatcher<Outcome>::finished, this, &MaterialEstimator::finish);
+}
+
+MaterialEstimator::~MaterialEstimator() { m_watcher.waitForFinished(); }
+
+void MaterialEstimator::request(const PreviewSubject& subject) {
+  if (subject.isEmpty()) return cancel();
+  m_wanted = true;
+  if (m_busy)
+    m_next = subject;
+  else
+    start(subject);
+}
+
+void MaterialEstimator::cancel() {
+  m_next.reset();
+  m_wanted = false;
+}
+
+void MaterialEstimator::start(const PreviewSubject& subject) {
+  m_busy = true;
+  m_watcher.setFuture(QtConcurrent::run(&m_pool, [subject] {
+    Outcome outcome;
+    outcome.failure = TaskFailure::of([&] {
+      const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
+      // The density of a measurement as it is may have come with it.
+      auto density =
+          subject.isMeasured() && subject.density ? subject.density : std::make_shared<const TabulatedDensity>(*brdf);
+      outcome.estimate = {density, std::make_shared<const RenderMaterial>(brdf, density)};
+    });
+    return outcome;
+  }));
+}
+
+void MaterialEstimator::finish() {
+  m_busy = false;
+  if (m_next) {
+    const PreviewSubject next = *m_next;
+    m_next.reset();
+    return start(next);
+  }
+  if (!m_wanted) return;
+  const Outcome outcome = m_watcher.result();
+  if (outcome.failure.isEmpty())
+    Q_EMIT estimated(outcome.estimate);
+  else
+    Q_EMIT failed(outcome.failure);
+}
+
+namespace {
+
+/// Sizes of the pictures before the full one, as fractions of its sides.
+constexpr int coarseDivisors[] = {4, 2};
+
+using ProgressCallback = std::function<void(std::shared_ptr<const Film>, double milliseconds)>;
+
+void traceProgressively(const PathTracer& tracer, const QSize& size, int samples, const TaskControl& control,
+                        const ProgressCallback& onProgress) {
+  const auto pass = [&](Film& film, int count) {
+    const auto start = std::chrono::steady_clock::now();
+    tracer.accumulate(film, count, control);
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    onProgress(std::make_shared<const Film>(film), elapsed.count() / count);
+  };
+  for (const int divisor : coarseDivisors) {
+    Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
+    coarse.enableFeatures();
+    pass(coarse, 1);
+  }
+  Film film(size.width(), size.height());
+  film.enableFeatures();
+  while (film.samples < samples) pass(film, std::min(std::max(1, film.samples), samples - film.samples));
+}
+
+}  // namespace
+
+SceneTracer::SceneTracer(QObject* parent) : QObject(parent) {
+  // One after the other: two at once would take each other's cores.
+  m_pool.setMaxThreadCount(1);
+}
+
+SceneTracer::~SceneTracer() {
+  stop();
+  m_future.waitForFinished();
+}
+
+void SceneTracer::stop() {
+  m_stop.request_stop();
+  ++m_request;
+  m_isCurrent = m_isDone = false;
+}
+
+void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
+                        const QSize& size, int samples) {
+  stop();
+  m_stop = std::stop_source();
+  m_samples = samples;
+  const ProgressCallback onProgress = [this, request = m_request](const std::shared_ptr<const Film>& film,
+                                                                  double milliseconds) {
+    QMetaObject::invokeMethod(
+        this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
+  };
+  const auto tellFailure = [this, request = m_request](const QString& failure) {
+    const auto tellOne = [this, request, failure] {
+      if (request == m_request) Q_EMIT failed(failure);
+    };
+    QMetaObject::invokeMethod(this, tellOne, Qt::QueuedConnection);
+  };
+  m_future = QtConcurrent::run(&m_pool, [=, control = TaskControl{m_stop.get_token(), {}}] {
+    const QString failure = TaskFailure::of([&] {
+      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control,
+                         onProgress);
+    });
+    if (!failure.isEmpty()) tellFailure(failure);
+  });
+}
+
+void SceneTracer::adopt(int request, std::shared_ptr<const Film> film, double milliseconds) {
+  if (request != m_request) return;
+  m_film = std::move(film);
+  m_isCurrent = true;
+  m_milliseconds = milliseconds;
+  m_isDone = m_film->samples >= m_samples;
+  Q_EMIT advanced();
+}
 
 PreviewSide::PreviewSide(QObject* parent) : QObject(parent) {
   connect(&m_estimator, &MaterialEstimator::estimated, this, &PreviewSide::adopt);
@@ -12,11 +143,11 @@ PreviewSide::PreviewSide(QObject* parent) : QObject(parent) {
 
 bool PreviewSide::setSubject(const PreviewSubject& subject) {
   if (sameSubject(subject, m_given)) return false;
-  // The lobe of the step before serves until the new one is known.
-  const bool keepsLobe = !subject.isMeasured() && !m_given.isMeasured();
-  const auto lobe = keepsLobe ? m_subject.lobe : subject.lobe;
+  // The density of the step before serves until the new one is known.
+  const bool keepsDensity = !subject.isMeasured() && !m_given.isMeasured();
+  const auto density = keepsDensity ? m_subject.density : subject.density;
   m_given = m_subject = subject;
-  m_subject.lobe = lobe;
+  m_subject.density = density;
   ++m_number;
   m_tracer.stop();
   if (subject.isEmpty()) m_material.reset();
@@ -26,8 +157,8 @@ bool PreviewSide::setSubject(const PreviewSubject& subject) {
 
 void PreviewSide::adopt(const MaterialEstimate& estimate) {
   m_material = estimate.material;
-  if (!m_subject.lobe || !areSimilar(*estimate.lobe, *m_subject.lobe)) {
-    m_subject.lobe = estimate.lobe;
+  if (!m_subject.density || !areSimilar(*estimate.density, *m_subject.density)) {
+    m_subject.density = estimate.density;
     ++m_number;
   }
   Q_EMIT estimated();

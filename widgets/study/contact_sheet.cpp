@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "widgets/inputs/scaled_pixmap.h"
+#include "widgets/inputs/icons.h"
 #include "widgets/preview/false_colour_legend.h"
 
 namespace gonio::widgets {

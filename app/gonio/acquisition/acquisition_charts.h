@@ -3,19 +3,29 @@
 #pragma once
 
 #include <QWidget>
+#include <span>
 
 #include "app/gonio/acquisition/acquisition_controls.h"
+#include "core/acquisition/measurable_directions.h"
+#include "core/dictionary/principal_components.h"
+#include "widgets/acquisition/half_difference_chart.h"
 
 class QCheckBox;
 class QLabel;
 class QSlider;
-
 namespace gonio::widgets {
 class HalfDifferenceChart;
 class HemisphereChart;
 }  // namespace gonio::widgets
 
 namespace gonio::app {
+
+/// The chart's slice at the k-th phi_d of a grid: which cells can be measured, and how uncertain each cell is.
+/// @param mapping the cells with training data; null before a basis is learned: then no cell is CellState::unlearned.
+/// @param deviations one per cell of the mapping, or empty. O(cells of the slice).
+widgets::HalfDifferenceSlice sliceAt(int k, const HalfDifferenceGrid& grid,
+                                     const acquisition::MeasurableDirections& measurable,
+                                     const dictionary::MappedCells* mapping, std::span<const float> deviations);
 
 /// The samples of an acquisition on the hemisphere and in a slice of half-difference space, with the measurable cells
 /// and the uncertainty of the reconstruction.

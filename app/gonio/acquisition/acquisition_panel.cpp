@@ -13,8 +13,6 @@
 
 #include "app/gonio/acquisition/acquisition_charts.h"
 #include "app/gonio/acquisition/acquisition_files.h"
-#include "app/gonio/acquisition/acquisition_status.h"
-#include "app/gonio/acquisition/error_curve_page.h"
 #include "app/gonio/acquisition/factor_page.h"
 #include "app/gonio/acquisition/reconstruction_page.h"
 #include "app/gonio/acquisition/samples_page.h"

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "app/gonio/acquisition/acquisition_training.h"
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/acquisition/acquisition_planner.h"
+#include "app/gonio/library/thumbnail.h"
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
+#include "core/support/error.h"
 #include "widgets/preview/gl/preview_comparison.h"
 
 namespace gonio::app {
@@ -52,7 +53,7 @@ void addErrorMap(ComparedPicture& result, const Image& picture, const Image& aga
 }  // namespace
 
 RenderOptions acquisitionPicture() {
-  return {.width = comparedSide, .height = comparedSide, .samples = comparedSamples, .lobe = {}};
+  return {.width = comparedSide, .height = comparedSide, .samples = comparedSamples, .density = {}};
 }
 
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
@@ -132,6 +133,51 @@ void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& 
     const ComparisonPicture picture = reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
     measured(counts[i], errorOf(*reconstruction.table, picture, *reference));
   }
+}
+
+FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
+                               const TaskControl& control) {
+  acquisition::FactorReadings readings{.plan = acquisition::planFactors(settings.plan), .values = {}};
+  readings.values = acquisition::measure(*reference->table, readings.plan.plan, settings.noise);
+  return predictFromReadings(readings, settings.bound, reference, control);
+}
+
+FactorResultPtr predictFromReadings(const acquisition::FactorReadings& readings, acquisition::FactorBound bound,
+                                    const AcquisitionReferencePtr& reference, const TaskControl& control) {
+  constexpr double predictedFraction = 0.5;
+  auto result = std::make_shared<FactorResult>();
+  result->readings = readings;
+  result->curves = acquisition::factorMeasurement(readings.plan, readings.values);
+  result->support = acquisition::supportOf(result->curves);
+  result->table =
+      bakeTable(*acquisition::predictFromFactors(result->curves, bound),
+                reference ? reference->table->grid() : HalfDifferenceGrid(), control.between(0, predictedFraction));
+  static_cast<ComparedPicture&>(*result) =
+      comparedPicture(*result->table, reference, control.between(predictedFraction, 1));
+  return result;
+}
+
+FactorReadingsFile readFactorReadings(const QString& path, acquisition::FactorAxes axes) {
+  FactorReadingsFile file{path, acquisition::readFactorReadings(path.toStdString(), axes), {}};
+  const auto named = acquisition::axesOfFactorMethod(file.readings.plan.plan.method);
+  try {
+    return withAxes(std::move(file), named.value_or(axes));
+  } catch (const Error& error) {
+    if (named) throw;
+    throw Error(
+        std::string(error.what()) +
+        "\nThe file does not state its axes (comment \"# method: factors, AXES\"), so the selected ones were used. "
+        "Select the axes of the readings, then open the file again.");
+  }
+}
+
+FactorReadingsFile withAxes(FactorReadingsFile file, acquisition::FactorAxes axes) {
+  return withFileInErrors(file.path.toStdString(), [&] {
+    file.readings.plan.axes = axes;
+    file.readings.plan.plan.method = acquisition::factorMethod(axes);
+    file.curves = acquisition::factorMeasurement(file.readings.plan, file.readings.values);
+    return file;
+  });
 }
 
 }  // namespace gonio::app

@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gonio/acquisition/acquisition_controls.h"
 #include "app/gonio/acquisition/acquisition_files.h"
-#include "app/gonio/acquisition/control_rows.h"
 #include "widgets/acquisition/reconstruction_view.h"
 #include "widgets/inputs/flow_layout.h"
 #include "widgets/inputs/number_field.h"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/gonio/acquisition/acquisition_controls.h"
-#include "app/gonio/acquisition/factor_result.h"
+#include "app/gonio/acquisition/acquisition_result.h"
 #include "widgets/acquisition/factor_curves.h"
 
 class QCheckBox;

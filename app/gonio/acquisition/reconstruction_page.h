@@ -5,15 +5,44 @@
 #include <QWidget>
 
 #include "app/gonio/acquisition/acquisition_controls.h"
+#include "app/gonio/acquisition/acquisition_session.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
-
+namespace gonio::widgets {
+class ErrorCurve;
+}
 namespace gonio::widgets {
 class ReconstructionView;
 }
 
 namespace gonio::app {
+
+/// The error of an acquisition over the number of its samples.
+class ErrorCurvePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ErrorCurvePage(const AcquisitionSession& session);
+
+  widgets::ErrorCurve& curve() const { return *m_curve; }
+  void refresh();
+
+ private:
+  void showCurve();
+
+  const AcquisitionSession& m_session;
+  QComboBox* m_quality;
+  widgets::ErrorCurve* m_curve;
+};
+
+/// Whether the start button would stop the work in progress. If the settings changed meanwhile, it restarts the work
+/// instead.
+bool startCancels(const AcquisitionSession& session, const AcquisitionControls& controls);
+
+/// Description of the running step, or of the possible next step.
+QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionControls& controls);
 
 /// The reconstructed material beside the measured one, with its error.
 class ReconstructionPage : public QWidget {

@@ -7,7 +7,6 @@
 #include "app/gonio/document/loaded_material.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
-#include "widgets/preview/preview_banner.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -17,7 +16,7 @@ using widgets::ComparedSubject;
 using widgets::CompareMode;
 
 namespace {
-const QString referenceKey = QStringLiteral("reference");
+const QString openReferenceKey = QStringLiteral("reference");
 constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, ComparedSubject::edited,
                               ComparedSubject::reference};
 
@@ -53,7 +52,7 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
 
 void ComparisonController::openReference(const QString& path) {
   m_tasks.run<LoadedMaterialPtr>(
-      {tr("Opening %1 as the reference").arg(path.section('/', -1)), referenceKey},
+      {tr("Opening %1 as the reference").arg(path.section('/', -1)), openReferenceKey},
       [path](const TaskControl& control) { return loadEdited(path.toStdString(), control); },
       [this](const LoadedMaterialPtr& material) {
         m_reference = material;

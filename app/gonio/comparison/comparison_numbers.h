@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "core/support/task_control.h"
 #include "widgets/preview/gl/preview_subject.h"
 

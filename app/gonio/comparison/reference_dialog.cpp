@@ -9,8 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/material_files.h"
-#include "widgets/inputs/dialog_folder.h"
-#include "widgets/inputs/open_file_dialog.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"

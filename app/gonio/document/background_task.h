@@ -12,7 +12,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/support/pause.h"
 #include "core/support/task_control.h"
 
 namespace gonio::app {

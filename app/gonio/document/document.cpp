@@ -5,10 +5,109 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "app/gonio/document/commands.h"
 #include "core/editing/edit_list.h"
+#include "widgets/inputs/menu_text.h"
 
 namespace gonio::app {
+
+namespace {
+
+/// Replaces the list of edits. Steps of one interaction (a drag of a slider or a curve) merge into one; a drag that
+/// ends where it began leaves no step.
+class ReplaceEditsCommand final : public Command {
+ public:
+  ReplaceEditsCommand(Document& document, EditState after, const QString& text, int interaction);
+
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override;
+  /// Curves in both lists do not count, because other steps or the document share them.
+  std::size_t bytes() const override;
+  /// Appends an edit to both lists of this step.
+  void append(const editing::Edit& edit);
+
+ protected:
+  void apply() override { m_document.setState(m_after); }
+  void revert() override { m_document.setState(m_before); }
+  void release() override { m_before = m_after = {}; }
+
+ private:
+  Document& m_document;
+  int m_interaction;
+  EditState m_before, m_after;
+};
+
+/// Replaces the document's material. Edits, fits and the file belong to the material and are restored together with it.
+class ReplaceMaterialCommand final : public Command {
+ public:
+  ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text);
+
+  std::size_t bytes() const override;
+
+ protected:
+  void apply() override;
+  void revert() override;
+  void release() override { m_before = m_after = {}; }
+
+ private:
+  void show(const Document::Content& content);
+
+  Document& m_document;
+  Document::Content m_before, m_after;
+};
+
+ReplaceEditsCommand::ReplaceEditsCommand(Document& document, EditState after, const QString& text, int interaction)
+    : m_document(document), m_interaction(interaction), m_before(document.state()), m_after(std::move(after)) {
+  setText(widgets::oneLine(text));  // Qt takes a second line for the text of the menu
+}
+
+bool ReplaceEditsCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const ReplaceEditsCommand*>(other);
+  if (isForgotten() || next->m_interaction != m_interaction) return false;
+  m_after = next->m_after;
+  setText(next->text());
+  if (m_after.edits == m_before.edits && m_after.incident == m_before.incident) setObsolete(true);
+  return true;
+}
+
+std::size_t ReplaceEditsCommand::bytes() const {
+  return sizeof(*this) + editing::unsharedBytes(m_before.edits, m_after.edits) +
+         editing::unsharedBytes(m_after.edits, m_before.edits);
+}
+
+void ReplaceEditsCommand::append(const editing::Edit& edit) {
+  for (EditState* state : {&m_before, &m_after}) {
+    state->edits.push_back(edit);
+    if (state->selected < 0) state->selected = int(state->edits.size()) - 1;
+  }
+}
+
+ReplaceMaterialCommand::ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text)
+    : m_document(document), m_before(document.content()), m_after{std::move(after), {}, {}, {}} {
+  setText(widgets::oneLine(text));
+}
+
+void ReplaceMaterialCommand::show(const Document::Content& content) {
+  m_document.setContent(content);
+  Q_EMIT m_document.materialReplaced();
+}
+
+void ReplaceMaterialCommand::apply() {
+  m_before = m_document.content();
+  show(m_after);
+}
+
+void ReplaceMaterialCommand::revert() {
+  // With the automatic fit and the file that it has got meanwhile.
+  m_after = m_document.content();
+  show(m_before);
+}
+
+std::size_t ReplaceMaterialCommand::bytes() const {
+  const auto of = [](const Document::Content& content) { return content.material ? content.material->bytes() : 0; };
+  return sizeof(*this) + of(m_before) + of(m_after);
+}
+
+}  // namespace
 
 using editing::DifferentialEdit;
 using editing::EditList;

@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "app/gonio/document/edit_steps.h"
-#include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/document/material_files.h"
-#include "core/editing/factor_transfer.h"
+#include "core/editing/factor_edit.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 

@@ -2,11 +2,17 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QString>
+
 #include "app/gonio/document/document.h"
+#include "core/documents/edit_document.h"
+
+class QMimeData;
+
+namespace gonio::app {
 
 /// Changes of a document's edits. Each is a named undo step, or none if nothing changes; all changes in one interaction
 /// merge into one step. Edits are given by their index in the list.
-namespace gonio::app {
 
 /// Name of an edit: the one given by the user, else that of its content ("GGX", "Factor curves"), numbered if earlier
 /// edits have the same name ("GGX 2").
@@ -44,5 +50,17 @@ void deleteEdit(Document& document, int edit);
 void pasteEdits(Document& document, const editing::EditList& edits);
 /// Inserts a new edit after the selected one (or the last) and selects it.
 void addEdit(Document& document, const editing::Edit& edit);
+
+/// The change of an edit transferred to another fit of the same model: logarithmic parameters by ratio, choices by
+/// value, all others by difference, clamped to the hard ranges. Parameters that the edit did not change have the
+/// new fit's values.
+models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
+
+/// A document's edits for the clipboard: as JSON, and the same JSON as plain text, which can be pasted into a .gonio
+/// file.
+QMimeData* toClipboard(const editing::EditDocument& document);
+/// The edits on a clipboard. Edits without effect are left out, unless there are no others. Empty if there are no
+/// edits.
+editing::EditList editsFromClipboard(const QMimeData* data);
 
 }  // namespace gonio::app

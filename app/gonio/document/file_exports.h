@@ -2,15 +2,70 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QColor>
 #include <QObject>
+#include <QString>
+#include <filesystem>
+#include <functional>
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/file_saves.h"
-#include "app/gonio/document/picture_export.h"
 #include "core/materials/material_formats.h"
+#include "core/rendering/picture_refinement.h"
+#include "core/rendering/tone_map.h"
+#include "core/support/task_control.h"
 
 namespace gonio::app {
+
+/// Something other than the material that a panel shows and that can be saved as a file: factors, a code, a fit.
+struct FileSave {
+  QString title;   ///< title of the dialog, e.g. "Save Factors"
+  QString name;    ///< proposed file name, without folder and suffix
+  QString filter;  ///< "PDV factors (*.pdv)"
+  QString suffix;  ///< ".pdv"
+  /// Not for the GUI thread. @throws Error that names the file; Cancelled.
+  std::function<void(const std::filesystem::path& path, const TaskControl& control)> write;
+};
+
+/// The background of a written picture.
+enum class PictureBackground { environment, transparent, colour };
+
+/// A picture to be rendered and written: content, size, quality and format.
+struct PictureExport {
+  QString path;  ///< its suffix decides: `.exr` 32-bit linear radiance, else 8-bit sRGB PNG
+  Scene scene;
+  EffectOverrides overrides;
+  RenderMaterials otherSlotMaterials;  ///< from slot 1 on, see materialsInSlots()
+  int width = 1024, height = 1024;
+  RefinementLimits limits;
+  PictureBackground background = PictureBackground::transparent;
+  QColor colour = Qt::black;  ///< of the background; its linear value in an EXR
+  double exposure = 0;        ///< stops; PNG only
+  ToneMap toneMap = ToneMap::filmic;
+
+  bool isExr() const { return path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive); }
+  /// The scene with the picture's background.
+  Scene shownScene() const;
+};
+
+/// Input of the path tracer.
+struct PicturePlan {
+  Scene scene;
+  RenderMaterials materials;
+  EffectPlan plan;
+};
+PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited);
+
+/// Renders a picture and writes it atomically. Not for the GUI thread.
+/// @param edited the document's material with its edits, named `name`. @throws Error that names the file; Cancelled.
+void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
+                          const std::string& name, const TaskControl& control, const Pause& pause);
+
+/// Composes an image over a colour. The bytes are sRGB with straight alpha, mixed in linear light; the resulting alpha
+/// is 255.
+void composeOver(const QColor& colour, std::span<std::uint8_t> rgba);
+/// The same for linear radiance; the image then has no alpha.
+void composeOver(const QColor& colour, Image& image);
 
 /// Writes the document's material and pictures of it to files in the background, one after the other. Never replaces
 /// the files that the document uses.

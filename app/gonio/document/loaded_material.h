@@ -7,7 +7,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_brdf.h"
 #include "core/documents/blend_source.h"
 #include "core/fitting/fit.h"
 #include "core/materials/material.h"

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/gonio/document/transform_text.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
@@ -17,12 +16,25 @@
 
 namespace gonio::app {
 
+QString transformFormula(DataTransform transform) {
+  switch (transform) {
+    case DataTransform::logPlus:
+      return QStringLiteral("ln(1 + ρ)");
+    case DataTransform::cosineLog:
+      return QStringLiteral("ln(1 + ρ max(cos θi cos θo, 0.001))");
+    case DataTransform::root:
+      return QStringLiteral("√ρ");
+    default:
+      return QStringLiteral("ρ");
+  }
+}
+
 namespace {
 
 struct MaterialCodeText {
   Q_DECLARE_TR_FUNCTIONS(MaterialCode)
 };
-QString number(double value) { return QString::number(value, 'g', 3); }
+QString errorText(double value) { return QString::number(value, 'g', 3); }
 
 /// Prepared once, in the background; matrices in single precision, a few MB.
 struct Coder {
@@ -44,10 +56,10 @@ QString reason(const dictionary::EncodeResult& encoded) {
   QStringList chosen, others;
   for (const dictionary::EncodedCandidate& candidate : encoded.candidates)
     if (candidate.code.transform == encoded.code.transform)
-      chosen << number(candidate.gammaError);
+      chosen << errorText(candidate.gammaError);
     else
       others << MaterialCodeText::tr("%1 has %2")
-                    .arg(transformText(candidate.code.transform), number(candidate.gammaError));
+                    .arg(transformText(candidate.code.transform), errorText(candidate.gammaError));
   return (chosen + others).join(QStringLiteral("; "));
 }
 
@@ -101,7 +113,7 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
                                               : MaterialCodeText::tr("BRDF SNR ∞ (identical values)");
   return {
-      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("log error %1, %2").arg(number(code.logError), snr),
+      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("log error %1, %2").arg(errorText(code.logError), snr),
        MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
                             "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
                             "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},

@@ -2,13 +2,19 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QString>
+
 #include "app/gonio/document/loaded_material.h"
+#include "core/brdf/data_transform.h"
 #include "core/dictionary/encode.h"
 #include "core/materials/dictionary_file.h"
 #include "widgets/panels/fact_list.h"
-#include "widgets/preview/gl/code_texels.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 namespace gonio::app {
+
+/// Formula of a transform, e.g. "ln(1 + ρ)", with the BRDF value ρ in 1/sr.
+QString transformFormula(DataTransform transform);
 
 /// A material as a sparse code with the bundled dictionary. Its cost and error are measured on this machine, for the
 /// rounded code that a file stores.

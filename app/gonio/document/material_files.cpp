@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QSettings>
 
 #include "core/documents/edit_document.h"
 #include "core/formats/formats.h"
@@ -81,5 +82,30 @@ QStringList distinctNames(const QStringList& ids) {
   }
   return names;
 }
+
+namespace {
+const QString settingsKey = QStringLiteral("recentFiles");
+const QString bundledPrefix = QStringLiteral("library:");
+}  // namespace
+
+RecentFiles::RecentFiles(QSettings& settings)
+    : m_settings(settings), m_paths(settings.value(settingsKey).toStringList()) {}
+
+void RecentFiles::add(const QString& path) {
+  const QString absolute = path.startsWith(bundledPrefix) ? path : QFileInfo(path).absoluteFilePath();
+  m_paths.removeAll(absolute);
+  m_paths.prepend(absolute);
+  while (m_paths.size() > limit) m_paths.removeLast();
+  store();
+}
+
+void RecentFiles::clear() {
+  m_paths.clear();
+  store();
+}
+
+bool RecentFiles::exists(const QString& path) { return path.startsWith(bundledPrefix) || QFileInfo::exists(path); }
+
+void RecentFiles::store() { m_settings.setValue(settingsKey, m_paths); }
 
 }  // namespace gonio::app

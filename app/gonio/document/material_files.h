@@ -6,9 +6,12 @@
 
 #include "core/materials/material_formats.h"
 
+class QSettings;
+
+namespace gonio::app {
+
 /// The formats of materials (core/materials/material_formats.h) as filters for Qt's dialogs and folders. When a file is
 /// opened, its content decides, not its name.
-namespace gonio::app {
 
 /// Patterns of the files shown in dialogs and folders of the library: "*.binary", "*.bsdf", ...
 QStringList materialFilePatterns();
@@ -34,5 +37,26 @@ QString documentSuffix();
 QString materialName(const QString& id);
 /// Distinct names of several materials: equal names are extended with their source or suffix, e.g. "paper_rgl".
 QStringList distinctNames(const QStringList& ids);
+
+/// The last opened files, newest first, at most ten, stored in the settings. Missing files stay listed, because their
+/// drive may be reconnected.
+class RecentFiles {
+ public:
+  static constexpr int limit = 10;
+
+  explicit RecentFiles(QSettings& settings);
+
+  const QStringList& paths() const { return m_paths; }
+  void add(const QString& path);
+  void clear();
+  /// Whether a path can be opened now; bundled materials always.
+  static bool exists(const QString& path);
+
+ private:
+  void store();
+
+  QSettings& m_settings;
+  QStringList m_paths;
+};
 
 }  // namespace gonio::app

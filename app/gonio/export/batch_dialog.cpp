@@ -16,9 +16,9 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/material_files.h"
-#include "app/gonio/export/export_settings.h"
+#include "app/gonio/export/export_controller.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/inputs/menu_text.h"
-#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {

@@ -2,17 +2,42 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/export_controller.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 
 #include "app/gonio/document/material_files.h"
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "core/documents/blend_source.h"
 #include "core/materials/material_formats.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
+
+QDoubleSpinBox* exportSnrField() {
+  constexpr double smallest = 10, largest = 80;
+  auto* field = new QDoubleSpinBox;
+  field->setRange(smallest, largest);
+  field->setDecimals(0);
+  field->setSuffix(QCoreApplication::translate("export", " dB"));
+  field->setKeyboardTracking(false);
+  field->setToolTip(QCoreApplication::translate("export",
+                                                "Rendered SNR that the files should reach; a higher value gives larger "
+                                                "files, and some targets cannot reach it"));
+  return field;
+}
+
+QLabel* exportText() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setMinimumWidth(1);  // a long name must not widen the dialog
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
 
 namespace {
 

@@ -4,13 +4,28 @@
 
 #include <QImage>
 #include <QObject>
+#include <QString>
 #include <optional>
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "core/export/export_target.h"
 
+class QDoubleSpinBox;
+class QLabel;
+
 namespace gonio::app {
+
+/// Settings remembered by the export dialogs.
+namespace export_settings {
+inline const QString target = QStringLiteral("export/target"), snr = QStringLiteral("export/snr"),
+                     folder = QStringLiteral("export/folder"), scene = QStringLiteral("export/scene");
+}
+
+/// A field for the rendered SNR that files should reach, dB.
+QDoubleSpinBox* exportSnrField();
+/// A label with text that wraps and can be copied.
+QLabel* exportText();
 
 /// An export in memory, with its pictures.
 struct ExportTrial {

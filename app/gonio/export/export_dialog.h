@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QDialog>
+#include <QImage>
 #include <QPointer>
 #include <QTimer>
+#include <QWidget>
 #include <map>
 #include <tuple>
 
@@ -21,7 +23,25 @@ class QTreeWidget;
 
 namespace gonio::app {
 
-class ExportPictures;
+/// Two pictures of the same size side by side with their names below; missing pictures leave an empty area.
+class ExportPictures : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExportPictures(QWidget* parent = nullptr);
+
+  void setPictures(const QImage& original, const QImage& exported);
+  void setExportedName(const QString& name);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QImage m_pictures[2];
+  QString m_names[2];
+};
 
 /// File > Export for Renderer: a choice of targets. For each it shows its capabilities and, from a trial export in the
 /// background, rendered SNR, bytes and pictures. Target, SNR and folder are remembered.

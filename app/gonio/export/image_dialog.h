@@ -15,12 +15,17 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSettings;
-
 namespace gonio::widgets {
 class PreviewWidget;
 }
 
 namespace gonio::app {
+
+class ComparisonController;
+
+/// A function that measures the numbers of the current comparison, for a line below a picture: "gold-paint, Edited
+/// against Measured: BRDF SNR 23.4 dB; ...". The function takes about a second; call it outside the GUI thread.
+FileExports::Caption comparisonCaption(const ComparisonController& comparison, const QString& material);
 
 class ComparisonController;
 class PictureSettings;

@@ -5,7 +5,7 @@
 #include <QColor>
 #include <QWidget>
 
-#include "app/gonio/document/picture_export.h"
+#include "app/gonio/document/file_exports.h"
 
 class QCheckBox;
 class QComboBox;

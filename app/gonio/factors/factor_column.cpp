@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gonio/document/transform_text.h"
+#include "app/gonio/document/material_code.h"
 #include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/residual_strip.h"

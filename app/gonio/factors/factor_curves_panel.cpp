@@ -12,7 +12,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/pdv.h"
 #include "widgets/curves/curve_editor.h"
-#include "widgets/curves/curve_legend.h"
+#include "widgets/curves/curve_view.h"
 #include "widgets/curves/residual_strip.h"
 #include "widgets/inputs/flow_layout.h"
 

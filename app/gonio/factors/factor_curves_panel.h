@@ -6,9 +6,9 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/file_saves.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/factors/factor_column.h"
-#include "app/gonio/factors/factors_with_costs.h"
+#include "app/gonio/factors/factor_terms_view.h"
 #include "widgets/curves/curve_view.h"
 
 class QCheckBox;

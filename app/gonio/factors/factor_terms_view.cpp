@@ -7,9 +7,29 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "core/formats/pdv.h"
+#include "core/study/evaluation_time.h"
 #include "widgets/charts/plot_style.h"
 
 namespace gonio::app {
+
+FactorsWithCosts factorizeWithCosts(const LoadedMaterialPtr& material, const FactorsWithCosts::Kind& kind,
+                                    const TaskControl& control) {
+  FactorsWithCosts measured;
+  measured.material = material;
+  const auto table = material->table(control);
+  measured.factorization = factorization::factorizePdv(
+      *table, {.form = kind.form, .transform = kind.transform, .terms = maxEditedTerms}, control);
+  measured.along = factorization::residualsAlong(*table, measured.factorization.factors,
+                                                 factorization::PdvOptions().weights, control);
+  for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
+    control.throwIfStopped();
+    const auto factors = measured.factorization.factors.truncated(terms);
+    measured.bytes.push_back(formats::pdvFileBytes(factors));
+    measured.nanoseconds.push_back(study::measureEvaluation(*factorization::makePdvBrdf(factors)).median);
+  }
+  return measured;
+}
 
 /// The residuals over the terms, from 0 to that of the first term and a little more.
 class FactorTermsView::Chart : public QWidget {

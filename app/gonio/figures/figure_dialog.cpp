@@ -14,10 +14,9 @@
 #include <algorithm>
 
 #include "app/gonio/figures/figure_file_buttons.h"
+#include "app/gonio/figures/figure_materials.h"
 #include "app/gonio/figures/figure_numbers.h"
 #include "app/gonio/figures/figure_page_settings.h"
-#include "app/gonio/figures/figure_picture_settings.h"
-#include "app/gonio/figures/figure_representations.h"
 #include "app/gonio/figures/figure_view.h"
 #include "core/io/json_text.h"
 

@@ -8,14 +8,47 @@
 #include "app/gonio/document/document.h"
 #include "core/figures/figure_description.h"
 
+class QMenu;
 class QLabel;
-
+namespace gonio::widgets {
+class EntryList;
+}
 namespace gonio::widgets {
 class EntryList;
 class LibraryModel;
 }  // namespace gonio::widgets
 
 namespace gonio::app {
+
+class Document;
+
+/// The representations of a figure, one per column: those of the study, with their budgets, and the current fit.
+class FigureRepresentations : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigureRepresentations(const Document& document, QWidget* parent = nullptr);
+
+  const std::vector<figures::FigureRepresentation>& representations() const { return m_representations; }
+  void setRepresentations(std::vector<figures::FigureRepresentation> representations);
+  /// Sets the default columns: the current fit (or GGX), factors and a code.
+  void setDefaults();
+  widgets::EntryList& list() const { return *m_list; }
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void connectList();
+  void fillMenu();
+  void add(const study::Representation& representation);
+  void setBudget(std::size_t row, int budget);
+  void show();
+
+  const Document& m_document;
+  std::vector<figures::FigureRepresentation> m_representations;
+  widgets::EntryList* m_list;
+};
 
 /// The materials of a figure, one per row: the open material, materials of the library, and files. Materials can also
 /// be dropped on the list.

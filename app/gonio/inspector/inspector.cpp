@@ -4,19 +4,17 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QLocale>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 
 #include "app/gonio/document/edit_steps.h"
-#include "app/gonio/inspector/composition_choice.h"
-#include "app/gonio/inspector/edit_arguments.h"
-#include "app/gonio/inspector/incident_direction_choice.h"
-#include "app/gonio/inspector/plausibility_monitor.h"
+#include "app/gonio/inspector/edit_choices.h"
+#include "app/gonio/inspector/monitors.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
-#include "app/gonio/inspector/table_error_monitor.h"
 #include "app/gonio/inspector/wavelength_panel.h"
 #include "widgets/inputs/collapsible_section.h"
 #include "widgets/inputs/parameter_slider.h"
@@ -29,6 +27,37 @@
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
+
+namespace {
+
+QString valueText(const models::ParameterSpec& spec, const Rgb& value) {
+  if (!spec.choices.empty()) return widgets::displayValue(spec, value);
+  const auto number = [](double x) { return QString::number(x, 'g', QLocale::FloatingPointShortest); };
+  return spec.perChannel ? QStringList{number(value.x), number(value.y), number(value.z)}.join(',') : number(value.x);
+}
+
+QStringList assignments(const QString& option, const models::ModelSpec& spec, const models::ParameterValues& values,
+                        const models::ParameterValues& unchanged) {
+  QStringList result;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+    if (values.values[i] != unchanged.values[i])
+      result << QStringLiteral("%1 %2=%3")
+                    .arg(option, widgets::toQString(spec.parameters[i].id),
+                         valueText(spec.parameters[i], values.values[i]));
+  return result;
+}
+
+}  // namespace
+
+QString editArguments(const editing::DifferentialEdit& edit) {
+  const models::ModelSpec &spec = edit.model->spec(), &controls = editing::artistControls();
+  QStringList arguments{QStringLiteral("--model ") + widgets::toQString(spec.id)};
+  arguments << assignments(QStringLiteral("--set"), spec, edit.edited, edit.fitted)
+            << assignments(QStringLiteral("--control"), controls, edit.controls, models::defaultParameters(controls))
+            << QStringLiteral("--compose ") +
+                   widgets::toQString(editing::compositionIds[std::size_t(edit.composition)]);
+  return arguments.join(' ');
+}
 
 using editing::DifferentialEdit;
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <QScrollArea>
+#include <QString>
 
 #include "app/gonio/document/document_controller.h"
+#include "core/editing/differential_edit.h"
 
 class QSettings;
-
 namespace gonio::widgets {
 class CollapsibleSection;
 class ControlPanel;
@@ -19,6 +20,10 @@ class PlausibilityBadges;
 }  // namespace gonio::widgets
 
 namespace gonio::app {
+
+/// The change of an edit as arguments of `goniotool edit`: "--model ggx --set roughness=0.4 --control tint=1,0.5,0.2
+/// --compose lobes". Numbers are exact, with a decimal point in every locale.
+QString editArguments(const editing::DifferentialEdit& edit);
 
 class PlausibilityMonitor;
 class RepresentationPanel;

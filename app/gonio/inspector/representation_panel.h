@@ -8,7 +8,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/file_saves.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_code.h"
 
 class QCheckBox;

@@ -7,8 +7,8 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
-#include "core/math/spectrum.h"
-#include "core/rgl/spectral_edit.h"
+#include "core/math/colour.h"
+#include "core/rgl/rgl_edit.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 

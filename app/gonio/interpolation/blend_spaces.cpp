@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "widgets/interpolation/blend_position.h"
 
 namespace gonio::app {

@@ -9,12 +9,11 @@
 #include <QPushButton>
 
 #include "app/gonio/interpolation/blend_overview.h"
-#include "app/gonio/interpolation/blend_position_editor.h"
 #include "app/gonio/interpolation/blend_slots.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_slot_widget.h"
-#include "widgets/panels/model_box.h"
+#include "widgets/panels/model_panel.h"
 
 namespace gonio::app {
 

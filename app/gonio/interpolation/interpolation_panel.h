@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/gonio/interpolation/blend_materials.h"
+#include "app/gonio/interpolation/blend_slots.h"
 #include "app/gonio/interpolation/blend_spaces.h"
 #include "widgets/interpolation/blend_position.h"
 #include "widgets/preview/gl/preview_subject.h"

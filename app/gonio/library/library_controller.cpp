@@ -9,7 +9,6 @@
 #include <iterator>
 
 #include "app/gonio/document/material_files.h"
-#include "app/gonio/library/sphere_picture.h"
 #include "app/gonio/library/thumbnail.h"
 #include "core/materials/material_formats.h"
 

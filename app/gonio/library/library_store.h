@@ -5,7 +5,7 @@
 #include <QString>
 #include <QVariant>
 
-#include "widgets/library/library_note.h"
+#include "widgets/library/library_model.h"
 
 class QSqlQuery;
 

@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "widgets/preview/gl/textures.h"
 #include "widgets/preview/preview_content.h"
 

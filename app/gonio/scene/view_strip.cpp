@@ -11,10 +11,10 @@
 #include <algorithm>
 
 #include "app/gonio/document/background_task.h"
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/scene/scene_panel.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"

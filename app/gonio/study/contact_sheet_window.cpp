@@ -12,11 +12,10 @@
 #include <QSpinBox>
 #include <algorithm>
 
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "core/rendering/error_maps.h"
-#include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/inputs/menu_text.h"
-#include "widgets/inputs/open_file_dialog.h"
 
 namespace gonio::app {
 
@@ -126,7 +125,7 @@ void ContactSheetWindow::start() {
   m_tasks.run<std::shared_ptr<const RenderedComparison>>(
       {tr("Rendering the contact sheet"), m_renderKey},
       [material = m_source.material](const TaskControl& control) {
-        const RenderOptions options{.width = side, .height = side, .samples = samples, .lobe = {}};
+        const RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
         return std::make_shared<const RenderedComparison>(*material->material.brdf, options, control);
       },
       [this](const std::shared_ptr<const RenderedComparison>& comparison) {

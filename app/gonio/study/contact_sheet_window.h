@@ -7,7 +7,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/loaded_material.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "widgets/preview/gl/preview_subject.h"
 #include "widgets/study/contact_sheet.h"
 

@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "core/plots/csv_table.h"
 #include "widgets/inputs/plain_text_style.h"
-#include "widgets/panels/model_box.h"
+#include "widgets/panels/model_panel.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 

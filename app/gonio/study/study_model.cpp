@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"

@@ -13,8 +13,7 @@
 
 #include "app/gonio/study/sheet_sources.h"
 #include "app/gonio/study/study_view.h"
-#include "widgets/inputs/dialog_folder.h"
-#include "widgets/inputs/open_file_dialog.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"

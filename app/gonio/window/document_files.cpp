@@ -15,14 +15,12 @@
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
-#include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/image_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/view_state.h"
-#include "core/editing/edit_summary.h"
+#include "core/editing/edit_list.h"
 #include "core/materials/encode.h"
-#include "widgets/inputs/ask.h"
-#include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {

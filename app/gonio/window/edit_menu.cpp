@@ -9,7 +9,6 @@
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/edit_steps.h"
-#include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/window/preferences.h"
 #include "widgets/inputs/menu_text.h"

@@ -7,7 +7,7 @@
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
-#include "app/gonio/document/recent_files.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_controller.h"
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/library/library_controller.h"

@@ -6,7 +6,7 @@
 #include <QFileDialog>
 
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/recent_files.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/dock_layout.h"

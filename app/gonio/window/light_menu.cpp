@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/gonio/scene/environment_controller.h"
-#include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/dialogs.h"
 #include "widgets/inputs/menu_text.h"
 #include "widgets/preview/preview_content.h"
 

@@ -6,7 +6,7 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_controller.h"
-#include "app/gonio/document/file_saves.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"

@@ -11,7 +11,7 @@
 #include "app/gonio/window/document_files.h"
 #include "app/gonio/window/editor_parts.h"
 #include "app/gonio/window/guide.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_files.h"
 #include "core/export/scenes/scene_files.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::exports {
 

@@ -5,7 +5,7 @@
 #include "core/io/exr_codec.h"
 #include "core/io/mesh_file.h"
 #include "core/support/error.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::exports {
 

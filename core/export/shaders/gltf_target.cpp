@@ -18,7 +18,7 @@ namespace {
 
 constexpr double gltfDielectricF0 = 0.04, gltfMinAlpha = 1e-4;
 
-// Of specularColour: 25 makes a dielectric of index 1.5 a mirror.
+// The limit of specularColour: 25 makes a dielectric of index 1.5 a mirror.
 constexpr SurfaceLimit gltfLimits[] = {
     {SurfaceField::baseColour, 0, 1},       {SurfaceField::metalness, 0, 1},
     {SurfaceField::roughness, 0.03, 1},     {SurfaceField::anisotropy, 0, 1},

@@ -8,7 +8,7 @@
 #include "core/export/shaders/shading_models.h"
 #include "core/export/target_table.h"
 #include "core/models/fresnel.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 namespace gonio::exports {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/math/parallel.h"
 #include "core/math/quadrature.h"
+#include "core/math/types.h"
 
 namespace gonio::exports {
 
@@ -16,8 +16,8 @@ namespace {
 constexpr int viewerPolarCount = 10, grainPolarCount = 5;
 /// Odd: of a grain, which looks the same from both sides, these are as many directions.
 constexpr std::size_t grainAzimuthCount = 5;
-/// Of the viewer: to 77 degrees. Beyond, shaders rise to a mirror, measurements are uncertain and the picture is
-/// narrow.
+/// Polar angles of the viewer, up to 77 degrees. Beyond, shaders rise to a mirror, measurements are uncertain and the
+/// picture is narrow.
 constexpr double maxSquaredSine = 0.95;
 constexpr double lampSolidAngle = 0.5;  // sr: a disk of 23 degrees about its centre
 constexpr int meanAzimuths = 16;

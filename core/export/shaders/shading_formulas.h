@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/brdf/brdf.h"
-#include "core/coordinates/azimuth_rotation.h"
+#include "core/math/types.h"
 #include "core/models/surface_geometry.h"
 #include "core/sampling/half_vector_densities.h"
 

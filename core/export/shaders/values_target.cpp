@@ -9,6 +9,7 @@
 #include "core/export/shaders/shading_models.h"
 #include "core/export/target_table.h"
 #include "core/io/csv_text.h"
+#include "core/math/colour.h"
 
 namespace gonio::exports {
 
@@ -58,10 +59,7 @@ constexpr std::string_view valuesSuffix = "_values.csv";
 
 /// "#c08040": what colour pickers take.
 std::string srgbText(const Rgb& colour) {
-  const auto encoded = [](double linear) {
-    const double x = std::clamp(linear, 0.0, 1.0);
-    return int(std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
-  };
+  const auto encoded = [](double linear) { return int(std::lround(255 * toSrgb(std::clamp(linear, 0.0, 1.0)))); };
   char text[16];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", encoded(colour.x), encoded(colour.y), encoded(colour.z));
   return text;

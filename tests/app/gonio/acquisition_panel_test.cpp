@@ -13,11 +13,10 @@
 
 #include "app/gonio/acquisition/acquisition_charts.h"
 #include "app/gonio/acquisition/acquisition_files.h"
-#include "app/gonio/acquisition/error_curve_page.h"
 #include "app/gonio/acquisition/reconstruction_page.h"
 #include "app/gonio/acquisition/samples_page.h"
-#include "core/acquisition/plan_file.h"
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/measured_values.h"
+#include "core/acquisition/sampling_plan.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -177,7 +176,7 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(editor.panel.session().planner().hasPlan());
   }
 
-  /// What is wrong with a value is told with its line; the values that were there stay.
+  /// What is wrong with a value is reported with its line; the values that were there stay.
   void pastedValuesAreChecked() {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;

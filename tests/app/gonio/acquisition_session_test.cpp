@@ -8,7 +8,7 @@
 #include <latch>
 #include <set>
 
-#include "app/gonio/acquisition/acquisition_slice.h"
+#include "app/gonio/acquisition/acquisition_charts.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 
@@ -34,7 +34,7 @@ struct Acquisition {
   }
   bool waitForAll() {
     const bool done = QTest::qWaitFor([&] { return tasks.isIdle(); }, patienceMilliseconds);
-    QCoreApplication::processEvents();  // what was told on the way
+    QCoreApplication::processEvents();  // what was reported on the way
     return done;
   }
   bool measure(const QString& id) {

@@ -75,7 +75,7 @@ class BatchDialogTest : public QObject {
     QVERIFY(editor.exported.count() == 3 && QFileInfo(old).size() > 0);
   }
 
-  /// A measured file is never replaced; one that cannot be read is told, and the others are written.
+  /// A measured file is never replaced; one that cannot be read is reported, and the others are written.
   void failuresLeaveTheOthers() {
     Editor editor;
     QFile broken(editor.ids[0]);

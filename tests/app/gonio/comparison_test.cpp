@@ -15,7 +15,6 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/comparison_bar.h"
-#include "widgets/preview/preview_banner.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/inspector/edit_arguments.h"
+#include "app/gonio/inspector/inspector.h"
 
 #include <QTest>
 

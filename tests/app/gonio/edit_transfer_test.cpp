@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/document/edit_transfer.h"
+#include "app/gonio/document/edit_steps.h"
 
 #include <QMimeData>
 #include <QTest>

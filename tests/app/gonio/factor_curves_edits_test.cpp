@@ -193,7 +193,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     }
   }
 
-  /// Nothing to take from a file that nobody reads: told, and nothing changed.
+  /// Nothing to take from a file that nobody reads: reported, and nothing changed.
   void aDropThatCannotBeReadIsTold() {
     QSignalSpy failed(m_panel.get(), &FactorCurvesPanel::failed);
     drop(FactorAxis::deviation, "/nowhere/at-all.binary");

@@ -15,10 +15,9 @@
 #include <QTest>
 
 #include "app/gonio/figures/figure_file_buttons.h"
+#include "app/gonio/figures/figure_materials.h"
 #include "app/gonio/figures/figure_numbers.h"
 #include "app/gonio/figures/figure_page_settings.h"
-#include "app/gonio/figures/figure_picture_settings.h"
-#include "app/gonio/figures/figure_representations.h"
 #include "app/gonio/figures/figure_view.h"
 #include "core/figures/figure_number.h"
 #include "tests/app/gonio/figure_test_support.h"

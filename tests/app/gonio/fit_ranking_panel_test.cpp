@@ -68,7 +68,7 @@ class FitRankingPanelTest : public QObject {
     QCOMPARE(model.rowCount(), 3);
   }
 
-  /// Ticked fits are told in the order of the rows; a tick takes no fit into use; another material unticks all.
+  /// Ticked fits are reported in the order of the rows; a tick takes no fit into use; another material unticks all.
   void tickedFitsArePlotted() {
     Editor editor;
     FitRankingModel& model = editor.panel.model();

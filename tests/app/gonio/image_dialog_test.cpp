@@ -15,7 +15,6 @@
 #include <QTest>
 
 #include "app/gonio/comparison/comparison_controller.h"
-#include "app/gonio/export/labelled_picture.h"
 #include "core/io/image_io.h"
 #include "core/models/registry.h"
 #include "tests/app/gonio/document_edits.h"
@@ -74,7 +73,7 @@ QSpinBox& field(QWidget& dialog, const QString& name) {
 class ImageDialogTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Size and file are those that were asked for; the cost is told before.
+  /// Size and file are those that were asked for; the cost is stated before.
   void rendersAPng() {
     Editor editor;
     const auto dialog = editor.dialog();

@@ -20,7 +20,7 @@
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/library/material_drag.h"
-#include "widgets/panels/model_box.h"
+#include "widgets/panels/model_panel.h"
 
 namespace interpolation_panel_test {
 using namespace gonio;
@@ -31,7 +31,7 @@ using editing::InterpolationSpace;
 class InterpolationPanelTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Nothing in the wells: nothing to show or to keep, and asking for it tells why.
+  /// Nothing in the wells: nothing to show or to keep, and asking for it states why.
   void theEmptyPanel() {
     Editor editor;
     QVERIFY(editor.panel.isSettled());
@@ -127,7 +127,7 @@ class InterpolationPanelTest : public QObject {
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
   }
 
-  /// A drop of something that nobody reads: told with its name, shown in the well, and the well can be used again.
+  /// A drop of something that nobody reads: reported with its name, shown in the well, and the well can be used again.
   void aDropThatCannotBeReadIsTold() {
     Editor editor;
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);

@@ -8,7 +8,6 @@
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/interpolation/blend_overview.h"
-#include "app/gonio/interpolation/blend_position_editor.h"
 #include "app/gonio/interpolation/blend_slots.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "core/models/registry.h"
@@ -41,7 +40,7 @@ inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
 
 inline double normalValue(const Brdf& brdf) { return pi * brdf.evaluate({0, 0, 1}, {0, 0, 1}).r; }
 
-/// Enough to tell materials apart.
+/// Enough to distinguish materials.
 inline constexpr StripPictures smallPictures{.side = 24, .samples = 2};
 
 struct Editor {

@@ -21,7 +21,7 @@ namespace library_controller_test {
 using namespace gonio;
 using namespace gonio::app;
 
-/// The library with makers of pictures that tell what they were asked for.
+/// The library with makers of pictures that record what they were asked for.
 class LibraryControllerTest : public QObject {
   Q_OBJECT
  private:

@@ -14,7 +14,7 @@
 #include "app/gonio/window/theme.h"
 #include "core/dictionary/signals.h"
 #include "core/geometry/bundled_meshes.h"
-#include "core/materials/bundled_basis.h"
+#include "core/materials/basis_file.h"
 #include "core/materials/dictionary_file.h"
 #include "tests/support/resident_memory.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/document/recent_files.h"
+#include "app/gonio/document/material_files.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

@@ -46,7 +46,7 @@ class RepresentationPanelTest : public QObject {
   }
   void cleanup() { m_panel.reset(); }
 
-  /// Folded away it computes nothing; what it then tells is what was measured of the code's file.
+  /// While folded it computes nothing; then it shows what was measured of the code's file.
   void tellsWhatTheCodeIs() {
     m_document.setMaterial(glossyMaterial(0.3));
     QTest::qWait(50);
@@ -139,7 +139,7 @@ class RepresentationPanelTest : public QObject {
     QCOMPARE(m_panel->shown()->coefficients, std::size_t(48));
   }
 
-  /// A table over another grid has no code: told where the numbers would be.
+  /// A table over another grid has no code: reported where the numbers would be.
   void anotherGridIsTold() {
     m_document.setMaterial(glossyMaterial(0.3, {24, 24, 24}));
     m_panel->show();
@@ -151,7 +151,7 @@ class RepresentationPanelTest : public QObject {
     QVERIFY(m_panel->code());
   }
 
-  /// Stopped: told, and begun again by the button.
+  /// After a stop it says so, and the button starts it again.
   void aStoppedEncodingCanBeBegunAgain() {
     m_panel->show();
     m_tasks.cancelTopmost();

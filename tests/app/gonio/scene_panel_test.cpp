@@ -11,7 +11,7 @@
 
 #include "app/gonio/window/view_state.h"
 #include "core/models/registry.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
@@ -77,7 +77,7 @@ class ScenePanelTest : public QObject {
     QVERIFY(!content().scene().environment);
   }
 
-  /// The switch forces, the row tells it, and back by the plan nothing is left of it.
+  /// The switch forces, the row states it, and back by the plan nothing is left of it.
   void aSwitchForces() {
     QComboBox& shadows = panel_->effects().switchOf(Effect::castShadows);
     activate(shadows, 1);

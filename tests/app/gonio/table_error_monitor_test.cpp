@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/inspector/table_error_monitor.h"
+#include "app/gonio/inspector/monitors.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include "app/gonio/inspector/source_facts.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -15,7 +15,7 @@ using namespace gonio;
 using namespace gonio::app;
 
 constexpr int patience = 60000;
-const RenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}};
+const RenderOptions picture{.width = 32, .height = 32, .samples = 4, .density = {}};
 
 /// A material in another form than a table; or, without one, its table.
 LoadedMaterialPtr glossy(double roughness, bool sampled) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/library/thumbnail.h"
-#include "app/gonio/library/sphere_picture.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gonio/library/bundled_thumbnails.h"
 #include "core/documents/edit_document.h"
 #include "core/materials/bundled_library.h"
 #include "tests/support/test_program.h"

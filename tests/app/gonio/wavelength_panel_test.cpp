@@ -6,8 +6,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/rgl/rgl_edit.h"
 #include "core/rgl/rgl_file.h"
-#include "core/rgl/spectral_edit.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/spectral_file.h"

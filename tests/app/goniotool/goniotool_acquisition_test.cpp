@@ -4,7 +4,6 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/acquisition/plan_file.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
 #include "core/metrics/brdf_metrics.h"
@@ -105,7 +104,7 @@ class GoniotoolAcquisitionTest : public QObject {
     for (const char* name : {"out.binary", "uncertainty.binary"}) QFile::remove(folder_.path(name));
   }
 
-  /// The prior is learned from the materials of --train; with more than the mean of these to tell by, what was measured
+  /// The prior is learned from the materials of --train; if more than their mean is known, what was measured
   /// is nearer than another material.
   void inTheDictionaries() {
     const QString values = folder_.path("values.csv"), out = folder_.path("dictionaries.binary");
@@ -193,7 +192,7 @@ class GoniotoolAcquisitionTest : public QObject {
     VERIFY_SUCCESS(runTool(reconstruct + QStringList{"--basis", basis}));
   }
 
-  /// What cannot be written is told before anything is learned: the materials to learn from need not even be there.
+  /// What cannot be written is reported before anything is learned: the materials to learn from need not even be there.
   void destinationsAreCheckedFirst() {
     const ToolResult absent =
         runTool({"plan", "--train", "/nowhere", "--samples", "3", "--out", folder_.path("absent/plan.csv")});

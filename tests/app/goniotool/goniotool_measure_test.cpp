@@ -3,8 +3,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/acquisition/factor_plan.h"
 #include "core/acquisition/factor_prediction.h"
-#include "core/acquisition/factor_readings_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"

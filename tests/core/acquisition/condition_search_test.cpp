@@ -54,7 +54,7 @@ Rows neighbours(const dictionary::PrincipalComponents& basis, std::size_t row) {
   return result;
 }
 
-/// The search as it is told, every move by its own decomposition.
+/// The search as documented, each move by its own decomposition.
 Rows plainSearch(const dictionary::PrincipalComponents& basis, Rows rows) {
   double condition = conditionOf(basis, rows);
   for (bool moves = true; moves;) {

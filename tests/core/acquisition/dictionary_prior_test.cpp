@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/dictionary_prior.h"
+#include "core/acquisition/dictionary_reconstruction.h"
 
 #include <QTest>
 #include <algorithm>

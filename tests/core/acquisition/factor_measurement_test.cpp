@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/factor_measurement.h"
+#include "core/acquisition/factor_prediction.h"
 
 #include <QTest>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/acquisition/factor_axes.h"
+#include "core/acquisition/factor_plan.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/half_out.h"
 #include "core/coordinates/projected_deviation.h"

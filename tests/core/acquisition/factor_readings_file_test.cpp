@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/factor_readings_file.h"
+#include "core/acquisition/factor_plan.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "core/acquisition/factor_measurement.h"
+#include "core/acquisition/factor_prediction.h"
 #include "tests/core/acquisition/factor_oracles.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"

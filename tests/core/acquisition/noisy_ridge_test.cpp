@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/noisy_ridge.h"
+#include "core/acquisition/reconstruction.h"
 
 #include <QTest>
 #include <cmath>
 #include <limits>
 
-#include "core/acquisition/reconstruction.h"
 #include "core/math/parallel.h"
 #include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
@@ -94,7 +93,8 @@ class NoisyRidgeTest : public QObject {
              RidgeRegression(samples.rows, samples.values).leaveOneOutRidge(publishedRidge));
   }
 
-  /// Without a ridge samples without noise hold exactly, the others decide the rest; an endless ridge tells nothing.
+  /// Without a ridge samples without noise hold exactly, the others decide the rest; an infinite ridge gives no
+  /// information.
   void limits() {
     const SampleRows samples = randomSamples(8, 5);
     VectorXd noise = randomNoise(8);

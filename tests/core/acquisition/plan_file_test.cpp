@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/plan_file.h"
+#include "core/acquisition/sampling_plan.h"
 
 #include <QTest>
 

@@ -59,7 +59,7 @@ class ReconstructionDeviationTest : public QObject {
     QVERIFY(reconstruct(basis_, plan_, values_, without).standardDeviation.empty());
   }
 
-  /// Where the samples tell nothing the deviation is that of the training signals, whatever is used or was kept.
+  /// Where the samples have no information the deviation is that of the training signals, whatever is used or was kept.
   void untoldIsTheTrainingSet() {
     const auto tables = test::smoothMaterials(6);
     const ReconstructionOptions withoutNoise{.ridge = std::numeric_limits<double>::infinity()};
@@ -79,7 +79,7 @@ class ReconstructionDeviationTest : public QObject {
     }
   }
 
-  /// Values that are told to be mostly noise make nothing certain: the deviation rises to the training signals'.
+  /// Values that are stated to be mostly noise make nothing certain: the deviation rises to the training signals'.
   void toldNoiseMakesUncertain() {
     for (const double ridge : {1e-3, 40.0}) {
       const auto found = [&](double noise) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/acquisition/reconstruction.h"
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 
 /// What reconstructions are compared with, by definitions.
 namespace gonio::acquisition {

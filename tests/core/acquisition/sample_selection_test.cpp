@@ -76,7 +76,8 @@ class SampleSelectionTest : public QObject {
     }
   }
 
-  /// Neighbours that are nearly the same, as those of a fine grid are: bounds in single precision cannot tell them.
+  /// Neighbours that are nearly the same, as those of a fine grid are: bounds in single precision cannot distinguish
+  /// them.
   void nearlyEqualAtoms() {
     for (unsigned seed = 1; seed <= 10; ++seed) {
       Eigen::MatrixXd u = orthonormalColumns(400, 10, seed);

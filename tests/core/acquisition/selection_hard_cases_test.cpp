@@ -123,7 +123,7 @@ class SelectionHardCasesTest : public QObject {
     const Eigen::MatrixXd v = randomMatrix(40, 1, 1) * randomMatrix(1, 8, 2);
     Eigen::MatrixXd u = orthonormalColumns(50, 8, 3);
     auto basis = basisOf(u, v);
-    // A cell that tells exactly this one direction.
+    // A cell that depends on exactly this one direction.
     Eigen::Map<Eigen::MatrixXf>(basis.svd.u.values.data(), 50, 8).row(20) =
         (v.row(0).cwiseProduct(basis.svd.singularValues.transpose()) * 1e-3).cast<float>();
     const SampleSelection selection = selectSamples(basis, {.samples = 8, .measurable = everything});

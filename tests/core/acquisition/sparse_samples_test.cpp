@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/sparse_samples.h"
+#include "core/acquisition/reconstruction.h"
 
 #include <QTest>
 #include <limits>
@@ -44,7 +44,7 @@ Eigen::VectorXd byBruteForce(const SampleRows& samples, Eigen::Index channel) {
     for (Eigen::Index out = 0; out < count; ++out) {
       MatrixXd rows = samples.rows;
       Eigen::VectorXd values = samples.values.col(channel);
-      // A row of 0 tells a pursuit nothing.
+      // A row of 0 has no information for a pursuit.
       rows.row(out).setZero();
       values[out] = 0;
       const double predicted = samples.rows.row(out).dot(pursue(rows, values, atoms));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/acquisition/values_file.h"
+#include "core/acquisition/measured_values.h"
 
 #include <QTest>
 
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 

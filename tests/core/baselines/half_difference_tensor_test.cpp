@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/factorization/higher_order_svd.h"
+#include "core/factorization/canonical_polyadic.h"
 #include "tests/core/factorization/half_difference_test_support.h"
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/baselines/neural_loss.h"
 #include "core/math/parallel.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/support/error.h"

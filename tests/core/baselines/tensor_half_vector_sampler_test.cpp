@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/baselines/tensor_half_vector_sampler.h"
+#include "core/baselines/half_vector_sampler.h"
 
 #include <QTest>
 #include <cmath>

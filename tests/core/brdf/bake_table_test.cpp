@@ -60,8 +60,8 @@ class BakeTableTest : public QObject {
     QVERIFY(differs);
   }
 
-  /// A grid that folds phi_d cannot tell wi from wo: of f = cos^2 theta_i its nodes hold the mean of both orders. One
-  /// that does not fold it tells them apart.
+  /// A grid that folds phi_d cannot distinguish wi from wo: of f = cos^2 theta_i its nodes hold the mean of both
+  /// orders. One that does not fold it distinguishes them.
   void bothOrdersAreAveragedWhereTheGridFolds() {
     const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(wi.z * wi.z); }, true, false);
     const auto folded = bakeTable(brdf, {10, 10, 20, true}), whole = bakeTable(brdf, {10, 10, 40, false});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 
 #include <QTest>
 #include <cmath>

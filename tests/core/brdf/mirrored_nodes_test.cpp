@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/mirrored_nodes.h"
+#include "core/brdf/bake_table.h"
 
 #include <QTest>
 #include <algorithm>

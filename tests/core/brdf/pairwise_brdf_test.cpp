@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/pairwise_brdf.h"
+#include "core/brdf/brdf.h"
 
 #include <QTest>
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_brdf.h"
 
 #include <QTest>
 

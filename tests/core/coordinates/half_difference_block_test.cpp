@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/coordinates/half_difference_block.h"
+#include "core/coordinates/half_difference.h"
 
 #include <QTest>
 #include <cmath>

@@ -305,7 +305,7 @@ class EncodeTest : public QObject {
     unpackChannels(packed, CodePrecision::half, half);
     QVERIFY(relativeDifference(*decode(ensemble, encoded.code), *decode(ensemble, half)) < 1e-3);
     QVERIFY(packed.size() < 3 * (7 + 300 * 4));
-    // Every cut and every wrong byte count is told.
+    // Every cut and every wrong byte count is reported.
     SparseCode target = half;
     for (std::size_t size = 0; size < packed.size(); ++size)
       QVERIFY_EXCEPTION_THROWN(unpackChannels(std::span(packed).first(size), CodePrecision::half, target), Error);

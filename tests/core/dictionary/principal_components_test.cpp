@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"

@@ -138,29 +138,29 @@ class EditDocumentTest : public QObject {
   }
 
   void errorsNameKeyFoundAndExpected() {
-    const auto tells = [](const std::string& error, const std::string& key, const std::string& found) {
+    const auto names = [](const std::string& error, const std::string& key, const std::string& found) {
       const bool all = contains(error, key + ": found " + found) && contains(error, "expected");
       if (!all) qWarning("%s", error.c_str());
       return all;
     };
-    QVERIFY(tells(errorWith("/format", "other"), "format", "the string \"other\""));
-    QVERIFY(tells(errorWith("/version", 7), "version", "the number 7"));
+    QVERIFY(names(errorWith("/format", "other"), "format", "the string \"other\""));
+    QVERIFY(names(errorWith("/version", 7), "version", "the number 7"));
     QVERIFY(contains(errorWith("/version", 7), "newer"));
-    QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
-    QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
-    QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));
-    QVERIFY(tells(errorWith("/source/sha256", "ABC"), "source.sha256", "the string \"ABC\""));
-    QVERIFY(tells(errorWith("/edits", 3), "edits", "the number 3"));
-    QVERIFY(tells(errorWith("/edits/0", "x"), "edits[0]", "the string \"x\""));
-    QVERIFY(tells(errorWith("/edits/1/type", "factor"), "edits[1].type", "the string \"factor\""));
-    QVERIFY(tells(errorWith("/edits/0/strength", 1.5), "edits[0].strength", "the number 1.5"));
-    QVERIFY(tells(errorWith("/edits/0/enabled", 1), "edits[0].enabled", "the number 1"));
-    QVERIFY(tells(errorWith("/edits/0/name", 1), "edits[0].name", "the number 1"));
-    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", nullptr), "edits[0].fitted.diffuse", "null"));
-    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", {1, 2}), "edits[0].fitted.diffuse", "a list of 2"));
-    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", {1, 2, "3"}), "edits[0].fitted.diffuse", "a list of 3"));
-    QVERIFY(tells(errorWith("/edits/0/edited/shine", 1), "edits[0].edited.shine", "the number 1"));
-    QVERIFY(tells(errorWith("/view", 1), "view", "the number 1"));
+    QVERIFY(names(errorWith("/version", 1.5), "version", "the number 1.5"));
+    QVERIFY(names(errorWith("/version", -1), "version", "the number -1"));
+    QVERIFY(names(errorWithout("/source", "path"), "source.path", "nothing"));
+    QVERIFY(names(errorWith("/source/sha256", "ABC"), "source.sha256", "the string \"ABC\""));
+    QVERIFY(names(errorWith("/edits", 3), "edits", "the number 3"));
+    QVERIFY(names(errorWith("/edits/0", "x"), "edits[0]", "the string \"x\""));
+    QVERIFY(names(errorWith("/edits/1/type", "factor"), "edits[1].type", "the string \"factor\""));
+    QVERIFY(names(errorWith("/edits/0/strength", 1.5), "edits[0].strength", "the number 1.5"));
+    QVERIFY(names(errorWith("/edits/0/enabled", 1), "edits[0].enabled", "the number 1"));
+    QVERIFY(names(errorWith("/edits/0/name", 1), "edits[0].name", "the number 1"));
+    QVERIFY(names(errorWith("/edits/0/fitted/diffuse", nullptr), "edits[0].fitted.diffuse", "null"));
+    QVERIFY(names(errorWith("/edits/0/fitted/diffuse", {1, 2}), "edits[0].fitted.diffuse", "a list of 2"));
+    QVERIFY(names(errorWith("/edits/0/fitted/diffuse", {1, 2, "3"}), "edits[0].fitted.diffuse", "a list of 3"));
+    QVERIFY(names(errorWith("/edits/0/edited/shine", 1), "edits[0].edited.shine", "the number 1"));
+    QVERIFY(names(errorWith("/view", 1), "view", "the number 1"));
     const std::string unknown = errorWith("/edits/0/model", "phlogiston");
     QVERIFY(contains(unknown, "edits[0].model") && contains(unknown, "phlogiston") && contains(unknown, "ggx"));
   }
@@ -226,7 +226,7 @@ class EditDocumentTest : public QObject {
     json["version"] = 2;
     QCOMPARE(std::get<DifferentialEdit>(documentFromJson(json).edits.at(0).content).model->spec().id,
              std::string_view("ward"));
-    // What is no edit is told as ever.
+    // Anything that is not an edit is reported as usual.
     json["version"] = 1;
     json["edits"][0]["fitted"] = 3;
     QVERIFY(contains(errorOf([&] { documentFromJson(json); }), "edits[0].fitted"));

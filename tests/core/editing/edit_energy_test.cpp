@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_energy.h"
+#include "core/editing/edit_plausibility.h"
 
 #include <QTest>
 #include <cmath>

@@ -71,7 +71,7 @@ class EditPlausibilityTest : public QObject {
     QVERIFY(find(checkEditPlausibility(constantTable(0.3), std::span(&edit, 1)), "negative").passed);
   }
 
-  /// A table without data for theta_d beyond 45 degrees: the fraction that is missing is told, and where it begins.
+  /// A table without data for theta_d beyond 45 degrees: the fraction that is missing is reported, and where it begins.
   void holesAreTold() {
     const HalfDifferenceGrid grid;
     std::vector<TabulatedBrdf::Value> values(grid.size(), glm::vec3(0.2f));

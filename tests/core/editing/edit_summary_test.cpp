@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_summary.h"
+#include "core/editing/edit_list.h"
 
 #include <QTest>
 

@@ -145,25 +145,25 @@ class FactorEditTest : public QObject {
   }
 
   void errorsNameKeyFoundAndExpected() {
-    const auto tells = [](const std::string& error, const std::string& key) {
+    const auto names = [](const std::string& error, const std::string& key) {
       const bool all = contains(error, "edits[0]." + key) && contains(error, "found") && contains(error, "expected");
       if (!all) qWarning("%s", error.c_str());
       return all;
     };
-    QVERIFY(tells(errorWith("/original", 1), "original"));
-    QVERIFY(tells(errorWith("/edited/form", "4d"), "edited.form"));
-    QVERIFY(tells(errorWith("/edited/transform", "sine"), "edited.transform"));
-    QVERIFY(tells(errorWith("/edited/highest", "x"), "edited.highest"));
-    QVERIFY(tells(errorWith("/edited/thetaNodes", {0, 2, 1}), "edited.thetaNodes"));
-    QVERIFY(tells(errorWith("/edited/thetaNodes", {0.1, 0.2, 0.3}), "edited.thetaNodes"));
-    QVERIFY(tells(errorWith("/edited/deviationNodes", {0}), "edited.deviationNodes"));
-    QVERIFY(tells(errorWith("/edited/phiNodes", {0, 1}), "edited.phiNodes"));
-    QVERIFY(tells(errorWith("/edited/channels", nlohmann::json::array()), "edited.channels"));
-    QVERIFY(tells(errorWith("/edited/channels/1", nlohmann::json::array()), "edited.channels"));
-    QVERIFY(tells(errorWith("/edited/channels/2/0/f1", {1, 2}), "edited.channels[2][0].f1"));
-    QVERIFY(tells(errorWith("/edited/channels/2/0/f2/0", "x"), "edited.channels[2][0].f2"));
-    QVERIFY(tells(errorWith("/keepDetail", 1), "keepDetail"));
-    QVERIFY(tells(errorWith("/strength", 2), "strength"));
+    QVERIFY(names(errorWith("/original", 1), "original"));
+    QVERIFY(names(errorWith("/edited/form", "4d"), "edited.form"));
+    QVERIFY(names(errorWith("/edited/transform", "sine"), "edited.transform"));
+    QVERIFY(names(errorWith("/edited/highest", "x"), "edited.highest"));
+    QVERIFY(names(errorWith("/edited/thetaNodes", {0, 2, 1}), "edited.thetaNodes"));
+    QVERIFY(names(errorWith("/edited/thetaNodes", {0.1, 0.2, 0.3}), "edited.thetaNodes"));
+    QVERIFY(names(errorWith("/edited/deviationNodes", {0}), "edited.deviationNodes"));
+    QVERIFY(names(errorWith("/edited/phiNodes", {0, 1}), "edited.phiNodes"));
+    QVERIFY(names(errorWith("/edited/channels", nlohmann::json::array()), "edited.channels"));
+    QVERIFY(names(errorWith("/edited/channels/1", nlohmann::json::array()), "edited.channels"));
+    QVERIFY(names(errorWith("/edited/channels/2/0/f1", {1, 2}), "edited.channels[2][0].f1"));
+    QVERIFY(names(errorWith("/edited/channels/2/0/f2/0", "x"), "edited.channels[2][0].f2"));
+    QVERIFY(names(errorWith("/keepDetail", 1), "keepDetail"));
+    QVERIFY(names(errorWith("/strength", 2), "strength"));
     PdvFactors broken = straight(1);
     broken.channels[1][0].f2[1] = std::nan("");
     FactorEdit nan = edit(1, 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/factor_transfer.h"
+#include "core/editing/factor_edit.h"
 
 #include <QTest>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/lobe_warp.h"
+#include "core/editing/lobe_change.h"
 
 #include <QTest>
 #include <algorithm>

@@ -19,7 +19,7 @@
 #include "core/export/shaders/shading_models.h"
 #include "core/export/target_table.h"
 #include "core/io/tensor_file.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/simple_meshes.h"
 #include "tests/support/spreadsheet.h"

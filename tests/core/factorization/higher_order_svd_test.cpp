@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/higher_order_svd.h"
+#include "core/factorization/canonical_polyadic.h"
 
 #include <QTest>
 #include <cmath>

@@ -43,7 +43,7 @@ double squaredDistance(const MaskedTensor& t, const RankOne& term) {
 class MaskedRankOneTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// What is left is told rightly, never rises, and no small change of a factor makes it smaller.
+  /// The residual is reported correctly, never rises, and no small change of a factor makes it smaller.
   void residualFallsToAMinimum() {
     for (const bool positive : {true, false}) {
       const MaskedTensor t = randomTensor(7, 9, 11, positive, 0.6, 3);

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/factorization/width_blend.h"
 #include "core/support/error.h"
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/pdv_residuals.h"
+#include "core/factorization/pdv_samples.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "core/factorization/pdv_samples.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 

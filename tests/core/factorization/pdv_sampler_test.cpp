@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/pdv_sampler.h"
+#include "core/factorization/pdv_brdf.h"
 
 #include <QTest>
 #include <algorithm>

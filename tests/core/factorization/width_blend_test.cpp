@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/width_blend.h"
+#include "core/factorization/pdv_blend.h"
 
 #include <QTest>
 #include <cmath>

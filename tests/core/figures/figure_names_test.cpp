@@ -14,7 +14,7 @@
 #include "core/figures/figure_formats.h"
 #include "core/figures/figure_tables.h"
 #include "core/plots/svg_drawing.h"
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 #include "tests/core/figures/small_figure.h"
 #include "tests/support/hostile_names.h"
 #include "tests/support/spreadsheet.h"

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/fitting/fit_data.h"
 #include "core/fitting/group_fit.h"
 #include "core/math/parallel.h"
+#include "core/math/types.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/grain.h"
 #include "tests/support/test_program.h"

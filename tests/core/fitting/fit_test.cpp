@@ -171,7 +171,7 @@ class FitTest : public QObject {
     }
   }
 
-  /// A constant table is Lambert's: no model invents a highlight, and what the data do not tell stays put.
+  /// A constant table is Lambert's: no model invents a highlight, and what the data do not determine stays put.
   void hardCase14ConstantTable() {
     const auto table = constantTable(Rgb(0.1, 0.2, 0.05));
     for (const models::Model* model : models::allModels()) {

@@ -10,7 +10,7 @@
 
 #include "core/brdf/utia_brdf.h"
 #include "core/io/image_io.h"
-#include "core/support/number_text.h"
+#include "core/support/text.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/random_directions.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/math/parallel.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"

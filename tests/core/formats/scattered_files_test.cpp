@@ -5,7 +5,7 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/scattered_samples.h"
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "tests/core/formats/instrument_files.h"
 #include "tests/support/test_program.h"
 

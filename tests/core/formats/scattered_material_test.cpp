@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/brdf/data_transform.h"
-#include "core/materials/bundled_basis.h"
+#include "core/materials/basis_file.h"
 #include "core/math/parallel.h"
 #include "core/models/registry.h"
 #include "tests/core/formats/instrument_files.h"

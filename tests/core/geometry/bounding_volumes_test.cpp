@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/geometry/bounding_volumes.h"
+#include "core/geometry/mesh_intersector.h"
 
 #include <QTest>
 #include <algorithm>

@@ -58,7 +58,7 @@ void checkAgainstPlain(const TriangleMesh& mesh, double distance, int rays) {
   for (int n = 0; n < rays; ++n) {
     const Ray ray = randomRay(mesh, distance, random);
     const PlainHit plain = plainClosest(mesh, ray.origin, ray.direction);
-    // Through an edge or past a silhouette by less than single precision tells: either answer is right.
+    // Through an edge or past a silhouette by less than single precision distinguishes: either answer is right.
     if (plain.margin < 1e-4) {
       ++unclear;
       continue;

@@ -5,7 +5,6 @@
 #include <QTest>
 #include <limits>
 
-#include "core/geometry/corner_normals.h"
 #include "core/support/error.h"
 #include "tests/support/simple_meshes.h"
 #include "tests/support/test_program.h"

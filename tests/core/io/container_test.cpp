@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 

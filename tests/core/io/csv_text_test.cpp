@@ -5,7 +5,7 @@
 #include <QTest>
 #include <array>
 
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/hostile_names.h"
 #include "tests/support/spreadsheet.h"

@@ -5,7 +5,7 @@
 #include <QTest>
 #include <limits>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 

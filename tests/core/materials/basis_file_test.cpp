@@ -5,7 +5,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/brdf/log_relative.h"
+#include "core/brdf/data_transform.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"

@@ -126,7 +126,7 @@ class DictionaryFileTest : public QObject {
     QVERIFY(contains(errorWith(path, 8, std::uint16_t(7), read), "the version is 7, expected 1"));
     QVERIFY(contains(errorWith(path, 10, std::uint8_t(9), read), "the transform is 9"));
     QVERIFY(contains(errorWith(path, 12, std::uint16_t(0), read), "a count of nodes is 0"));
-    // Another dictionary, as its id tells.
+    // Another dictionary, as its id shows.
     formats::CodeFile other = file;
     ++other.dictionaryId;
     QVERIFY(contains(errorOf([&] { formats::checkDictionary(other, *dictionary); }), "another dictionary"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/fast_roots_logs.h"
+#include "core/math/fast_functions.h"
 
 #include <QTest>
 #include <random>

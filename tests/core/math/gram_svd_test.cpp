@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/gram_svd.h"
+#include "core/math/decompositions.h"
 
 #include <QTest>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/incremental_qr.h"
+#include "core/math/decompositions.h"
 
 #include <Eigen/Core>
 #include <QTest>

@@ -102,8 +102,8 @@ class RidgeRegressionTest : public QObject {
     }
   }
 
-  /// No other row predicts the only one; and where rows tell nothing of each other every ridge has the same error, so
-  /// that the largest is taken whatever rounding says.
+  /// No other row predicts the only one; and where rows have no information on each other every ridge has the same
+  /// error, so that the largest is taken whatever rounding says.
   void leaveOneOutRidgeThatNothingTells() {
     for (unsigned seed = 16; seed < 26; ++seed)
       QCOMPARE(RidgeRegression(randomMatrix(1, 5, seed), randomMatrix(1, 3, seed)).leaveOneOutRidge(40), 40.0);

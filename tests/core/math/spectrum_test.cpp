@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 
 #include <QTest>
 #include <cmath>

@@ -8,10 +8,10 @@
 #include <random>
 
 #include "core/brdf/utia_brdf.h"
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/materials/material.h"
 #include "core/math/parallel.h"
+#include "core/math/types.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"

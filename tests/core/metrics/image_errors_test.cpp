@@ -6,11 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/math/srgb.h"
-#include "core/metrics/colour_difference.h"
-#include "core/metrics/flip.h"
+#include "core/math/colour.h"
 #include "core/metrics/image_metrics.h"
-#include "core/metrics/structural_similarity.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 

@@ -194,7 +194,7 @@ class ModelPropertiesTest : public QObject {
     }
   }
 
-  /// Only the cut at 0 tells the two apart.
+  /// The two differ only by the cut at 0.
   void clampedIsTheUnclampedCutAtZero() {
     std::mt19937_64 random(6);
     for (const Model* model : allModels())

@@ -92,7 +92,7 @@ class ModelSpecsTest : public QObject {
       }
   }
 
-  /// Fits take the channels of a model that is not told so for alike.
+  /// Fits take the channels of a model that does not declare this as equal.
   void channelsDifferOnlyWhereTheSpecSays() {
     std::mt19937_64 random(6);
     for (const Model* model : allModels()) {

@@ -58,7 +58,7 @@ class PlotCurvesTest : public QObject {
     }
   }
 
-  /// A function that returns its own coordinates tells where a section lies.
+  /// A function that returns its own coordinates shows where a section lies.
   void sectionsLieWhereTheySay() {
     const test::FunctionBrdf coordinates([](const Direction& wi, const Direction& wo) {
       const HalfDifference at = toHalfDifference(wi, wo);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/camera.h"
+#include "core/rendering/scene.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "core/rendering/shading_frame.h"
+#include "core/rendering/path_batch.h"
 #include "core/rendering/shape.h"
 #include "tests/support/test_program.h"
 

@@ -21,7 +21,7 @@ EffectCosts measure(const char* name, const EffectOverrides& overrides = {}, con
   return measureEffectCosts(scene, bindMaterials(scene, std::vector<Material>(2, grey)), overrides, options, control);
 }
 
-/// What effects change; times are told, not tested.
+/// What effects change; times are printed, not tested.
 class EffectCostsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:

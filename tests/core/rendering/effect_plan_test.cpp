@@ -238,7 +238,7 @@ class EffectPlanTest : public QObject {
     QCOMPARE(planOf(with({}, false), grey, everyEffect()).reflections, 0);
   }
 
-  /// A light within a closed convex shape lights its outside nowhere; within one that is not convex, shadows tell.
+  /// A light within a closed convex shape lights its outside nowhere; within one that is not convex, shadows decide.
   void lightsInsideShapes() {
     const auto in = [](const SceneObject& object, const Direction& place) {
       Scene scene = with({object, sphereAt(5)}, false);

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "core/rendering/camera.h"
+#include "core/rendering/scene.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 

@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "core/math/round_number.h"
-#include "core/rendering/false_colour.h"
 #include "tests/support/test_program.h"
 
 namespace error_maps_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 
 #include <QTest>
 #include <cmath>

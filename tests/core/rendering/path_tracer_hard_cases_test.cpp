@@ -139,7 +139,7 @@ class PathTracerHardCasesTest : public QObject {
       }
   }
 
-  /// A lamp that mirrors show as rare bright samples, where draws go to the material only; told, the same for any
+  /// A lamp that mirrors show as rare bright samples, where draws go to the material only; reported, the same for any
   /// number of threads and parts; none where all samples are alike.
   void firefliesAreTold() {
     Scene furnace = with(Sphere{});

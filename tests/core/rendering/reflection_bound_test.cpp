@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/reflection_bound.h"
+#include "core/rendering/render_material.h"
 
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 
 #include "core/models/registry.h"
-#include "core/rendering/render_material.h"
 #include "core/sampling/directional_albedo.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
@@ -48,7 +47,7 @@ std::vector<double> bruteForce(const Brdf& brdf, double theta, const std::vector
 class ReflectionBoundTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// A(F) = albedo F in the brightest channel: told, and from drawn directions.
+  /// A(F) = albedo F in the brightest channel: as stated, and from sampled directions.
   void lambertIsALine() {
     const Rgb reflectance(0.3, 0.7, 0.1);
     const ReflectionBound drawn = boundOf(models::findModel("lambert").instantiate({{reflectance}}));

@@ -71,12 +71,12 @@ class RenderMaterialTest : public QObject {
       QCOMPARE(kept.pdf(fromSpherical(angle, 2), wo), good->pdf(fromSpherical(angle, 2), wo));
   }
 
-  /// The lobe of a material that is known is weighed like one that is made.
+  /// The density of a material that is known is weighed like one that is made.
   void aKnownLobeIsWeighedToo() {
     const Direction wo = fromSpherical(0.6, 1), wi = fromSpherical(0.5, 3.5);
     const auto poor = std::make_shared<const PoorlySampled>(0.1);
-    const auto lobe = std::make_shared<const TabulatedDensity>(*poor);
-    QCOMPARE(RenderMaterial(poor, lobe).pdf(wi, wo), RenderMaterial(poor).pdf(wi, wo));
+    const auto density = std::make_shared<const TabulatedDensity>(*poor);
+    QCOMPARE(RenderMaterial(poor, density).pdf(wi, wo), RenderMaterial(poor).pdf(wi, wo));
     const std::shared_ptr<const Brdf> good = test::ggx(Rgb(0), Rgb(1), 0.1, 0.9);
     QCOMPARE(RenderMaterial(good, std::make_shared<const TabulatedDensity>(*good)).pdf(wi, wo), good->pdf(wi, wo));
   }
@@ -89,7 +89,7 @@ class RenderMaterialTest : public QObject {
       QTest::addRow("two highlights, %g", theta) << true << theta;
     }
   }
-  /// Pearson's test of a million draws: of a round lobe in place of the table, and of the table.
+  /// Pearson's test of a million draws: of a round density in place of the table, and of the table.
   void samplesFollowTheDensity() {
     QFETCH(bool, twoHighlights);
     QFETCH(double, theta);

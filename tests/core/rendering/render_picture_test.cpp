@@ -125,7 +125,7 @@ class RenderPictureTest : public QObject {
       }
   }
 
-  /// One point under the studio, all pixels of a very long lens: sampling lights and lobe against all directions.
+  /// One point under the studio, all pixels of a very long lens: sampling lights and density against all directions.
   void glossyPointsUnderTheStudioAgreeWithQuadrature() {
     const auto brdf = test::ggx(Rgb(0.1), Rgb(1), 0.15, 0.6);
     for (const double yaw : {-0.5, 0.0, 1.2}) {
@@ -138,23 +138,23 @@ class RenderPictureTest : public QObject {
     }
   }
 
-  /// The lobe changes the noise, never the picture. The tolerance is two standard deviations of the worst lobe's mean,
-  /// measured over 16 seeds.
+  /// The density changes the noise, never the picture. The tolerance is two standard deviations of the worst density's
+  /// mean, measured over 16 seeds.
   void anyLobeGivesTheSamePicture() {
     const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     const Scene scene = sphereScene(smallEnvironment());
-    const auto mean = [&](const SamplingDensity& lobe) {
+    const auto mean = [&](const SamplingDensity& density) {
       RenderOptions options = sized(24, 8192);
-      options.lobe = lobe;
+      options.density = density;
       double sum = 0;
       for (const glm::vec3& pixel : renderPicture(*brdf, scene, options).pixels) sum += pixel.y;
       return sum;
     };
     const double best = mean(estimateSamplingDensity(*brdf));
-    for (const SamplingDensity& lobe :
+    for (const SamplingDensity& density :
          {SamplingDensity{0.5, 0.3}, SamplingDensity{1, 0}, SamplingDensity{0.01, 0.95}}) {
-      const double difference = mean(lobe) / best - 1;
-      QVERIFY2(std::abs(difference) < 5e-3, qPrintable(QString("%1: %2").arg(lobe.roughness).arg(difference)));
+      const double difference = mean(density) / best - 1;
+      QVERIFY2(std::abs(difference) < 5e-3, qPrintable(QString("%1: %2").arg(density.roughness).arg(difference)));
     }
   }
 
@@ -182,7 +182,7 @@ class RenderPictureTest : public QObject {
   /// Pictures that are compared share their noise: a change of 1 % shows as the 40 dB that it is.
   void comparedPicturesShareTheirNoise() {
     RenderOptions options = sized(32, 16);
-    options.lobe = SamplingDensity{0.1, 0.5};
+    options.density = SamplingDensity{0.1, 0.5};
     const Image reference = renderPicture(*test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3), comparisonScene(), options);
     const Image test = renderPicture(*test::ggx(Rgb(0.2) * 1.01, Rgb(1) * 1.01, 0.1, 0.3), comparisonScene(), options);
     QVERIFY(std::abs(metrics::signalToNoiseRatio(reference, test) - 40) < 1e-3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 
 #include <QTest>
 #include <cmath>
@@ -30,7 +30,7 @@ std::shared_ptr<const TabulatedBrdf> withNoise(const TabulatedBrdf& table, doubl
                                                std::vector<std::uint8_t>(table.valid().begin(), table.valid().end()));
 }
 
-RenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .lobe = {}}; }
+RenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .density = {}}; }
 
 class RenderedComparisonTest : public QObject {
   Q_OBJECT
@@ -49,7 +49,7 @@ class RenderedComparisonTest : public QObject {
     const ComparisonPicture picture = comparison.render(*plastic());
     QVERIFY(picture.halves[0].pixels != picture.halves[1].pixels);
     RenderOptions half = pictures(3);
-    half.lobe = estimateSamplingDensity(*plastic());
+    half.density = estimateSamplingDensity(*plastic());
     QVERIFY(picture.halves[0].pixels == renderPicture(*plastic(), comparisonScene(), half).pixels);
     for (std::size_t i = 0; i < picture.image.pixels.size(); ++i)
       for (int c = 0; c < 3; ++c)
@@ -77,7 +77,7 @@ class RenderedComparisonTest : public QObject {
   /// Where light is reflected twice, or an object has a material of its own, pictures do not share their paths.
   void onlySharedPathsAreRecorded() {
     RenderOptions options = pictures(1);
-    options.lobe = estimateSamplingDensity(*plastic());
+    options.density = estimateSamplingDensity(*plastic());
     const auto isRecorded = [&](const char* name) { return recordPaths(openScene(name, 2), options).has_value(); };
     QVERIFY(isRecorded("sphere") && isRecorded("sphere-distant-light"));
     QVERIFY(!isRecorded("sphere-on-plane") && !isRecorded("two-spheres"));

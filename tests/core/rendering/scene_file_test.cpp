@@ -9,8 +9,7 @@
 
 #include "core/geometry/bundled_meshes.h"
 #include "core/io/image_io.h"
-#include "core/rendering/bundled_scenes.h"
-#include "core/rendering/environment_file.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_light.h"
 #include "core/support/error.h"

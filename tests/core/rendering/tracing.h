@@ -5,8 +5,8 @@
 #include <QString>
 #include <functional>
 
+#include "core/rendering/path_batch.h"
 #include "core/rendering/path_tracer.h"
-#include "core/rendering/shading_frame.h"
 #include "tests/support/random_scenes.h"
 
 /// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "tests/support/test_program.h"
 
 namespace rgb_spectra_test {

@@ -10,10 +10,10 @@
 #include <random>
 #include <sstream>
 
-#include "core/io/format_mismatch.h"
+#include "core/io/byte_source.h"
 #include "core/io/tensor_file.h"
 #include "core/materials/material.h"
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 

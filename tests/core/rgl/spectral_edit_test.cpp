@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rgl/spectral_edit.h"
+#include "core/rgl/rgl_edit.h"
 
 #include <QTest>
 #include <cmath>
 #include <random>
 
-#include "core/math/spectrum.h"
+#include "core/math/colour.h"
 #include "core/rgl/rgl_encoder.h"
 #include "core/rgl/rgl_file.h"
 #include "tests/support/function_brdf.h"

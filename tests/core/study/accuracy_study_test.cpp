@@ -12,7 +12,7 @@
 #include "core/formats/pdv.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"

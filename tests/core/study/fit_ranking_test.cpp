@@ -7,7 +7,7 @@
 
 #include "core/fitting/fit_parameters.h"
 #include "core/math/parallel.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -134,7 +134,7 @@ class FitRankingTest : public QObject {
     }
   }
 
-  /// 0/0 by contract: not a number, told at the end of every ranking.
+  /// 0/0 by contract: not a number, listed at the end of every ranking.
   void hardCase44BlackReference() {
     const auto black = bakeTable(*test::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
     for (const RankedFit& row : rankFits({black, black}, fewModels())) {

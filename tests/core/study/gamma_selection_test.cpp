@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ using namespace gonio::fitting;
 using namespace gonio::study;
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 24};
-const RenderOptions thumbnail{.width = 24, .height = 24, .samples = 4, .lobe = {}};
+const RenderOptions thumbnail{.width = 24, .height = 24, .samples = 4, .density = {}};
 
 /// What no Blinn lobe explains: the gammas differ in what they give up.
 std::shared_ptr<const TabulatedBrdf> metal() {

@@ -7,7 +7,7 @@
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/training.h"
-#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/render_picture.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 using namespace gonio::study;
 
-const RenderOptions picture{.width = 32, .height = 32, .samples = 16, .lobe = {}};
+const RenderOptions picture{.width = 32, .height = 32, .samples = 16, .density = {}};
 
 struct Studied {
   TrainingMaterials materials = ggxMaterials(7);

@@ -195,7 +195,7 @@ class StudyReportTest : public QObject {
     QVERIFY(svg.find("encoded in") == std::string::npos);
   }
 
-  /// No two series are told apart by colour alone.
+  /// No two series differ in colour only.
   void seriesDifferByShape() {
     std::set<std::pair<plots::Marker, bool>> shapes;
     std::set<std::string> names;

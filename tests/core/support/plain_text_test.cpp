@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/support/plain_text.h"
+#include "core/support/text.h"
 
 #include <QStringDecoder>
 #include <QTest>

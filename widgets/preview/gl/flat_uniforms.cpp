@@ -38,7 +38,7 @@ int lengthOf(const QString& text, const Lengths& lengths) {
   return length <= maxSceneArray ? length : -1;
 }
 
-/// Of a line that declares uniforms which can all be moved; else none.
+/// The uniforms of a line that declares only uniforms which can be moved; empty for other lines.
 std::vector<Uniform> movableUniforms(const QString& line, const Lengths& lengths) {
   static const QRegularExpression declaration("^uniform (float|vec2|vec3|vec4|mat3) ([^;]+);");
   static const QRegularExpression declarator("^(\\w+)(?:\\[(\\w+)\\])?$");
@@ -54,7 +54,7 @@ std::vector<Uniform> movableUniforms(const QString& line, const Lengths& lengths
   return uniforms;
 }
 
-/// What becomes of the shaders while the lines of the fragment shader pass by.
+/// Rewrites both shaders line by line of the fragment shader.
 struct Mover {
   int vectorsLeft;
   QString fragment, declarations, assignments;

@@ -5,7 +5,7 @@
 #include <bit>
 #include <glm/vec4.hpp>
 
-#include "core/geometry/bounding_volumes.h"
+#include "core/geometry/mesh_intersector.h"
 #include "widgets/preview/gl/preview_resources.h"
 
 namespace gonio::widgets {

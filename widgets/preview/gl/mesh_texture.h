@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/rendering/shape.h"
-#include "widgets/preview/gl/warp_textures.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 

@@ -6,8 +6,8 @@ namespace gonio::widgets {
 
 namespace {
 
-// Of the lattice of each level: 1, 2.2, 4.1 and 8.1 pixels apart. No two point the same way: with lattices that all lie
-// along the rows, bright pixels leave a woven pattern.
+// The basis of the lattice of each level: 1, 2.2, 4.1 and 8.1 pixels apart, in different directions, because lattices
+// along the rows only would leave a woven pattern around bright pixels.
 constexpr QPoint strides[] = {{1, 0}, {2, 1}, {4, -1}, {7, 4}};
 constexpr QPoint lastStride{1, 1};  // takes the grain that the others leave of the first samples
 constexpr int fewSamples = 8;

@@ -5,8 +5,8 @@
 #include <QOpenGLFramebufferObject>
 #include <array>
 
+#include "widgets/preview/gl/preview_display.h"
 #include "widgets/preview/gl/preview_renderer.h"
-#include "widgets/preview/gl/shown_picture.h"
 
 namespace gonio::widgets {
 

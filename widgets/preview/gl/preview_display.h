@@ -2,14 +2,20 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <qopengl.h>
 #include <QColor>
 
 #include "core/rendering/tone_map.h"
 #include "widgets/preview/gl/preview_comparison.h"
 #include "widgets/preview/gl/preview_resources.h"
-#include "widgets/preview/gl/shown_picture.h"
 
 namespace gonio::widgets {
+
+/// A picture that can be displayed.
+struct ShownPicture {
+  GLuint texture = 0;  ///< premultiplied linear radiance and coverage, times `samples`; 0: no picture yet
+  float samples = 1;
+};
 
 /// Conversion of radiance to display colours.
 struct DisplaySettings {

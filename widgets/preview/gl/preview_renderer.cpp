@@ -12,7 +12,6 @@
 #include <glm/vec4.hpp>
 
 #include "core/support/error.h"
-#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
@@ -54,16 +53,11 @@ void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   restart();
 }
 
-void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedDensity> lobe) {
-  subject_.lobe = std::move(lobe);
-  restart();
-}
-
 void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan,
                                const std::vector<PreviewSubject>& otherSlotSubjects) {
   SceneUniforms uniforms(scene, plan);
   const auto sameMaterial = [](const PreviewSubject& a, const PreviewSubject& b) {
-    return a.lobe == b.lobe && sameSubject(a, b);
+    return a.density == b.density && sameSubject(a, b);
   };
   const bool same = scene.camera == scene_.camera && scene.environment == scene_.environment &&
                     scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_ &&

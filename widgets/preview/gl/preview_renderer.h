@@ -7,8 +7,8 @@
 #include <deque>
 
 #include "core/rendering/film.h"
+#include "widgets/preview/gl/preview_display.h"
 #include "widgets/preview/gl/scene_uniforms.h"
-#include "widgets/preview/gl/shown_picture.h"
 #include "widgets/preview/gl/subject_textures.h"
 
 namespace gonio::widgets {
@@ -35,9 +35,6 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// edit's curves.
   void setSubject(const PreviewSubject& subject);
   const PreviewSubject& subject() const { return subject_; }
-  /// Density of the reflection samples under an environment. An edit that sharpens a highlight needs a new one; with
-  /// the old density the reflection would be dark with bright outliers.
-  void setLobe(std::shared_ptr<const TabulatedDensity> lobe);
   /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
   /// @param otherSlotSubjects subjects of the slots after the first; empty or missing ones show the first subject.
   void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& otherSlotSubjects = {});

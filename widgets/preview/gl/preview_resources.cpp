@@ -5,9 +5,8 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
-#include "core/rendering/false_colour.h"
+#include "core/rendering/error_maps.h"
 #include "core/support/error.h"
-#include "widgets/preview/gl/opengl_version.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {

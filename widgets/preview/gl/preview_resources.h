@@ -38,8 +38,8 @@ enum TextureUnit {
   rglAreaUnit = firstDecoderUnit + 3,
   baseNodeUnit = firstBlendUnit,  ///< nodes of a table by angle of incidence, which never occurs with a blend
   // Nothing is decoded while a picture is rendered.
-  lobeCellUnit = firstDecoderUnit,
-  lobeRowUnit,
+  densityCellUnit = firstDecoderUnit,
+  densityRowUnit,
   meshUnit = colourMapUnit,
 };
 
@@ -98,7 +98,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
   /// Binds a scene's meshes; uploads them if they changed.
   void bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes);
-  /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
+  /// Binds viridis or the signed map (core/rendering/error_maps.h) to its unit.
   void bindColourMap(bool isSigned);
 
  private:

@@ -43,14 +43,14 @@ bool PreviewSubject::isMeasured() const {
   return edited ? editing::isIdentity(edited->edits) : isEmpty();
 }
 
-PreviewSubject measuredSubject(BrdfPointer base, std::shared_ptr<const TabulatedDensity> lobe) {
+PreviewSubject measuredSubject(BrdfPointer base, std::shared_ptr<const TabulatedDensity> density) {
   if (!base) return {};
-  return {EditedMaterial{std::move(base)}, std::move(lobe)};
+  return {EditedMaterial{std::move(base)}, std::move(density)};
 }
 
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
   if (a.shown.index() != b.shown.index()) return false;
-  if (std::holds_alternative<EditedMaterial>(a.shown) && a.lobe != b.lobe) return false;
+  if (std::holds_alternative<EditedMaterial>(a.shown) && a.density != b.density) return false;
   return std::visit([&](const auto& shown) { return same(shown, std::get<std::decay_t<decltype(shown)>>(b.shown)); },
                     a.shown);
 }

@@ -8,7 +8,7 @@
 #include "core/editing/edit.h"
 #include "core/interpolation/interpolation.h"
 #include "core/sampling/tabulated_density.h"
-#include "widgets/preview/gl/code_texels.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 namespace gonio::widgets {
 
@@ -46,7 +46,7 @@ struct PreviewBlend {
 /// The content of a picture; empty by default.
 struct PreviewSubject {
   std::variant<std::monostate, EditedMaterial, StandaloneModel, PreviewBlend> shown = {};
-  std::shared_ptr<const TabulatedDensity> lobe = {};  ///< density of the reflected samples; null: not known yet
+  std::shared_ptr<const TabulatedDensity> density = {};  ///< density of the reflected samples; null: not known yet
 
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
   /// The base; null if there is none.
@@ -56,7 +56,7 @@ struct PreviewSubject {
 };
 
 /// A base without edits; empty if `base` is null.
-PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedDensity> lobe = {});
+PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedDensity> density = {});
 
 /// Whether two subjects have the same base and equal values, so that their images are equal; may be false for equal
 /// images.

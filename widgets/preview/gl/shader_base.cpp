@@ -4,10 +4,8 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/models/model_brdf.h"
-#include "widgets/preview/gl/incidence_textures.h"
+#include "widgets/preview/gl/measured_textures.h"
 #include "widgets/preview/gl/model_uniforms.h"
-#include "widgets/preview/gl/rgl_textures.h"
-#include "widgets/preview/gl/utia_texture.h"
 
 namespace gonio::widgets {
 

@@ -3,12 +3,85 @@
 #include "widgets/preview/gl/subject_textures.h"
 
 #include <QVector4D>
+#include <cassert>
 #include <cmath>
 
 #include "widgets/preview/gl/model_uniforms.h"
+#include "widgets/preview/gl/shader_base.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
+
+namespace {
+
+void append(std::vector<glm::vec3>& all, const std::vector<glm::vec3>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void setEdits(QOpenGLShaderProgram& program, const std::vector<editing::DifferentialEdit>& edits) {
+  if (edits.empty()) return;
+  const auto target = edits[0].model->shaderParameters(edits[0].edited);
+  std::vector<glm::vec3> own;
+  for (const editing::DifferentialEdit& edit : edits) append(own, edit.model->shaderParameters(edit.fitted));
+  program.setUniformValueArray("targetParameters", &target.front().x, int(target.size()), 3);
+  program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 3);
+}
+
+}  // namespace
+
+void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
+  definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size());
+  if (const DataTransform transform = blend.mixture->transform; transform != DataTransform::none)
+    definitions << "BLEND_IN_TRANSFORMED_DOMAIN" << QString("BLEND_TRANSFORM %1").arg(int(transform));
+  if (blend.own) {
+    definitions << "BLEND_OWN";
+    addShaderBase(*blend.own, definitions, preamble);
+  }
+  if (blend.edits.empty()) return;
+  const models::Model& model = *blend.edits[0].model;
+  definitions << "BLEND_MOVES" << QString("MODEL_PARAMETERS %1").arg(model.shaderComponents().size());
+  addModel(model, definitions, preamble);
+}
+
+void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
+                         const PreviewBlend& blend) {
+  const int count = int(blend.mixture->tables.size());
+  assert(firstBlendUnit + count <= endOfBlendUnits);
+  if (blend.mixture != uploaded_ || !textures_) {
+    gl.glActiveTexture(GL_TEXTURE0 + firstBlendUnit);
+    textures_ = resources.mixture(blend.mixture);
+    uploaded_ = blend.mixture;
+  }
+  std::vector<GLint> units;
+  std::vector<float> periods, weights;
+  for (int i = 0; i < count; ++i) {
+    const TableTexture& table = *textures_->tables[std::size_t(i)];
+    units.push_back(firstBlendUnit + i);
+    periods.push_back(float(table.phiPeriod));
+    weights.push_back(float(blend.weights[std::size_t(i)]));
+    gl.glActiveTexture(GL_TEXTURE0 + GLenum(units.back()));
+    gl.glBindTexture(GL_TEXTURE_3D, table.name);
+  }
+  if (blend.own) {
+    if (blend.own != uploadedOwn_ || !own_) own_ = resources.base(blend.own);
+    uploadedOwn_ = blend.own;
+    own_->bind(gl, program);
+    weights[blend.ownIndex] -= float(blend.ownFraction);
+    program.setUniformValue("blendOwnShare", float(blend.ownFraction));
+    program.setUniformValue("blendOwnIndex", int(blend.ownIndex));
+  }
+  program.setUniformValueArray("blendTables", units.data(), count);
+  program.setUniformValueArray("blendPhiPeriods", periods.data(), count, 1);
+  program.setUniformValueArray("blendWeights", weights.data(), count, 1);
+  setEdits(program, blend.edits);
+}
+
+void BlendTextures::release() {
+  textures_.reset();
+  own_.reset();
+  uploadedOwn_.reset();
+  uploaded_.reset();
+}
 
 void SubjectTextures::addVariant(const PreviewSubject& subject, QStringList& definitions, QStringList& preamble) {
   if (const auto* edited = std::get_if<EditedMaterial>(&subject.shown)) {
@@ -31,15 +104,15 @@ void SubjectTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& 
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {
     blendTextures_.bind(gl, program, resources, *blend);
   }
-  if (samplesDirections) bindLobe(gl, program, subject.lobe);
+  if (samplesDirections) bindDensity(gl, program, subject.density);
 }
 
 void SubjectTextures::release(QOpenGLFunctions_4_1_Core* gl) {
   tableTexture_.reset();
   shaderBase_.reset();
-  lobeTextures_.reset();
+  densityTextures_.reset();
   uploadedBase_.reset();
-  uploadedLobe_.reset();
+  uploadedDensity_.reset();
   blendTextures_.release();
   if (gl) editChain_.release(*gl);
 }
@@ -68,28 +141,29 @@ void SubjectTextures::bindTable(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProg
 }
 
 /// The density of the drawn directions; cosine-weighted while it is not known.
-void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
-                               const std::shared_ptr<const TabulatedDensity>& lobe) {
-  program.setUniformValue("lobeCells", lobeCellUnit);
-  program.setUniformValue("lobeRows", lobeRowUnit);
-  double cosineFraction = lobe ? TabulatedDensity::cosineFraction : 1;
-  GrainDensity grain = lobe ? lobe->grain() : GrainDensity{};
-  if (lobe && lobe->symmetricDensity()) {
-    cosineFraction = 1 - lobe->symmetricDensity()->specularFraction;
-    grain = {
-        .alphaX = lobe->symmetricDensity()->roughness, .alphaY = lobe->symmetricDensity()->roughness, .fraction = 1};
+void SubjectTextures::bindDensity(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
+                                  const std::shared_ptr<const TabulatedDensity>& density) {
+  program.setUniformValue("densityCells", densityCellUnit);
+  program.setUniformValue("densityRows", densityRowUnit);
+  double cosineFraction = density ? TabulatedDensity::cosineFraction : 1;
+  GrainDensity grain = density ? density->grain() : GrainDensity{};
+  if (density && density->symmetricDensity()) {
+    cosineFraction = 1 - density->symmetricDensity()->specularFraction;
+    grain = {.alphaX = density->symmetricDensity()->roughness,
+             .alphaY = density->symmetricDensity()->roughness,
+             .fraction = 1};
   }
-  program.setUniformValue("lobeCosineShare", float(cosineFraction));
-  program.setUniformValue("lobeGrainShare", float((1 - cosineFraction) * grain.fraction));
-  program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
-                                                 float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
-  if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();
-  if (lobe && lobe != uploadedLobe_) {
-    uploadWarp(gl, *lobeTextures_, lobe->warp(), lobeCellUnit, lobeRowUnit);
-    uploadedLobe_ = lobe;
+  program.setUniformValue("densityCosineFraction", float(cosineFraction));
+  program.setUniformValue("densityGrainFraction", float((1 - cosineFraction) * grain.fraction));
+  program.setUniformValue("densityGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
+                                                    float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
+  if (!densityTextures_) densityTextures_ = std::make_unique<TextureSet>();
+  if (density && density != uploadedDensity_) {
+    uploadWarp(gl, *densityTextures_, density->warp(), densityCellUnit, densityRowUnit);
+    uploadedDensity_ = density;
   }
-  lobeTextures_->bind(gl, 0, GL_TEXTURE_3D, lobeCellUnit);
-  lobeTextures_->bind(gl, 1, GL_TEXTURE_2D, lobeRowUnit);
+  densityTextures_->bind(gl, 0, GL_TEXTURE_3D, densityCellUnit);
+  densityTextures_->bind(gl, 1, GL_TEXTURE_2D, densityRowUnit);
 }
 
 }  // namespace gonio::widgets

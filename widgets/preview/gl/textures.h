@@ -9,9 +9,15 @@
 #include <vector>
 
 #include "core/coordinates/half_difference_grid.h"
+#include "core/math/marginal_warp.h"
 #include "core/rendering/environment.h"
 
 namespace gonio::widgets {
+
+/// Message if QOpenGLFunctions_4_1_Core cannot be initialised.
+inline constexpr const char* openGlTooOld =
+    "the graphics driver does not support OpenGL 4.1 (core profile); update the driver, or start Gonio with the "
+    "environment variable LIBGL_ALWAYS_SOFTWARE=1 (software rendering by Mesa)";
 
 /// Uploads for the preview's shaders. Each function creates the texture if `texture` is 0, else replaces its content.
 
@@ -52,5 +58,29 @@ void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, con
 /// Dimension `d` (from 0) of point `index` of the additive recurrence of `dimensions` dimensions, in [0, 1):
 /// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
 double additiveRecurrence(int dimensions, int d, int index);
+
+/// Textures of one context, which must be current when they are destroyed.
+class TextureSet {
+ public:
+  TextureSet() = default;
+  TextureSet(const TextureSet&) = delete;
+  TextureSet& operator=(const TextureSet&) = delete;
+  ~TextureSet();
+
+  /// Binds texture number `index`, created at first use, to a unit.
+  void bind(QOpenGLFunctions_4_1_Core& gl, std::size_t index, GLenum target, int unit);
+
+ private:
+  std::vector<GLuint> names_;
+};
+
+/// Uploads floats to the bound texture, `channels` per texel (1, 2 or 4), with linear filtering, clamped at the
+/// borders.
+void uploadFloats(QOpenGLFunctions_4_1_Core& gl, int channels, int width, int height, int depth, const float* texels);
+void uploadFloats(QOpenGLFunctions_4_1_Core& gl, int channels, int width, int height, const float* texels);
+
+/// Uploads a warp for shaders/preview/marginal_warp.glsl: textures 0 (3D, the cells) and 1 (2D, the rows) of a set.
+void uploadWarp(QOpenGLFunctions_4_1_Core& gl, TextureSet& textures, const MarginalWarp& warp, int cellUnit,
+                int rowUnit);
 
 }  // namespace gonio::widgets

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/projected_deviation.h"
+#include "core/math/types.h"
 
 namespace gonio::factorization {
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/factorization/pdv_sampler.h"
+#include "core/factorization/pdv_brdf.h"
 
 namespace gonio::factorization {
 

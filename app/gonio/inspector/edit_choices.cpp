@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/edit_choices.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QStandardItemModel>
+
+#include "app/gonio/document/edit_steps.h"
+
+namespace gonio::app {
+
+using editing::Composition;
+
+CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_choice(new QComboBox) {
+  for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
+    m_choice->addItem(compositionName(composition));
+  m_choice->setItemData(int(Composition::additive),
+                        tr("measured + model(edited) − model(fitted) (Tongbuasirilai 2023, eq. 4.40)"),
+                        Qt::ToolTipRole);
+  m_choice->setItemData(int(Composition::logPlus),
+                        tr("(1 + measured) (1 + model(edited)) / (1 + model(fitted)) − 1: nearly a ratio where values "
+                           "are large, a difference where they are small"),
+                        Qt::ToolTipRole);
+  m_choice->setItemData(int(Composition::lobes),
+                        tr("The ratio of measurement to fit moves with each lobe as it widens; for the models GGX and "
+                           "Layered lobes, and for the anisotropic models except Ashikhmin-Premoze"),
+                        Qt::ToolTipRole);
+  m_choice->setToolTip(
+      tr("Method that applies the change of the model to the measurement.\n\"Lobes\" preserves the measured "
+         "shape of a highlight as it widens; \"Additive\" is the published method."));
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("Composition"), m_choice);
+  connect(m_choice, &QComboBox::activated, this, [this](int index) { setComposition(m_document, Composition(index)); });
+  for (const auto signal :
+       {&Document::materialChanged, &Document::editChanged, &Document::stateChanged, &Document::selectionChanged})
+    connect(&m_document, signal, this, &CompositionChoice::refresh);
+  refresh();
+}
+
+void CompositionChoice::refresh() {
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  setVisible(edit);
+  if (!edit) return;
+  auto* items = qobject_cast<QStandardItemModel*>(m_choice->model());
+  items->item(int(Composition::lobes))->setEnabled(edit->model->hasLobes());
+  m_choice->setCurrentIndex(int(edit->composition));
+}
+
+IncidentDirectionChoice::IncidentDirectionChoice(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_choice(new QComboBox) {
+  m_choice->addItem(tr("Viewer, as in Mitsuba and pbrt"));
+  m_choice->addItem(tr("Light, as stored in the file"));
+  m_choice->addItem(tr("Mean of both (reciprocal)"));
+  m_choice->setToolTip(
+      tr("Direction that is used as the file's incident direction.\nThe measurement is not reciprocal: it changes when "
+         "light and viewer are exchanged."));
+  m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("&Incident direction"), m_choice);
+  connect(m_choice, &QComboBox::activated, this,
+          [this](int index) { m_document.setIncident(IncidentDirection(index)); });
+  for (const auto signal : {&Document::materialChanged, &Document::editChanged, &Document::stateChanged})
+    connect(&m_document, signal, this, &IncidentDirectionChoice::refresh);
+  refresh();
+}
+
+void IncidentDirectionChoice::refresh() {
+  const auto base = m_document.base();
+  setVisible(base && base->incidentDirection());
+  m_choice->setCurrentIndex(int(m_document.state().incident));
+}
+
+}  // namespace gonio::app
+
+#include "moc_edit_choices.cpp"

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/monitors.h"
+
+#include "core/editing/edit_plausibility.h"
+#include "core/rendering/render_picture.h"
+#include "widgets/panels/plausibility_badges.h"
+
+namespace gonio::app {
+
+namespace {
+const QString plausibilityKey = QStringLiteral("plausibility");
+/// After the last change: a slider that moves is not slowed down by checks of every step.
+constexpr int checkDelayMilliseconds = 120;
+
+struct Findings {
+  std::vector<metrics::PlausibilityCheck> checks;
+  std::vector<editing::Energy> energies;
+};
+}  // namespace
+
+PlausibilityMonitor::PlausibilityMonitor(Document& document, BackgroundTasks& tasks,
+                                         widgets::PlausibilityBadges& badges, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks), m_badges(badges) {
+  m_delay.setSingleShot(true);
+  m_delay.setInterval(checkDelayMilliseconds);
+  connect(&m_delay, &QTimer::timeout, this, &PlausibilityMonitor::check);
+  for (const auto signal : {&Document::materialChanged, &Document::stateChanged, &Document::editChanged})
+    connect(&document, signal, this, &PlausibilityMonitor::changed);
+}
+
+void PlausibilityMonitor::changed() {
+  m_tasks.drop(plausibilityKey);
+  m_current = !m_document.material();
+  m_energies.clear();
+  Q_EMIT energiesChanged();
+  if (m_current) {
+    m_delay.stop();
+    return m_badges.clear();
+  }
+  m_badges.setPending();
+  m_delay.start();
+}
+
+void PlausibilityMonitor::check() {
+  const std::vector<editing::Edit> edits = m_document.edits();
+  m_tasks.run<Findings>(
+      {tr("Checking"), plausibilityKey, false, true},
+      [base = m_document.base(), edits](const TaskControl& control) {
+        return Findings{editing::checkEditPlausibility(base, edits, control),
+                        editing::energiesThrough(base, edits, control)};
+      },
+      [this](const Findings& findings) {
+        m_current = true;
+        m_badges.setChecks(findings.checks);
+        m_energies = findings.energies;
+        Q_EMIT energiesChanged();
+      });
+}
+
+namespace {
+const QString tableErrorKey = QStringLiteral("table error");
+}  // namespace
+
+TableErrorMonitor::TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent,
+                                     const RenderOptions& picture)
+    : QObject(parent), m_document(document), m_tasks(tasks), m_picture(picture) {
+  connect(&document, &Document::materialChanged, this, &TableErrorMonitor::measure);
+}
+
+void TableErrorMonitor::measure() {
+  m_tasks.drop(tableErrorKey);
+  m_snr.reset();
+  const LoadedMaterialPtr material = m_document.material();
+  m_measuring = material && (material->isSampled() || !material->isTable());
+  if (!m_measuring) return;
+  m_tasks.run<double>(
+      {tr("Measuring table accuracy of %1").arg(m_document.name()), tableErrorKey, true},
+      [material, picture = m_picture](const TaskControl& control) {
+        const RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
+        return comparison.signalToNoiseRatio(comparison.render(*material->table(control), control.between(0.5, 1)));
+      },
+      [this](double snr) { finish(snr); }, [this](const QString&) { finish({}); }, [this] { finish({}); });
+}
+
+void TableErrorMonitor::finish(std::optional<double> snr) {
+  m_snr = snr;
+  m_measuring = false;
+  Q_EMIT measured();
+}
+
+}  // namespace gonio::app
+
+#include "moc_monitors.cpp"
