@@ -9,7 +9,6 @@
 #include "app/goniotool/tool.h"
 #include "core/io/json_text.h"
 #include "core/materials/dictionary_file.h"
-#include "core/materials/training_checkpoint.h"
 #include "core/study/training_files.h"
 
 namespace gonio::tool {

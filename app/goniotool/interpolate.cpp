@@ -8,12 +8,12 @@
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
 #include "core/formats/formats.h"
 #include "core/formats/pdv.h"
 #include "core/interpolation/native_form_blend.h"
-#include "core/math/weights.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 

@@ -11,8 +11,9 @@
 #include "core/dictionary/sparse_code.h"
 #include "core/dictionary/training_materials.h"
 
-/// Prior distribution of the coefficients over each dictionary of an ensemble, learned from a training set.
 namespace gonio::acquisition {
+
+// Prior distribution of the coefficients over each dictionary of an ensemble, learned from a training set.
 
 /// The prior of one dictionary: independent Gaussian coefficients.
 struct CoefficientPrior {
@@ -48,12 +49,9 @@ DictionaryPrior learnDictionaryPrior(const dictionary::Ensemble& ensemble,
                                      const dictionary::TrainingMaterials& materials,
                                      const DictionaryPriorOptions& options = {}, const TaskControl& control = {});
 
-}  // namespace gonio::acquisition
-
-/// Reconstruction of a whole material from a few measured values in an ensemble of multi-dimensional dictionaries.
-/// Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", mentions it as future
-/// work.
-namespace gonio::acquisition {
+// Reconstruction of a whole material from a few measured values in an ensemble of multi-dimensional dictionaries.
+// Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", mentions it as future
+// work.
 
 /// The criterion by which the dictionary is chosen.
 enum class DictionaryChoice {

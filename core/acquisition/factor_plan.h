@@ -14,11 +14,12 @@
 #include "core/acquisition/sampling_plan.h"
 #include "core/math/types.h"
 
-/// The two coordinates of a factor measurement: an angle, and the distance of the light from the mirror direction of
-/// the viewer. One curve ("along") is measured in the mirror direction over the angle, the other ("across") at a fixed
-/// angle over the distance. theta_R is the polar angle of the mirror direction, equal to that of the viewer; |Dp| is
-/// defined in core/coordinates/projected_deviation.h.
 namespace gonio::acquisition {
+
+// The two coordinates of a factor measurement: an angle, and the distance of the light from the mirror direction of
+// the viewer. One curve ("along") is measured in the mirror direction over the angle, the other ("across") at a fixed
+// angle over the distance. theta_R is the polar angle of the mirror direction, equal to that of the viewer; |Dp| is
+// defined in core/coordinates/projected_deviation.h.
 
 enum class FactorAxes {
   projectedDeviation,  ///< theta_R, |Dp| (Tongbuasirilai et al. 2017)
@@ -55,14 +56,11 @@ inline bool isDeviation(FactorAxes axes) {
 /// readings are those of projectedDeviation. None if no light above the horizon exists. O(1).
 std::optional<DirectionPair> fromFactorCoordinates(FactorAxes axes, const FactorCoordinates& place);
 
-}  // namespace gonio::acquisition
-
-/// The readings of a factor measurement. A goniometer with two arms in the plane of incidence measures two curves:
-/// "along", in the mirror direction at increasing angles; and "across", at one fixed angle and at increasing distances
-/// from the mirror direction (Tongbuasirilai, Unger and Kurt 2017, "Efficient BRDF Sampling Using Projected Deviation
-/// Vector Parameterization"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
-/// Acquisition", section 5.2.1).
-namespace gonio::acquisition {
+// The readings of a factor measurement. A goniometer with two arms in the plane of incidence measures two curves:
+// "along", in the mirror direction at increasing angles; and "across", at one fixed angle and at increasing distances
+// from the mirror direction (Tongbuasirilai, Unger and Kurt 2017, "Efficient BRDF Sampling Using Projected Deviation
+// Vector Parameterization"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling and
+// Acquisition", section 5.2.1).
 
 /// The two curves of a factor measurement.
 enum class FactorCurve {
@@ -104,14 +102,11 @@ std::optional<FactorAxes> axesOfFactorMethod(std::string_view method);
 /// other; for other angles it is their number. @param angles increasing, rad.
 int plannedReadings(std::span<const double> angles);
 
-}  // namespace gonio::acquisition
-
-/// The readings of a factor measurement as CSV (csv_text.h), directions and values in one file: the comment "method:
-/// factors, AXES", then the columns
-///   index, curve, theta_i, phi_i, theta_o, phi_o, order, r, g, b
-/// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction) or "across" (at the fixed
-/// angle); angles are in degrees (sampling_plan.h), values as in measured_values.h, also as spectra.
-namespace gonio::acquisition {
+// The readings of a factor measurement as CSV (csv_text.h), directions and values in one file: the comment "method:
+// factors, AXES", then the columns
+//   index, curve, theta_i, phi_i, theta_o, phi_o, order, r, g, b
+// and optionally noise_r, noise_g, noise_b. `curve` is "along" (the mirror direction) or "across" (at the fixed
+// angle); angles are in degrees (sampling_plan.h), values as in measured_values.h, also as spectra.
 
 struct FactorReadings {
   FactorPlan plan;

@@ -42,10 +42,7 @@ FactorMeasurement factorMeasurement(const FactorPlan& plan, const MeasuredValues
 FactorMeasurement measureFactors(const Brdf& material, const FactorPlanOptions& options = {},
                                  const MeasurementNoise& noise = {});
 
-}  // namespace gonio::acquisition
-
-/// The material that the two curves of a factor measurement predict, and how far the readings support it.
-namespace gonio::acquisition {
+// The material that the two curves of a factor measurement predict, and how far the readings support it.
 
 /// Upper bound of the predicted values.
 enum class FactorBound {

@@ -33,16 +33,13 @@ struct MeasurementNoise {
 /// @throws Error if a standard deviation is negative or not finite.
 MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const MeasurementNoise& noise = {});
 
-}  // namespace gonio::acquisition
-
-/// Measured values of a sampling plan as CSV (csv_text.h): the columns index, r, g, b (linear sRGB, 1/sr, without the
-/// cosine), and optionally standard deviations: noise_r, noise_g, noise_b, or one column noise for all three. Rows may
-/// have any order; other columns are ignored.
-///
-/// Without r, g and b, three or more columns with wavelengths as names ("550", "550nm" or "550 nm") are a spectrum,
-/// which is converted to linear sRGB (spectrumWeights()); negative channels become 0; `noise` applies to each
-/// wavelength.
-namespace gonio::acquisition {
+// Measured values of a sampling plan as CSV (csv_text.h): the columns index, r, g, b (linear sRGB, 1/sr, without the
+// cosine), and optionally standard deviations: noise_r, noise_g, noise_b, or one column noise for all three. Rows may
+// have any order; other columns are ignored.
+//
+// Without r, g and b, three or more columns with wavelengths as names ("550", "550nm" or "550 nm") are a spectrum,
+// which is converted to linear sRGB (spectrumWeights()); negative channels become 0; `noise` applies to each
+// wavelength.
 
 /// Numbers are written without loss. @param values one per sample of the plan.
 std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values);

@@ -14,9 +14,10 @@
 #include "core/math/ridge_regression.h"
 #include "core/support/task_control.h"
 
-/// Ridge regression of samples that differ in their noise: sample i has noise of variance v (eta + n_i), where v is the
-/// variance of the coefficients. Q is SampleRows::rows, y SampleRows::values.
 namespace gonio::acquisition {
+
+// Ridge regression of samples that differ in their noise: sample i has noise of variance v (eta + n_i), where v is the
+// variance of the coefficients. Q is SampleRows::rows, y SampleRows::values.
 
 class NoisyRidge {
  public:
@@ -54,12 +55,9 @@ double leaveOneOutRidge(const SampleRows& samples, const Eigen::VectorXd& noise,
 /// between two pursuits.
 Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control = {});
 
-}  // namespace gonio::acquisition
-
-/// Reconstruction of a whole material from a few measured values and the principal components of other materials
-/// (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition"; Tongbuasirilai 2023,
-/// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 5.14).
-namespace gonio::acquisition {
+// Reconstruction of a whole material from a few measured values and the principal components of other materials
+// (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition"; Tongbuasirilai 2023,
+// "Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition", eq. 5.14).
 
 enum class ReconstructionMethod {
   ridge,      ///< c = (Q^T Q + eta I)^-1 Q^T (y - mean), Q the rows of D = U Sigma at the samples

@@ -11,8 +11,9 @@
 
 #include "core/coordinates/half_difference_grid.h"
 
-/// The pairs of directions that a goniometer measures, and their order.
 namespace gonio::acquisition {
+
+// The pairs of directions that a goniometer measures, and their order.
 
 struct PlannedSample {
   int index = 0;  ///< from 1, in the order of choice (the most important first); identifies the sample in files
@@ -55,14 +56,11 @@ double armTravel(const DirectionPair& from, const DirectionPair& to);
 /// Deterministic.
 std::vector<std::size_t> shortPath(std::span<const DirectionPair> pairs);
 
-}  // namespace gonio::acquisition
-
-/// A sampling plan as CSV (csv_text.h): comment lines, then the columns
-///   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
-/// with angles in degrees; i is the light, o the viewer. The comments "method: .." and "basis, SHA-256: .." are read.
-/// theta_h, theta_d and phi_d are redundant, for the user's information; readers only use them to detect angles in
-/// radians. `order` is the order of measurement, along a short path of the arms.
-namespace gonio::acquisition {
+// A sampling plan as CSV (csv_text.h): comment lines, then the columns
+//   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
+// with angles in degrees; i is the light, o the viewer. The comments "method: .." and "basis, SHA-256: .." are read.
+// theta_h, theta_d and phi_d are redundant, for the user's information; readers only use them to detect angles in
+// radians. `order` is the order of measurement, along a short path of the arms.
 
 /// Angles have six decimals, enough to find the node of the directions again. @param comments lines of comments,
 /// without #.

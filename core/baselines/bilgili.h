@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/baselines/half_out_samples.h"
+#include "core/baselines/half_vector_sampler.h"
 
 namespace gonio::factorization {
 

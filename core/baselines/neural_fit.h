@@ -48,10 +48,7 @@ class Loss {
   Outputs output_;
 };
 
-}  // namespace gonio::neural
-
-/// Training of the networks of Sztrajman et al. 2021 (NeuralBrdf).
-namespace gonio::neural {
+// Training of the networks of Sztrajman et al. 2021 (NeuralBrdf).
 
 struct NeuralFitOptions {
   int steps = 40'000;          ///< number of steps of Adam: about 0.3 ms each on one thread, 12 s for the default

@@ -8,10 +8,10 @@
 #include <numeric>
 #include <string>
 
+#include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/procrustes.h"
 #include "core/math/parallel.h"
-#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::dictionary {

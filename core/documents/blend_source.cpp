@@ -6,13 +6,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/brdf/weighted_sum.h"
 #include "core/documents/edit_document.h"
 #include "core/interpolation/native_form_blend.h"
 #include "core/io/json_text.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
-#include "core/math/weights.h"
 
 namespace gonio::editing {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/brdf/weighted_sum.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::factorization {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/interpolation/interpolation.h"
 
+#include "core/brdf/weighted_sum.h"
 #include "core/interpolation/interpolation_spaces.h"
-#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::editing {

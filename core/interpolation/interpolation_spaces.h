@@ -4,8 +4,9 @@
 
 #include "core/interpolation/interpolation.h"
 
-/// The implementations of prepareInterpolation(), one file per space.
 namespace gonio::editing {
+
+/// The implementations of prepareInterpolation(), one for each space.
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
                                                    const TaskControl& control);

@@ -11,8 +11,9 @@
 
 #include "core/math/types.h"
 
-/// CSV tables, as written by hand or by spreadsheets.
 namespace gonio::io {
+
+// CSV tables, as written by hand or by spreadsheets.
 
 /// CSV with a header line of column names. Ignores a byte order mark, empty lines, and spaces and quotes around fields;
 /// line ends may be "\n", "\r\n" or "\r". Lines that begin with # are comments. The separator is a comma, or if the
@@ -69,10 +70,7 @@ std::string lineText(const CsvText::Row& row);
 /// A number with at most `decimals` decimal places and no trailing zeros.
 std::string decimalText(double value, int decimals);
 
-}  // namespace gonio::io
-
-/// The columns of a table that contain a colour.
-namespace gonio::io {
+// The columns of a table that contain a colour.
 
 /// A linear sRGB value as the sum of columns times weights.
 struct ColourColumns {

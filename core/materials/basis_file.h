@@ -12,8 +12,9 @@
 #include "core/io/byte_source.h"
 #include "core/support/json_object.h"
 
-/// Grids in the JSON descriptions of files.
 namespace gonio::materials {
+
+// Grids in the JSON descriptions of files.
 
 inline constexpr int maxGridNodes = 1024;  ///< per axis
 
@@ -33,19 +34,16 @@ inline HalfDifferenceGrid gridOf(const JsonObject& object) {
           .reciprocal = object.flag("reciprocal")};
 }
 
-}  // namespace gonio::materials
-
-/// A file of principal components, `.basis`, with which materials are reconstructed from the samples of a plan. A
-/// container (core/io/container.h) "GONIOPCA", version 2; a description with the grid, the numbers of cells, components
-/// and signals, the precision and the training materials; then
-///   the mask of the mapped cells, one bit per cell of the grid, lowest bit first; for each mapped cell the reference
-///   and the mean (float32); the square roots of leftOutVariance() for the stored components: their maximum (float32),
-///   then all of them divided by it, float16 or float32; the singular values, then V column by column (float64); per
-///   component the largest absolute entry of its column of U (float32), then the column divided by it, float16 or
-///   float32.
-/// The weights of the cells follow from the grid. 1.1 million cells take 11.1 MB plus 2.2 MB per component in half
-/// precision, which changes a mapped value y by less than about y / 2000.
-namespace gonio::materials {
+// A file of principal components, `.basis`, with which materials are reconstructed from the samples of a plan. A
+// container (core/io/container.h) "GONIOPCA", version 2; a description with the grid, the numbers of cells, components
+// and signals, the precision and the training materials; then
+//   the mask of the mapped cells, one bit per cell of the grid, lowest bit first; for each mapped cell the reference
+//   and the mean (float32); the square roots of leftOutVariance() for the stored components: their maximum (float32),
+//   then all of them divided by it, float16 or float32; the singular values, then V column by column (float64); per
+//   component the largest absolute entry of its column of U (float32), then the column divided by it, float16 or
+//   float32.
+// The weights of the cells follow from the grid. 1.1 million cells take 11.1 MB plus 2.2 MB per component in half
+// precision, which changes a mapped value y by less than about y / 2000.
 
 inline constexpr std::string_view basisSuffix = ".basis";
 

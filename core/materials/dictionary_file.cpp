@@ -7,14 +7,16 @@
 #include "core/io/sha256.h"
 #include "core/materials/basis_file.h"
 #include "core/support/error.h"
+#include "core/support/json_object.h"
 
 extern "C" {
-// The first byte of the bundled dictionary file, which the build includes (bundled_files.S).
 extern const std::byte gonioBundledDictionary[];
 extern const std::byte gonioBundledDictionaryEnd[];
 }
 
 namespace gonio::materials {
+
+// The first byte of the bundled dictionary file, which the build includes (bundled_files.S).
 
 namespace {
 
@@ -82,6 +84,88 @@ std::shared_ptr<const NamedEnsemble> bundledEnsemble() {
   static const std::shared_ptr<const NamedEnsemble> dictionary = readDictionary(
       io::MemorySource({gonioBundledDictionary, std::size_t(gonioBundledDictionaryEnd - gonioBundledDictionary)}));
   return dictionary;
+}
+
+namespace {
+
+using dictionary::ModeMatrices;
+using dictionary::TrainingState;
+using nlohmann::json;
+
+constexpr io::ContainerFormat checkpointFormat{.name = "checkpoint", .signature = "GONIOCKP"};
+
+void append(const ModeMatrices<double>& matrices, io::ContainerWriter& file) {
+  for (const Eigen::MatrixXd& mode : matrices) file.values(mode);
+}
+
+ModeMatrices<double> take(io::ContainerReader& file, const dictionary::Sizes& sizes) {
+  ModeMatrices<double> matrices;
+  for (std::size_t mode = 0; mode < 3; ++mode) matrices[mode] = file.squareMatrix<double>(sizes[mode]);
+  return matrices;
+}
+
+dictionary::Sizes checkpointSizes(const io::ContainerReader& file, const json& numbers) {
+  dictionary::Sizes sizes{};
+  if (!numbers.is_array() || numbers.size() != 3)
+    file.fail("found " + describeJson(numbers) + ", expected three sizes");
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    if (!numbers[mode].is_number_integer()) file.fail("found " + describeJson(numbers[mode]) + ", expected a size");
+    sizes[mode] = numbers[mode].get<int>();
+    if (sizes[mode] < 1 || sizes[mode] > 1024)
+      file.fail("found the size " + std::to_string(sizes[mode]) + ", expected 1 to 1024");
+  }
+  return sizes;
+}
+
+std::vector<double> errorsOf(const io::ContainerReader& file, const json& errors) {
+  if (!errors.is_array()) file.fail("found " + describeJson(errors) + ", expected a list of training errors");
+  std::vector<double> list;
+  for (const json& error : errors) {
+    if (!error.is_number()) file.fail("found " + describeJson(error) + ", expected a number");
+    list.push_back(error.get<double>());
+  }
+  return list;
+}
+
+TrainingState stateOf(io::ContainerReader file, const std::string& training) {
+  const json description = file.description();
+  const JsonObject root(description, "");
+  if (root.text("training") != training)
+    throw Error("the checkpoint belongs to a different training run; found " + root.text("training") + ", expected " +
+                training);
+  TrainingState state;
+  state.subspace.bases = take(file, checkpointSizes(file, root.array("sizes")));
+  state.subspace.ranks = checkpointSizes(file, root.array("ranks"));
+  state.subspace.loss = root.number("loss", 0, 1);
+  const int dictionaries = int(root.number("dictionaries", 1, 256));
+  for (const json& errors : root.array("errors")) {
+    state.errors.push_back(errorsOf(file, errors));
+    auto& ensemble = state.ensembles.emplace_back();
+    for (int d = 0; d < dictionaries; ++d) ensemble.push_back(take(file, state.subspace.ranks));
+  }
+  file.expectRemaining(0);
+  return state;
+}
+
+}  // namespace
+
+void writeCheckpoint(const TrainingState& state, const std::string& training, const std::filesystem::path& path) {
+  const ModeMatrices<double>& bases = state.subspace.bases;
+  io::ContainerWriter file(checkpointFormat);
+  file.description({{"training", training},
+                    {"sizes", {bases[0].rows(), bases[1].rows(), bases[2].rows()}},
+                    {"ranks", state.subspace.ranks},
+                    {"loss", state.subspace.loss},
+                    {"dictionaries", state.ensembles.empty() ? 1 : state.ensembles.front().size()},
+                    {"errors", state.errors}});
+  append(bases, file);
+  for (const auto& ensemble : state.ensembles)
+    for (const ModeMatrices<double>& dictionary : ensemble) append(dictionary, file);
+  io::writeFileAtomically(path, file.bytes());
+}
+
+TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path) {
+  return withFileInErrors(path, [&] { return stateOf({checkpointFormat, io::FileSource(path)}, training); });
 }
 
 }  // namespace gonio::materials

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "core/dictionary/training.h"
 #include "core/io/byte_source.h"
@@ -29,5 +30,13 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
 
 /// The ensemble bundled with Gonio, read at the first call (about 0.1 s).
 std::shared_ptr<const NamedEnsemble> bundledEnsemble();
+
+/// Writes a checkpoint of a training, atomically: a container (core/io/container.h) "GONIOCKP", version 1, with a
+/// description that identifies the training, and the state in double precision. @param training text that identifies
+/// the materials and options; readCheckpoint() requires the same text. @throws Error that names the file.
+void writeCheckpoint(const dictionary::TrainingState& state, const std::string& training,
+                     const std::filesystem::path& path);
+/// @throws Error that names the file, also if it belongs to another training.
+dictionary::TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path);
 
 }  // namespace gonio::materials

@@ -49,11 +49,8 @@ struct ExpParts {
   return e.power * e.rest + (e.power - 1);
 }
 
-}  // namespace gonio
-
-/// Cube root and logarithms without branches and calls, so that loops are vectorised. Always inlined, because the
-/// compiler would consider them too long.
-namespace gonio {
+// Cube root and logarithms without branches and calls, so that loops are vectorised. Always inlined, because the
+// compiler would consider them too long.
 
 /// The cube root of a finite number: relative error below 5e-16. Starts with the exponent divided by three, which is
 /// within 6 %, followed by Halley and Newton steps.

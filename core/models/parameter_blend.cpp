@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/math/weights.h"
+#include "core/brdf/weighted_sum.h"
 #include "core/support/error.h"
 
 namespace gonio::models {

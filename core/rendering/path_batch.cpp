@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/rendering/blurred_environment.h"
+#include "core/rendering/environment.h"
 
 namespace gonio {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/gl/flat_uniforms.h"
+#include "widgets/preview/gl/program_cache.h"
 
 #include <QTest>
 

@@ -9,7 +9,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int gap = 8;
+constexpr int windowGap = 8;
 }
 
 QuickLook::QuickLook(QWidget* library)
@@ -32,7 +32,7 @@ void QuickLook::showMaterial(const QString& id, const QString& text, const QImag
   setPicture(id, picture);
   adjustSize();
   const QWidget& library = *parentWidget();
-  move(library.mapToGlobal(QPoint(library.width() + gap, gap)));
+  move(library.mapToGlobal(QPoint(library.width() + windowGap, windowGap)));
   show();
 }
 

@@ -187,14 +187,14 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
   if (const WavelengthSubjects* one = wavelength(); one && side == ComparedSubject::edited) return one->edited;
   if (const WavelengthSubjects* one = wavelength(); one && side == ComparedSubject::measured) return one->measured;
   if (side == ComparedSubject::edited && code())
-    return {widgets::EditedMaterial{code()->table, m_document.edits(), code()->stored}, code()->lobe};
+    return {widgets::EditedMaterial{code()->table, m_document.edits(), code()->stored}, code()->density};
   if (side == ComparedSubject::edited)
-    return {widgets::EditedMaterial{m_document.base(), m_document.edits()}, material->lobe};
-  if (side == ComparedSubject::measured) return widgets::measuredSubject(m_document.base(), material->lobe);
-  if (side != ComparedSubject::fit) return widgets::measuredSubject(material->base, material->lobe);
+    return {widgets::EditedMaterial{m_document.base(), m_document.edits()}, material->density};
+  if (side == ComparedSubject::measured) return widgets::measuredSubject(m_document.base(), material->density);
+  if (side != ComparedSubject::fit) return widgets::measuredSubject(material->base, material->density);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   if (!edit) return {};
-  return {widgets::StandaloneModel{edit->model, edit->fitted, gridOf(*material->base)}, material->lobe};
+  return {widgets::StandaloneModel{edit->model, edit->fitted, gridOf(*material->base)}, material->density};
 }
 
 QString ComparisonController::name(ComparedSubject side) const {

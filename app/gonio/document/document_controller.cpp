@@ -10,10 +10,33 @@
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/material_files.h"
 #include "core/editing/factor_edit.h"
+#include "core/io/sha256.h"
+#include "core/support/error.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
+
+namespace {
+QString keyOf(const QString& path) { return QFileInfo(path).absoluteFilePath(); }
+}  // namespace
+
+QByteArray FileVersions::digest(const QString& path) {
+  try {
+    return QByteArray::fromStdString(io::sha256Hex(io::FileSource(path.toStdString())));
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void FileVersions::remember(const QString& path, const QByteArray& digest) { m_digests[keyOf(path)] = digest; }
+
+bool FileVersions::hasChanged(const QString& path) const {
+  const auto known = m_digests.constFind(keyOf(path));
+  if (known == m_digests.constEnd()) return false;
+  const QByteArray current = digest(path);
+  return !current.isEmpty() && current != *known;
+}
 
 namespace {
 const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"),

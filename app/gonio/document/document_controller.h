@@ -2,13 +2,31 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QByteArray>
+#include <QHash>
 #include <QObject>
+#include <QString>
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/file_versions.h"
 
 namespace gonio::app {
+
+/// The documents that this editor has read or written, each with a digest of its content at that time. Before a file is
+/// replaced, its digest shows whether another program has written to it since.
+class FileVersions {
+ public:
+  /// SHA-256 of the file's content; empty if there is no such file or it cannot be read.
+  static QByteArray digest(const QString& path);
+
+  void remember(const QString& path, const QByteArray& digest);
+  /// Whether the file was remembered and now has other content. False for a file that no longer exists, since saving
+  /// then loses nothing. Reads the file.
+  bool hasChanged(const QString& path) const;
+
+ private:
+  QHash<QString, QByteArray> m_digests;  ///< by absolute path
+};
 
 /// What to open if the source of a document has changed since the document was saved: the document with its edits, its
 /// source without them, or nothing.

@@ -49,7 +49,7 @@ LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<con
   if (!loaded->base || !widgets::isShownNatively(*loaded->base))
     loaded->base = loaded->material.tabulated(control.between(0, tabulatedFraction));
   control.throwIfStopped();
-  loaded->lobe = std::make_shared<const TabulatedDensity>(*loaded->base);
+  loaded->density = std::make_shared<const TabulatedDensity>(*loaded->base);
   loaded->statistics = tableStatistics(loaded->isTable() ? *formOf<TabulatedBrdf>(*loaded->base)
                                                          : *bakeTable(*loaded->base, coarseGrid));
   const double each = (1 - tabulatedFraction) / double(loaded->albedo.size());

@@ -25,8 +25,8 @@ struct LoadedMaterial {
   /// The BRDF that is shown, edited and exported: the material in its native form, or a table if the preview cannot
   /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
-  std::shared_ptr<const TabulatedDensity> lobe = nullptr;  ///< sampling density of the base
-  TableStatistics statistics;                              ///< on a coarse grid if the base is not a table
+  std::shared_ptr<const TabulatedDensity> density = nullptr;  ///< sampling density of the base
+  TableStatistics statistics;                                 ///< on a coarse grid if the base is not a table
   std::array<Rgb, 4> albedo;
 
   /// Whether the base was sampled from another form, with a sampling error.

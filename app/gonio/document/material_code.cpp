@@ -101,7 +101,7 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
-  code.lobe = std::make_shared<const TabulatedDensity>(*code.table);
+  code.density = std::make_shared<const TabulatedDensity>(*code.table);
   code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->base, *code.table);
   code.snr = metrics::brdfSignalToNoiseRatio(*material->base, *code.table);
   code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;

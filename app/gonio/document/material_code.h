@@ -25,7 +25,7 @@ struct MaterialCode {
   dictionary::EncodeResult encoded;
   std::shared_ptr<const widgets::EnsembleCode> stored;  ///< the rounded code of the file
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
-  std::shared_ptr<const TabulatedDensity> lobe;         ///< sampling density of the decoded table
+  std::shared_ptr<const TabulatedDensity> density;      ///< sampling density of the decoded table
   std::size_t bytes = 0;                                ///< of the file
   double logError = 0;                                  ///< metrics::BrdfMetric::log compared with the measurement
   double snr = 0;                                       ///< BRDF SNR of `table` compared with the measurement, dB

@@ -30,7 +30,7 @@ WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentDirection 
                            const editing::EditList& edits, double nanometres, const TaskControl& control) {
   const auto file = formOf<RglBrdf>(*material->base)->withIncident(incident);
   const auto measured =
-      widgets::measuredSubject(rgl::atWavelength(*file, nullptr, nanometres, control), material->lobe);
+      widgets::measuredSubject(rgl::atWavelength(*file, nullptr, nanometres, control), material->density);
   if (editing::isIdentity(edits)) return {material, nanometres, measured, measured};
   const auto edited = editing::applyEdits(file->withIncident(IncidentDirection::viewer), edits);
   const auto shown = rgl::atWavelength(*file, edited.get(), nanometres, control);

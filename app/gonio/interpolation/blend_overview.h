@@ -14,10 +14,8 @@ struct BlendCorner;
 class BlendPad;
 class NumberField;
 class ParameterSlider;
-}  // namespace gonio::widgets
-namespace gonio::widgets {
 class BlendStrip;
-}
+}  // namespace gonio::widgets
 
 namespace gonio::app {
 

@@ -21,7 +21,7 @@
 namespace gonio::app {
 
 namespace {
-QString taskKey(int slot) { return QStringLiteral("scene-material-%1").arg(slot); }
+QString slotTaskKey(int slot) { return QStringLiteral("scene-material-%1").arg(slot); }
 /// The edited material is A.
 QChar letterOf(int slot) { return QChar(u'B' + slot); }
 }  // namespace
@@ -61,16 +61,16 @@ std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
 /// In its native form, with what sampling needs.
 SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end) {
   const std::shared_ptr<const Brdf> brdf = end.material.material();
-  const auto lobe = std::make_shared<const TabulatedDensity>(*brdf);
-  widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, lobe);
+  const auto density = std::make_shared<const TabulatedDensity>(*brdf);
+  widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, density);
   if (end.material.base) subject.shown = widgets::EditedMaterial{end.material.base, end.material.edits};
-  return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, lobe)}};
+  return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, density)}};
 }
 
 void SceneMaterialSlots::fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
   m_slots[std::size_t(slot)].failure.clear();
   m_tasks.run<OtherMaterial>(
-      {tr("Opening %1 for the scene").arg(name), taskKey(slot)},
+      {tr("Opening %1 for the scene").arg(name), slotTaskKey(slot)},
       [make = std::move(make)](const TaskControl& control) { return prepared(make(control)); },
       [this, slot](const OtherMaterial& other) {
         m_slots[std::size_t(slot)].other = other;
@@ -101,7 +101,7 @@ void SceneMaterialSlots::useCurrent(int slot) {
 
 void SceneMaterialSlots::clear(int slot) {
   Slot& one = m_slots[std::size_t(slot)];
-  m_tasks.drop(taskKey(slot));
+  m_tasks.drop(slotTaskKey(slot));
   one.other.reset();
   one.failure.clear();
   show(slot);
@@ -124,7 +124,7 @@ void SceneMaterialSlots::show(int slot) {
   const Slot& one = m_slots[std::size_t(slot)];
   widgets::SlotContent content;
   if (one.other) content = {one.other->end.name, one.other->end.description, one.other->end.picture, {}};
-  if (m_tasks.isRunning(taskKey(slot))) content.note = tr("Opening...");
+  if (m_tasks.isRunning(slotTaskKey(slot))) content.note = tr("Opening...");
   if (!one.failure.isEmpty()) {
     content.note = tr("Could not be opened");
     content.toolTip = one.failure;

@@ -31,7 +31,7 @@ QImage imageOf(const std::vector<std::uint8_t>& rgba) {
 
 /// Tile 0 is the material.
 widgets::PreviewSubject subjectOf(const SheetSource& source, int tile, const TaskControl& control) {
-  if (tile == 0) return widgets::measuredSubject(source.material->base, source.material->lobe);
+  if (tile == 0) return widgets::measuredSubject(source.material->base, source.material->density);
   return source.entries[std::size_t(tile - 1)].subject(control);
 }
 

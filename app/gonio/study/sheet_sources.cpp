@@ -20,7 +20,8 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
   const fitting::FitResult& fit = ranked.fit;
   const TabulatedBrdf* table = formOf<TabulatedBrdf>(*material.base);
   const widgets::PreviewSubject subject{
-      widgets::StandaloneModel{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()}, material.lobe};
+      widgets::StandaloneModel{fit.model, fit.parameters, table ? table->grid() : HalfDifferenceGrid()},
+      material.density};
   return {.name = widgets::toQString(fit.model->spec().name),
           .numbers = sheetText("Rendered SNR %1 dB, %2 parameters")
                          .arg(comparisonValue(ranked.renderedSnr))

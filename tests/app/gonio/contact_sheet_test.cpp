@@ -84,7 +84,7 @@ class ContactSheetTest : public QObject {
 
   /// One number for one thing: the ranking's SNR is that of the comparison.
   void theComparisonTellsTheSameSnr() {
-    const auto reference = comparisonReference(widgets::measuredSubject(material_->base, material_->lobe));
+    const auto reference = comparisonReference(widgets::measuredSubject(material_->base, material_->density));
     const SheetSource source = sheetSource("acrylic", material_, ranking_);
     for (const SheetEntry& entry : source.entries)
       QCOMPARE(compareSubjects(entry.subject({}), *reference).renderedSnr, entry.snr);

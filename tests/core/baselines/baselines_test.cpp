@@ -11,7 +11,7 @@
 #include "core/baselines/bivariate.h"
 #include "core/baselines/gaussian_process.h"
 #include "core/baselines/half_difference_tensor.h"
-#include "core/baselines/half_out_samples.h"
+#include "core/baselines/half_vector_sampler.h"
 #include "core/baselines/kautz_mccool.h"
 #include "core/factorization/half_difference_samples.h"
 #include "core/metrics/brdf_metrics.h"

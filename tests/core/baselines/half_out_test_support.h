@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/baselines/half_out_samples.h"
+#include "core/baselines/half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
 
 /// What the tests of the baselines in half-out coordinates share.

@@ -21,7 +21,6 @@
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 #include "core/materials/npf_file.h"
-#include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 

@@ -7,7 +7,6 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "core/formats/code.h"
-#include "core/materials/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/code_files.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/math/weights.h"
+#include "core/brdf/weighted_sum.h"
 
 #include <QTest>
 #include <limits>

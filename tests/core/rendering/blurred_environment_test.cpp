@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/blurred_environment.h"
+#include "core/rendering/environment.h"
 
 #include <QTest>
 #include <cmath>

@@ -2,13 +2,117 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/program_cache.h"
 
+#include <QHash>
+#include <QRegularExpression>
+#include <QStringList>
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "core/support/error.h"
-#include "widgets/preview/gl/flat_uniforms.h"
 #include "widgets/preview/gl/shader_library.h"
 
 namespace gonio::widgets {
+
+namespace {
+
+struct Uniform {
+  QString type, name;
+  int length = 0;  ///< 0: no array
+
+  int vectors() const { return (type == "mat3" ? 3 : 1) * std::max(1, length); }
+  QString declared(const QString& as) const {
+    return type + ' ' + as + (length > 0 ? QString("[%1]").arg(length) : QString());
+  }
+};
+
+/// Loops over so many elements are unrolled: their arrays are indexed by constants.
+constexpr int maxSceneArray = 4;
+
+/// Lengths by the names of their macros.
+using Lengths = QHash<QString, int>;
+
+/// -1 where the length is not known, or too long to be moved.
+int lengthOf(const QString& text, const Lengths& lengths) {
+  if (text.isEmpty()) return 0;
+  bool isNumber = false;
+  const int number = text.toInt(&isNumber);
+  if (isNumber) return number;
+  const int length = lengths.value(text, -1);
+  return length <= maxSceneArray ? length : -1;
+}
+
+/// The uniforms of a line that declares only uniforms which can be moved; empty for other lines.
+std::vector<Uniform> movableUniforms(const QString& line, const Lengths& lengths) {
+  static const QRegularExpression declaration("^uniform (float|vec2|vec3|vec4|mat3) ([^;]+);");
+  static const QRegularExpression declarator("^(\\w+)(?:\\[(\\w+)\\])?$");
+  const auto match = declaration.match(line);
+  std::vector<Uniform> uniforms;
+  if (!match.hasMatch()) return uniforms;
+  for (const QString& part : match.captured(2).split(',')) {
+    const auto one = declarator.match(part.trimmed());
+    const int length = one.hasMatch() ? lengthOf(one.captured(2), lengths) : -1;
+    if (length < 0) return {};
+    uniforms.push_back({match.captured(1), one.captured(1), length});
+  }
+  return uniforms;
+}
+
+/// Rewrites both shaders line by line of the fragment shader.
+struct Mover {
+  int vectorsLeft;
+  QString fragment, declarations, assignments;
+  QHash<QString, QStringList> lists;  ///< of declarations, by the names of their macros
+  Lengths lengths;
+
+  void add(const QString& line) {
+    static const QRegularExpression number("^#define (\\w+) (\\d+)$");
+    if (const auto match = number.match(line); match.hasMatch()) lengths[match.captured(1)] = match.captured(2).toInt();
+    static const QRegularExpression list("^#define (\\w+)\\s+(uniform .*)$");
+    if (const auto match = list.match(line); match.hasMatch()) {
+      lists[match.captured(1)] = match.captured(2).split(';', Qt::SkipEmptyParts);
+      return;
+    }
+    if (!lists.contains(line)) return addLine(line);
+    for (const QString& one : lists[line])
+      if (const QString trimmed = one.trimmed(); !trimmed.isEmpty()) addLine(trimmed + ';');
+  }
+
+  void addLine(const QString& line) {
+    const std::vector<Uniform> uniforms = movableUniforms(line, lengths);
+    int vectors = 0;
+    for (const Uniform& uniform : uniforms) vectors += uniform.vectors();
+    if (uniforms.empty() || vectors > vectorsLeft) return keep(line);
+    vectorsLeft -= vectors;
+    for (const Uniform& uniform : uniforms) move(uniform);
+  }
+
+  /// Conditions go into all three texts, so that each declares and assigns the same.
+  void keep(const QString& line) {
+    fragment += line + '\n';
+    if (!line.startsWith('#') || line.startsWith("#version")) return;
+    declarations += line + '\n';
+    if (!line.startsWith("#define")) assignments += line + '\n';
+  }
+
+  void move(const Uniform& uniform) {
+    const QString flat = "flat_" + uniform.name;
+    fragment += QString("flat in %1;\n#define %2 %3\n").arg(uniform.declared(flat), uniform.name, flat);
+    declarations += QString("uniform %1;\nflat out %2;\n").arg(uniform.declared(uniform.name), uniform.declared(flat));
+    assignments += QString("%1 = %2;\n").arg(flat, uniform.name);
+  }
+};
+
+}  // namespace
+
+PassShaders withFlatUniforms(const PassShaders& shaders, int vectors) {
+  Mover mover{vectors, {}, {}, {}, {}, {}};
+  for (const QString& line : QString::fromUtf8(shaders.fragment).split('\n')) mover.add(line);
+  const QString start = QStringLiteral("void main() {\n");
+  QString vertex = QString::fromUtf8(shaders.vertex);
+  vertex.replace(start, mover.declarations + start + mover.assignments);
+  return {vertex.toUtf8(), mover.fragment.toUtf8()};
+}
 
 namespace {
 

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/interpolation/interpolation_spaces.h"
+
+#include <algorithm>
+
+#include "core/brdf/weighted_sum.h"
+#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/code_interpolation.h"
+#include "core/dictionary/decode.h"
+#include "core/editing/edit.h"
+#include "core/factorization/deviation_grid.h"
+#include "core/factorization/pdv_blend.h"
+#include "core/models/parameter_blend.h"
+#include "core/models/registry.h"
+#include "core/support/error.h"
+
+namespace gonio::editing {
+
+namespace {
+
+class LinearInterpolation final : public Interpolation {
+ public:
+  LinearInterpolation(std::span<const InterpolationMaterial> ends, const TaskControl& control)
+      : Interpolation(ends), sameGrid_(onOneGrid(this->tables(), control)) {}
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    std::vector<std::shared_ptr<const Brdf>> materials;
+    for (const InterpolationMaterial& end : ends()) materials.push_back(end.material());
+    return weightedSum(std::move(materials), {weights.begin(), weights.end()});
+  }
+  Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
+    return weightedSum(sameGrid_, weights, control);
+  }
+  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
+
+  std::vector<Table> sameGrid_;
+};
+
+}  // namespace
+
+TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables) {
+  TransformedMixture mixture{DataTransform::none, {}};
+  for (const Interpolation::Table& table : tables)
+    mixture.tables.push_back({table->grid(),
+                              {table->values().begin(), table->values().end()},
+                              {table->valid().begin(), table->valid().end()}});
+  return mixture;
+}
+
+std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends) {
+  std::vector<Interpolation::Table> tables;
+  for (const InterpolationMaterial& end : ends) tables.push_back(end.table);
+  return tables;
+}
+
+std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
+                                            const TaskControl& control) {
+  std::vector<Interpolation::Table> result;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const double each = 1 / double(tables.size());
+    result.push_back(onGrid(tables[i], tables[0]->grid(), control.between(double(i) * each, double(i + 1) * each)));
+  }
+  return result;
+}
+
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
+                                                   const TaskControl& control) {
+  return std::make_shared<const LinearInterpolation>(ends, control);
+}
+
+namespace {
+
+using factorization::PdvFactors;
+using Factors = std::shared_ptr<const PdvFactors>;
+
+class FactorInterpolation final : public Interpolation {
+ public:
+  /// @throws Error when the factors cannot be blended.
+  FactorInterpolation(std::span<const InterpolationMaterial> materials, std::vector<Factors> factors)
+      : Interpolation(materials), factors_(std::move(factors)) {
+    factorization::checkBlendable(curves());
+  }
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return factorization::makePdvBrdf(blended(weights));
+  }
+  std::optional<PdvFactors> blendedFactors(std::span<const double> weights) const override { return blended(weights); }
+  PdvFactors blended(std::span<const double> weights) const { return factorization::blended(curves(), weights); }
+  std::vector<const PdvFactors*> curves() const {
+    std::vector<const PdvFactors*> curves;
+    for (const Factors& factors : factors_) curves.push_back(factors.get());
+    return curves;
+  }
+
+  std::vector<Factors> factors_;
+};
+
+/// The options that all factorisations share: those of the first material that has factors, else nodes for the set.
+factorization::PdvOptions sharedOptions(std::span<const InterpolationMaterial> ends,
+                                        const InterpolationOptions& options, const TaskControl& control) {
+  for (const InterpolationMaterial& end : ends)
+    if (end.factors)
+      return {.form = end.factors->form,
+              .transform = end.factors->transform,
+              .terms = end.factors->terms(),
+              .deviationNodes = end.factors->deviationNodes};
+  factorization::PdvOptions shared = options.pdv;
+  if (shared.deviationNodes.empty() && !ends.empty())
+    shared.deviationNodes = factorization::deviationNodes(tablesOf(ends), factorization::defaultDeviations, control);
+  return shared;
+}
+
+}  // namespace
+
+std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationMaterial> ends,
+                                                    const InterpolationOptions& options, const TaskControl& control) {
+  constexpr double nodesFraction = 0.1;
+  const factorization::PdvOptions shared = sharedOptions(ends, options, control.between(0, nodesFraction));
+  std::vector<Factors> factors;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double each = (1 - nodesFraction) / double(ends.size()), begin = nodesFraction + double(i) * each;
+    factors.push_back(ends[i].factors
+                          ? ends[i].factors
+                          : std::make_shared<const PdvFactors>(
+                                factorizePdv(*ends[i].table, shared, control.between(begin, begin + each)).factors));
+  }
+  return std::make_shared<const FactorInterpolation>(ends, std::move(factors));
+}
+
+namespace {
+
+using models::ParameterValues;
+
+/// The model alone at the blended parameters.
+class ParameterInterpolation : public Interpolation {
+ public:
+  ParameterInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
+                         std::vector<ParameterValues> fitted)
+      : Interpolation(ends), model_(model), fitted_(std::move(fitted)) {}
+
+ protected:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return model_.instantiate(models::blended(model_.spec(), fitted_, weights));
+  }
+  std::optional<ParameterValues> blendedParameters(std::span<const double> weights) const override {
+    return models::blended(model_.spec(), fitted_, weights);
+  }
+
+  const models::Model& model_;
+  std::vector<ParameterValues> fitted_;
+};
+
+/// The materials moved to the blended parameters, blended.
+class DifferentialInterpolation final : public ParameterInterpolation {
+ public:
+  DifferentialInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
+                            std::vector<ParameterValues> fitted, const TaskControl& control)
+      : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
+
+ private:
+  std::vector<DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
+    const ParameterValues target = blendedParameters(weights).value();
+    std::vector<DifferentialEdit> edits;
+    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
+    return edits;
+  }
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    std::vector<std::shared_ptr<const Brdf>> moved;
+    for (DifferentialEdit& move : blendedEdits(weights))
+      moved.push_back(applyEdits(ends()[moved.size()].material(), EditList{{std::move(move)}}));
+    return weightedSum(std::move(moved), {weights.begin(), weights.end()});
+  }
+  Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
+    const std::vector<DifferentialEdit> edits = blendedEdits(weights);
+    std::vector<Table> moved = sameGrid_;
+    for (std::size_t i = 0; i < materials(); ++i) {
+      if (!(weights[i] > 0)) continue;
+      const double begin = double(i) / double(materials()), end = double(i + 1) / double(materials());
+      moved[i] = bakeEdits(sameGrid_[i], EditList{{edits[i]}}, control.between(begin, end));
+    }
+    return weightedSum(moved, weights, {.stop = control.stop});
+  }
+
+  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
+
+  std::vector<Table> sameGrid_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool preserveDetail,
+                                                       const InterpolationOptions& options,
+                                                       const TaskControl& control) {
+  const models::Model& model = options.model ? *options.model : models::ggx();
+  std::vector<ParameterValues> fitted;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double begin = double(i) / double(ends.size()), end = double(i + 1) / double(ends.size());
+    fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
+    control.throwIfStopped();
+  }
+  if (preserveDetail)
+    return std::make_shared<const DifferentialInterpolation>(ends, model, std::move(fitted),
+                                                             TaskControl{control.stop, {}});
+  return std::make_shared<const ParameterInterpolation>(ends, model, std::move(fitted));
+}
+
+namespace {
+
+using dictionary::Ensemble;
+using dictionary::SparseCode;
+
+TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code) {
+  const auto signals = dictionary::decodeSignals(ensemble, code);
+  TransformedTable table{code.grid, {}, dictionary::GridGeometry::of(code.grid)->aboveHorizon};
+  table.values.resize(code.grid.size());
+  for (std::size_t cell = 0; cell < table.values.size(); ++cell)
+    for (std::size_t c = 0; c < 3; ++c) table.values[cell][int(c)] = float(signals[c][Eigen::Index(cell)]);
+  return table;
+}
+
+class DictionaryInterpolation final : public Interpolation {
+ public:
+  DictionaryInterpolation(std::span<const InterpolationMaterial> ends, std::shared_ptr<const Ensemble> ensemble,
+                          std::vector<SparseCode> codes, std::size_t coefficients)
+      : Interpolation(ends), ensemble_(std::move(ensemble)), codes_(std::move(codes)), coefficients_(coefficients) {}
+
+ private:
+  SparseCode between(std::span<const double> weights) const {
+    return dictionary::interpolateCodes(*ensemble_, codes_, weights, coefficients_);
+  }
+  std::optional<SparseCode> blendedCode(std::span<const double> weights) const override { return between(weights); }
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return dictionary::makeCodeBrdf(*ensemble_, between(weights));
+  }
+  Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
+    if (!(ensemble_->grid == tables()[0]->grid())) return Interpolation::blendedTable(weights, control);
+    control.throwIfStopped();
+    return dictionary::decode(*ensemble_, between(weights));
+  }
+  std::optional<TransformedMixture> mixture() const override {
+    TransformedMixture mixture{codes_[0].transform, {}};
+    for (const SparseCode& code : codes_) mixture.tables.push_back(decodedSignals(*ensemble_, code));
+    return mixture;
+  }
+
+  std::shared_ptr<const Ensemble> ensemble_;
+  std::vector<SparseCode> codes_;
+  std::size_t coefficients_;
+};
+
+/// The code whose transform and scale all have: the first one. Null if there is none.
+const SparseCode* givenCode(std::span<const InterpolationMaterial> ends) {
+  for (const InterpolationMaterial& end : ends)
+    if (end.code) return end.code.get();
+  return nullptr;
+}
+
+/// The index of the transform with the least gamma error, summed over the materials.
+std::size_t bestTransform(std::span<const dictionary::EncodeResult> encoded, std::size_t transforms) {
+  std::vector<double> errors(transforms, 0.0);
+  for (const dictionary::EncodeResult& material : encoded)
+    for (std::size_t t = 0; t < transforms; ++t) errors[t] += material.candidates[t].gammaError;
+  return std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
+}
+
+std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMaterial> ends,
+                                            const InterpolationOptions& options, const TaskControl& control) {
+  const dictionary::Encoder encoder(*options.ensemble);
+  dictionary::EncodeOptions encode = options.encode;
+  const SparseCode* const given = givenCode(ends);
+  if (given) {
+    encode.transforms = {given->transform};
+    encode.scaled = given->scaled;
+  }
+  std::vector<SparseCode> codes(ends.size());
+  std::vector<dictionary::EncodeResult> encoded;
+  std::vector<std::size_t> materials;  // of `encoded`
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (ends[i].code && ends[i].code->transform == given->transform && ends[i].code->scaled == given->scaled) {
+      codes[i] = *ends[i].code;
+      dictionary::checkCode(*options.ensemble, codes[i]);
+      continue;
+    }
+    const double begin = double(i) / double(ends.size()), end = double(i + 1) / double(ends.size());
+    const auto table = onGrid(ends[i].table, options.ensemble->grid, {.stop = control.stop});
+    encoded.push_back(encoder.encode(*table, encode, control.between(begin, end)));
+    materials.push_back(i);
+  }
+  const std::size_t best = bestTransform(encoded, encode.transforms.size());
+  for (std::size_t m = 0; m < encoded.size(); ++m) codes[materials[m]] = encoded[m].candidates[best].code;
+  return codes;
+}
+
+}  // namespace
+
+std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationMaterial> ends,
+                                                       const InterpolationOptions& options,
+                                                       const TaskControl& control) {
+  if (!options.ensemble || options.ensemble->dictionaries.empty())
+    throw Error("interpolation in the space dictionary: found no dictionary, expected one");
+  return std::make_shared<const DictionaryInterpolation>(
+      ends, options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
+}
+
+}  // namespace gonio::editing
