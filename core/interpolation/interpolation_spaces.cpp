@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "core/brdf/weighted_sum.h"
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_blend.h"
-#include "core/models/parameter_blend.h"
+#include "core/models/model.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 

@@ -10,7 +10,7 @@
 #include "core/io/csv_text.h"
 #include "core/io/sha256.h"
 #include "core/io/tensor_file.h"
-#include "core/models/model_brdf.h"
+#include "core/models/model.h"
 #include "core/models/parameters_json.h"
 #include "core/support/error.h"
 

@@ -2,16 +2,23 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
 
-#include "core/models/anisotropic_parameters.h"
 #include "core/models/common_parameters.h"
-#include "core/models/fresnel.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
 
 /// Microfacets with a width along the grain and another across it, under Smith's masking: of GGX and of Beckmann.
 namespace gonio::models {
+
+namespace glsl {
+INLINE REAL ggxDensity(const vec3& h, const vec2& alpha) { return gonio::ggxDensity(h, alpha.x, alpha.y); }
+INLINE REAL ggxCosineOverG1(const vec3& w, const vec2& alpha) { return gonio::ggxCosineOverG1(w, alpha.x, alpha.y); }
+inline REAL beckmannDensity(const vec3& h, const vec2& alpha) { return gonio::beckmannDensity(h, alpha.x, alpha.y); }
+inline REAL beckmannCosineOverG1(const vec3& w, const vec2& alpha) {
+  return gonio::beckmannCosineOverG1(w, alpha.x, alpha.y);
+}
+#include "core/models/anisotropic_microfacets.glsl"
+}  // namespace glsl
 
 namespace {
 
@@ -50,7 +57,7 @@ constexpr ModelSpec ggxSpec = {
     .formula = formula,
     .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Walter et "
                  "al. 2007, Microfacet Models for Refraction through Rough Surfaces",
-    .parameters = ggxParameters, .conservesEnergy = true};
+    .parameters = ggxParameters, .file = "anisotropic_microfacets", .conservesEnergy = true};
 
 constexpr ModelSpec beckmannSpec = {
     .id = "beckmann-anisotropic", .name = "Beckmann, anisotropic",
@@ -59,63 +66,50 @@ constexpr ModelSpec beckmannSpec = {
     .formula = formula,
     .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, section 5; Beckmann "
                  "and Spizzichino 1963, The Scattering of Electromagnetic Waves from Rough Surfaces",
-    .parameters = beckmannParameters, .conservesEnergy = true};
+    .parameters = beckmannParameters, .file = "anisotropic_microfacets", .conservesEnergy = true};
 // clang-format on
 
-/// A distribution, cos theta (1 + Lambda) of its masking, and its sampler.
-struct Ggx {
-  static double density(const Direction& h, double x, double y) { return ggxDensity(h, x, y); }
-  static double shadowedCosine(const Direction& w, double x, double y) { return ggxCosineOverG1(w, x, y); }
-  using Lobe = VisibleNormalDensity;
-};
-struct Beckmann {
-  static double density(const Direction& h, double x, double y) { return beckmannDensity(h, x, y); }
-  static double shadowedCosine(const Direction& w, double x, double y) { return beckmannCosineOverG1(w, x, y); }
-  using Lobe = BeckmannVisibleDensity;
-};
-
-template <typename Facets>
-std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0;
-  const double alphaX = p.values[roughnessX].x, alphaY = p.values[roughnessY].x, angle = p.values[rotation].x;
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const double heightCorrelated = chosen(p.values[masking].x);
-  return makeGeometryBrdf(
-      [=, toGrain = AzimuthRotation(-angle)](const SurfaceGeometry& g) {
-        const double shadowedI = Facets::shadowedCosine(toGrain(g.wi), alphaX, alphaY);
-        const double shadowedO = Facets::shadowedCosine(toGrain(g.wo), alphaX, alphaY);
-        // cos theta_i cos theta_o / G, so that nothing is divided by a cosine.
-        const double ofBoth = g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
-        const double cosines = heightCorrelated * ofBoth + (1 - heightCorrelated) * (shadowedI * shadowedO);
-        return kd + ks * (Facets::density(toGrain(g.half), alphaX, alphaY) * fresnel(g.cosD) / cosines);
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     RotatedDensity(typename Facets::Lobe{alphaX, alphaY}, angle)),
-      alphaX == alphaY);
+Fresnel fresnelOf(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
 }
 
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }
+auto arguments(const ParameterValues& p) {
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] / 4.0,
+                    glm::dvec2(p.values[roughnessX].x, p.values[roughnessY].x), grainAxis(p.values[rotation].x),
+                    double(chosen(p.values[masking].x)), fresnelOf(p));
+}
+
+/// @tparam Lobe the sampler of the distribution.
+template <auto formula, typename Lobe>
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double x = p.values[roughnessX].x, y = p.values[roughnessY].x;
+  return makeGeometryBrdf(
+      bound<formula>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
+                     RotatedDensity(Lobe{x, y}, p.values[rotation].x)),
+      x == y);
+}
 
 ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roughnessX, roughnessY, rotation}, true); }
 
-template <typename Facets>
+template <auto create>
 std::vector<ModelLobe> parts(const ParameterValues& p) {
-  return diffuseAndHighlight(create<Facets>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
+  return diffuseAndHighlight(create, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
 }
 
-template <typename Facets>
+template <auto create>
 constexpr Model::Functions functions{
-    .create = create<Facets>, .shaderParameters = shaderParameters, .lobes = parts<Facets>, .canonical = canonical};
+    .create = create, .arguments = shaderArguments<arguments>, .lobes = parts<create>, .canonical = canonical};
 
 }  // namespace
 
 const Model& ggxAnisotropic() {
-  static const Model model(ggxSpec, functions<Ggx>);
+  static const Model model(ggxSpec, functions<create<glsl::formula_ggx_anisotropic, VisibleNormalDensity>>);
   return model;
 }
 
 const Model& beckmannAnisotropic() {
-  static const Model model(beckmannSpec, functions<Beckmann>);
+  static const Model model(beckmannSpec, functions<create<glsl::formula_beckmann_anisotropic, BeckmannVisibleDensity>>);
   return model;
 }
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <algorithm>
 #include <cmath>
 
-#include "core/models/anisotropic_parameters.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/ashikhmin_shirley.glsl"
+}
 
 namespace {
 
@@ -47,29 +49,26 @@ constexpr ModelSpec ashikhminShirleySpec = {
     .formula = "R_d + k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "
                "(cos theta_d max(cos theta_i, cos theta_o)), e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)",
     .reference = ashikhmin2000, .parameters = parameters,
-    .family = ModelFamily::empirical, .conservesEnergy = true};
+    .family = ModelFamily::empirical, .conservesEnergy = true, .constantError = 0.02};
 // clang-format on
 
-double entering(double cosine) {
-  const double m = 1 - cosine / 2, m2 = m * m;
-  return 1 - m2 * m2 * m;
+Fresnel fresnelOf(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+}
+
+auto arguments(const ParameterValues& p) {
+  const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
+  const bool coupled = chosen(p.values[diffuseTerm].x) == 0;
+  return std::tuple(p.values[diffuse] / pi * (coupled ? 28.0 / 23 * (1 - f0) : 1),
+                    p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi)), coupled ? 1.0 : 0.0,
+                    glm::dvec2(nx, ny), grainAxis(p.values[rotation].x), fresnelOf(p));
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
-  const double coupled = chosen(p.values[diffuseTerm].x) == 0 ? 1 : 0;
-  const Rgb kd = p.values[diffuse] / pi * (coupled == 1 ? 28.0 / 23 * (1 - f0) : 1);
-  const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
-  const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
+  const double nx = p.values[exponentX].x, ny = p.values[exponentY].x;
   return makeGeometryBrdf(
-      [=, toGrain = AzimuthRotation(-p.values[rotation].x)](const SurfaceGeometry& g) {
-        const Direction half = toGrain(g.half);
-        const double slopes = nx * half.x * half.x + ny * half.y * half.y;
-        const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
-        const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
-        return (coupled * (entering(g.cosI) * entering(g.cosO)) + (1 - coupled)) * kd + ks * lobe;
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
+      bound<glsl::formula_ashikhmin_shirley>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(0.5),
                      RotatedDensity(HalfVectorDensity{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
       nx == ny);
 }
@@ -82,8 +81,6 @@ std::vector<ModelLobe> parts(const ParameterValues& p) {
                              {p.values[normalReflectance], p.values[diffuseTerm]});
 }
 
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }
-
 ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {exponentX, exponentY, rotation}, false); }
 
 }  // namespace
@@ -91,7 +88,7 @@ ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {expo
 const Model& ashikhminShirley() {
   static const Model model(
       ashikhminShirleySpec,
-      {.create = create, .shaderParameters = shaderParameters, .lobes = parts, .canonical = canonical});
+      {.create = create, .arguments = shaderArguments<arguments>, .lobes = parts, .canonical = canonical});
   return model;
 }
 

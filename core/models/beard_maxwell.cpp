@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cmath>
-
-#include "core/math/fast_functions.h"
-#include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/beard_maxwell.glsl"
+}
 
 namespace {
 
@@ -57,34 +57,28 @@ constexpr ModelSpec beardMaxwellSpec = {
     .reference = westlundMeyer, .parameters = parameters};
 // clang-format on
 
-/// Shadowing and obscuration; at Omega = 0 its limit.
-double obscuration(const SurfaceGeometry& g, double inverseTau, double omega) {
-  const double thetaH = fastAtan2(std::sqrt(g.sin2H), g.half.z);
-  const double thetaD = fastAtan2(glm::length(g.wi - g.wo) / 2, g.cosD);
-  const double shadowed = fastExp(-2 * thetaD * inverseTau), sum = omega + thetaH;
-  return sum > 0 ? (omega + thetaH * shadowed) / sum : shadowed;
+Fresnel fresnelOf(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+}
+
+auto arguments(const ParameterValues& p) {
+  const double m = p.values[roughness].x;
+  return std::tuple(p.values[diffuse] / pi, p.values[volume] * (2 / pi), p.values[specular] / 4.0, 1 / (m * m),
+                    1 / p.values[tau].x, p.values[omega].x, fresnelOf(p));
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double m = p.values[roughness].x, inverseM2 = 1 / (m * m);
-  const Rgb kd = p.values[diffuse] / pi, kv = p.values[volume] * (2 / pi), ks = p.values[specular] / 4.0;
-  const double inverseTau = 1 / p.values[tau].x, onset = p.values[omega].x;
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double surface = beckmannDistribution(g, inverseM2) * fresnel(g.cosD) *
-                               obscuration(g, inverseTau, onset) / (g.cosI * g.cosO);
-        return kd + kv / (g.cosI + g.cosO) + ks * surface;
-      },
-      diffuseMixture(maxChannel(p.values[diffuse] + p.values[volume]),
-                     maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     HalfVectorDensity{BeckmannNormals{m, m}}));
+  const double m = p.values[roughness].x;
+  return makeGeometryBrdf(bound<glsl::formula_beard_maxwell>(arguments(p)),
+                          diffuseMixture(maxChannel(p.values[diffuse] + p.values[volume]),
+                                         maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
+                                         HalfVectorDensity{BeckmannNormals{m, m}}));
 }
 
 }  // namespace
 
 const Model& beardMaxwell() {
-  static const Model model(beardMaxwellSpec, {.create = create});
+  static const Model model(beardMaxwellSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

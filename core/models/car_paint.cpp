@@ -2,13 +2,15 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
 
-#include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/v_cavity.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/car_paint.glsl"
+}
 
 namespace {
 
@@ -82,32 +84,33 @@ constexpr ModelSpec carPaintSpec = {
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on
 
-struct Lobe {
-  Rgb strength;
-  double roughness;
-  Fresnel fresnel;
+/// Index of the strength of a lobe; its roughness and reflectance follow.
+constexpr std::size_t firstOf(int lobe) { return firstLobe + 3 * std::size_t(lobe); }
 
-  Rgb operator()(const SurfaceGeometry& g) const {
-    return strength * (beckmannDistribution(g, 1 / (roughness * roughness)) * fresnel(g.cosD));
-  }
-};
+Fresnel fresnelOf(const ParameterValues& p, int lobe) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[firstOf(lobe) + 2].x);
+}
+
+auto lobeArguments(const ParameterValues& p, int lobe) {
+  const double denominator = chosen(p.values[normalisation].x) == 0 ? 4 : pi, m = p.values[firstOf(lobe) + 1].x;
+  return std::tuple(p.values[firstOf(lobe)] / denominator, 1 / (m * m), fresnelOf(p, lobe));
+}
+
+auto arguments(const ParameterValues& p) {
+  return std::tuple_cat(std::tuple(p.values[diffuse] / pi), lobeArguments(p, 0), lobeArguments(p, 1),
+                        lobeArguments(p, 2));
+}
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double denominator = chosen(p.values[normalisation].x) == 0 ? 4 : pi;
-  const auto makeLobe = [&](std::size_t lobe) {
-    const Rgb* values = &p.values[firstLobe + 3 * lobe];
-    return Lobe{values[0] / denominator, values[1].x, chosenFresnel(p, fresnelTerm, edgeTint, values[2].x)};
+  const auto albedo = [&](int lobe) {
+    return maxChannel(std::get<0>(lobeArguments(p, lobe))) * 4 * fresnelOf(p, lobe)(typicalCosine);
   };
-  const std::array<Lobe, lobes> all{makeLobe(0), makeLobe(1), makeLobe(2)};
-  const auto albedo = [&](int n) {
-    return maxChannel(all[std::size_t(n)].strength) * 4 * all[std::size_t(n)].fresnel(typicalCosine);
+  const auto normals = [&](int lobe) {
+    const double m = p.values[firstOf(lobe) + 1].x;
+    return HalfVectorDensity{BeckmannNormals{m, m}};
   };
-  const auto normals = [&](int n) {
-    return HalfVectorDensity{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
-  };
-  const Rgb kd = p.values[diffuse] / pi;
   return makeGeometryBrdf(
-      [kd, all](const SurfaceGeometry& g) { return kd + (all[0](g) + all[1](g) + all[2](g)) * vCavityOverCosines(g); },
+      bound<glsl::formula_car_paint>(arguments(p)),
       DensityMixture(mixtureFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
                      CosineDensity{}, normals(0), normals(1), normals(2)));
 }
@@ -115,7 +118,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
 }  // namespace
 
 const Model& carPaint() {
-  static const Model model(carPaintSpec, {.create = create});
+  static const Model model(carPaintSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
-#include "core/models/fresnel.h"
 #include "core/models/registry.h"
-#include "core/models/v_cavity.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/cook_torrance.glsl"
+}
 
 namespace {
 
@@ -47,23 +48,27 @@ constexpr ModelSpec cookTorranceSpec = {
 /// N of the parameter's choices, for a D that holds 1/pi.
 constexpr double denominators[] = {4, pi, 1};
 
+Fresnel fresnelOf(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+}
+
+auto arguments(const ParameterValues& p) {
+  const double m = p.values[roughness].x, denominator = denominators[chosen(p.values[normalisation].x)];
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] / denominator, 1 / (m * m), fresnelOf(p));
+}
+
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double inverseM2 = 1 / (p.values[roughness].x * p.values[roughness].x);
-  const double denominator = denominators[chosen(p.values[normalisation].x)];
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / denominator;
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const double m = p.values[roughness].x;
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                     HalfVectorDensity{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
+      bound<glsl::formula_cook_torrance>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
+                     HalfVectorDensity{BeckmannNormals{m, m}}));
 }
 
 }  // namespace
 
 const Model& cookTorrance() {
-  static const Model model(cookTorranceSpec, {.create = create});
+  static const Model model(cookTorranceSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
-#include "core/models/excess_sampler.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/dsbrdf.glsl"
+}
 
 namespace {
 
@@ -24,8 +24,6 @@ constexpr std::string_view kappaFormula =
 constexpr std::string_view gammaFormula = "ln gamma(theta_d): linear between its values at 0 and 90 degrees";
 
 constexpr std::size_t firstLobe = 1, secondLobe = 7;
-/// Beyond, float does not resolve exp(kappa).
-constexpr double highestKappa = 40;
 
 // clang-format off
 constexpr ParameterSpec strength(std::string_view id, std::string_view label, std::string_view symbol,
@@ -79,60 +77,40 @@ constexpr ModelSpec dsbrdfSpec = {
     .description = "Two exponential power lobes about the half vector, with strength and width that change with the "
                    "angle of incidence, over a matte base. Published with three lobes per channel; here the channels "
                    "share the shapes, and each lobe has a strength. Reciprocal; nothing bounds the energy.",
-    .formula = formulaText, .reference = nishino, .parameters = parameters, .family = ModelFamily::series};
+    .formula = formulaText, .reference = nishino, .parameters = parameters, .family = ModelFamily::series,
+    // The steep parabola of the exponents stretches the rounding of theta_d.
+    .floatError = {.relative = 1e-4}};
 // clang-format on
 
-/// Logarithms of kappa and gamma as polynomials of t = theta_d / 90 degrees.
-class Lobe {
- public:
-  Lobe(const ParameterValues& p, std::size_t first) : strength_(p.values[first]) {
-    const auto logarithm = [&](std::size_t i) { return std::log(p.values[first + i].x); };
-    const double low = logarithm(1), middle = logarithm(2), high = logarithm(3);
-    kappa_[0] = low;
-    kappa_[1] = 4 * middle - 3 * low - high;
-    kappa_[2] = 2 * low + 2 * high - 4 * middle;
-    gamma_[0] = logarithm(4);
-    gamma_[1] = logarithm(5) - gamma_[0];
-    strength_ /= std::expm1(p.values[first + 1].x);
-  }
-  Rgb operator()(double logCosH, double t) const {
-    const double k = std::min(highestKappa, fastExp(kappa_[0] + t * (kappa_[1] + t * kappa_[2])));
-    return strength_ * fastExpm1(k * fastExp(fastExp(gamma_[0] + t * gamma_[1]) * logCosH));
-  }
-  void addShaderParameters(std::vector<glm::vec3>& result) const {
-    result.insert(result.end(), {glm::vec3(strength_), {kappa_[0], kappa_[1], kappa_[2]}, {gamma_[0], gamma_[1], 0}});
-  }
-
- private:
-  Rgb strength_;
-  double kappa_[3], gamma_[2];
-};
-
-/// theta_d as a fraction of 90 degrees, by its sine too: acos loses half the digits near 1.
-double fractionOf(const SurfaceGeometry& g) { return fastAtan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
-
-std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const Rgb kd = p.values[0] / pi;
-  const Lobe first(p, firstLobe), second(p, secondLobe);
-  const auto lobes = [=](double logCosH, double t) { return first(logCosH, t) + second(logCosH, t); };
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) { return kd + lobes(fastLog1p(-g.oneMinusCosH), fractionOf(g)); },
-      excessSampler(maxChannel(p.values[0]),
-                    [&](double thetaH) { return luminance(lobes(std::log(std::cos(thetaH)), 0)); }));
+/// The strength over exp(kappa(0)) - 1, and ln kappa and ln gamma as polynomials of t = theta_d / 90 degrees.
+auto lobeArguments(const ParameterValues& p, std::size_t first) {
+  const auto logarithm = [&](std::size_t i) { return std::log(p.values[first + i].x); };
+  const double low = logarithm(1), middle = logarithm(2), high = logarithm(3), gamma = logarithm(4);
+  return std::tuple(p.values[first] / std::expm1(p.values[first + 1].x),
+                    Rgb(low, 4 * middle - 3 * low - high, 2 * low + 2 * high - 4 * middle),
+                    glm::dvec2(gamma, logarithm(5) - gamma));
 }
 
-/// The lobes with their polynomials and normalisation.
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
-  std::vector<glm::vec3> result{glm::vec3(p.values[0])};
-  Lobe(p, firstLobe).addShaderParameters(result);
-  Lobe(p, secondLobe).addShaderParameters(result);
-  return result;
+auto arguments(const ParameterValues& p) {
+  return std::tuple_cat(std::tuple(p.values[0] / pi), lobeArguments(p, firstLobe), lobeArguments(p, secondLobe));
+}
+
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const auto highlight = [&](std::size_t first, double logCosH) {
+    const auto [strength, logKappa, logGamma] = lobeArguments(p, first);
+    return luminance(strength) * glsl::dsbrdfLobe(logCosH, 0, logKappa, logGamma);
+  };
+  return makeGeometryBrdf(bound<glsl::formula_dsbrdf>(arguments(p)),
+                          excessSampler(maxChannel(p.values[0]), [&](double thetaH) {
+                            const double logCosH = std::log(std::cos(thetaH));
+                            return highlight(firstLobe, logCosH) + highlight(secondLobe, logCosH);
+                          }));
 }
 
 }  // namespace
 
 const Model& dsbrdf() {
-  static const Model model(dsbrdfSpec, {.create = create, .shaderParameters = shaderParameters});
+  static const Model model(dsbrdfSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/models/cosine_power.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/edwards_disk.glsl"
+}
 
 namespace {
 
@@ -33,21 +36,22 @@ constexpr ModelSpec edwardsDiskSpec = {
     .reciprocal = false, .conservesEnergy = true};
 // clang-format on
 
-std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+auto arguments(const ParameterValues& p) {
   const double n = p.values[exponent].x;
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * ((n + 1) / pi);
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerDensity{n}), true,
-      edwardsDiskSpec.reciprocal);
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] * ((n + 1) / pi), n);
+}
+
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  return makeGeometryBrdf(bound<glsl::formula_edwards_disk>(arguments(p)),
+                          diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                                         RimPowerDensity{p.values[exponent].x}),
+                          true, edwardsDiskSpec.reciprocal);
 }
 
 }  // namespace
 
 const Model& edwardsDisk() {
-  static const Model model(edwardsDiskSpec, {.create = create});
+  static const Model model(edwardsDiskSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -28,15 +28,18 @@ double indexFromNormalReflectance(double f0) {
   return (1 + root) / (1 - root);
 }
 
-Fresnel::Fresnel(FresnelChoice choice, double f0, double edgeTint) : f0_(f0) {
+Fresnel::Fresnel(FresnelChoice choice, double f0, double edgeTint) : FresnelTerm{} {
   if (f0 >= 1) {
-    constant_ = 1;
+    constant = 1;
   } else if (choice == FresnelChoice::schlick) {
-    schlickShare_ = 1;
+    constant = f0;
+    risingShare = 1 - f0;
   } else {
-    index_ = choice == FresnelChoice::conductor ? indexFromEdgeTint(f0, edgeTint)
-                                                : ComplexIndex{indexFromNormalReflectance(f0), 0};
-    if (index_.eta != 1 || index_.k != 0) exactShare_ = 1;
+    const ComplexIndex index = choice == FresnelChoice::conductor ? indexFromEdgeTint(f0, edgeTint)
+                                                                  : ComplexIndex{indexFromNormalReflectance(f0), 0};
+    contrast = (index.eta - 1) * (index.eta + 1) - index.k * index.k;
+    product = 2 * index.eta * index.k;
+    exactShare = contrast != 0 || product != 0 ? 1 : 0;
   }
 }
 

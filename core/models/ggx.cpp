@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cmath>
-
 #include "core/models/common_parameters.h"
-#include "core/models/fresnel.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/ggx.glsl"
+}
 
 namespace {
 
@@ -42,26 +42,17 @@ constexpr ModelSpec ggxSpec = {
     .conservesEnergy = true};
 // clang-format on
 
-/// G / (4 cos theta_i cos theta_o), folded so that nothing is divided by a cosine.
-double foldedMasking(const SurfaceGeometry& g, double alpha2, double correlated) {
-  const double rootI = std::sqrt(alpha2 + (1 - alpha2) * g.cosI * g.cosI);
-  const double rootO = std::sqrt(alpha2 + (1 - alpha2) * g.cosO * g.cosO);
-  const double ofBoth = 2 * (g.cosO * rootI + g.cosI * rootO), separate = (g.cosI + rootI) * (g.cosO + rootO);
-  return 1 / (correlated * ofBoth + (1 - correlated) * separate);
+auto arguments(const ParameterValues& p) {
+  const double alpha = p.values[roughness].x, f0 = p.values[normalReflectance].x;
+  return std::tuple(p.values[diffuse] / pi, p.values[specular], alpha * alpha, double(chosen(p.values[masking].x)),
+                    chosenFresnel(p, fresnelTerm, edgeTint, f0));
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
-  const double alpha2 = p.values[roughness].x * p.values[roughness].x;
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const double heightCorrelated = chosen(p.values[masking].x);
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
-        const double distribution = alpha2 / (pi * slope * slope);
-        return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
+      bound<glsl::formula_ggx>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
                      VisibleNormalDensity{p.values[roughness].x}));
 }
 
@@ -73,7 +64,7 @@ std::vector<ModelLobe> parts(const ParameterValues& p) {
 }  // namespace
 
 const Model& ggx() {
-  static const Model model(ggxSpec, {.create = create, .lobes = parts});
+  static const Model model(ggxSpec, {.create = create, .arguments = shaderArguments<arguments>, .lobes = parts});
   return model;
 }
 

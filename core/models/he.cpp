@@ -74,10 +74,18 @@ double beckmannSlope(double sigma, double tau) {
   return std::clamp(wavelength / (2 * pi * tau) * std::max(1.0, heights), 1e-4, 2.0);
 }
 
+Fresnel fresnelOf(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, normalReflectanceFromIndex(p.values[refractiveIndex].x));
+}
+
+auto arguments(const ParameterValues& p) {
+  return std::tuple(p.values[diffuse] / pi, p.values[specular], p.values[roughness].x, p.values[correlation].x,
+                    fresnelOf(p));
+}
+
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double sigma = p.values[roughness].x, tau = p.values[correlation].x, slope = sigma / tau;
-  const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
+  const Fresnel fresnel = fresnelOf(p);
   const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
   const double width = beckmannSlope(sigma, tau);
   const Rgb lengths(wavelengths[0], wavelengths[1], wavelengths[2]), waves = 1.0 / (lengths * lengths);
@@ -86,7 +94,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
         const Shadowing i = shadowingOf(g.wi, slope), o = shadowingOf(g.wo, slope);
         const double height = 2 * pi * sigma * (g.cosI + g.cosO), length = 2 * pi * tau * g.cosD;
         const double phase = height * height * heVisibleRoughness((i.openings + o.openings) / std::sqrt(8 * pi));
-        const double tilt = length * length * g.sin2H, ratio = g.cosD / g.half.z;
+        const double tilt = length * length * g.sin2H, ratio = g.cosD / g.h.z;
         const double common = pi * tau * tau * fresnel(g.cosD) * ratio * ratio * i.folded * o.folded;
         const Rgb lobe = waves * heSeries(phase * waves, tilt * waves);
         return kd + ks * lobe * common;
@@ -98,7 +106,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
 }  // namespace
 
 const Model& he() {
-  static const Model model(heSpec, {.create = create});
+  static const Model model(heSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -81,7 +81,9 @@ constexpr ModelSpec holzschuchPacanowskiSpec = {
                    "glow; no compensation for the loss of the glow at the horizon. The model gains up to 18 % of "
                    "energy at grazing angles where the details are rough and the facets flat.",
     .formula = "k_d / pi + k_s F G (A D + (1 - A) S) / (4 cos theta_i cos theta_o)",
-    .reference = holzschuchPacanowski2017, .parameters = parameters, .dependsOnWavelength = true};
+    .reference = holzschuchPacanowski2017, .parameters = parameters, .dependsOnWavelength = true,
+    // The power under the exponential of the facets multiplies the rounding of the logarithm.
+    .floatError = {.relative = 1e-4}};
 // clang-format on
 
 /// The glow of one colour: the paper's K-correlation lobe, convolved with the facets. Here the convolution is a lobe of
@@ -134,9 +136,9 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   return makeGeometryBrdf(
       TwoSteps{[=](const SurfaceGeometry& g) { return smithMaskingOverCosines(g, facets); },
                [=](const SurfaceGeometry& g, double masking) {
-                 const double density = facets.density(g.sin2H, g.half.z), common = fresnel(g.cosD) * masking;
+                 const double density = facets.density(g.sin2H, g.h.z), common = fresnel(g.cosD) * masking;
                  const auto lobe = [&](const Diffraction& d) {
-                   return d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.half.z, g.cosD, g.cosI * g.cosO);
+                   return d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.h.z, g.cosD, g.cosI * g.cosO);
                  };
                  return kd + ks * Rgb(lobe(nano[0]), lobe(nano[1]), lobe(nano[2])) * common;
                }},
@@ -144,21 +146,23 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                      HalfVectorDensity{normals}));
 }
 
-/// Behind the values stand ln D(0), the mean slope, the mean square slope and the masking's nodes, three an entry:
-/// the shader has no gamma function and no quadrature.
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+/// The shader has no gamma function and no quadrature: ln D(0), the mean slope, the mean square slope, and the
+/// masking's nodes, three an entry.
+auto arguments(const ParameterValues& p) {
   const ExponentialPowerDistribution facets(p.values[roughness].x, p.values[power].x);
-  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
-  result.emplace_back(float(facets.logPeak()), float(facets.meanSlope()), float(facets.meanSquareSlope()));
-  for (std::size_t n = 0; n < facets.masking().size(); n += 3)
-    result.emplace_back(float(facets.masking()[n]), float(facets.masking()[n + 1]), float(facets.masking()[n + 2]));
-  return result;
+  std::array<Rgb, ExponentialPowerDistribution::maskingNodes / 3> nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    nodes[n] = {facets.masking()[3 * n], facets.masking()[3 * n + 1], facets.masking()[3 * n + 2]};
+  return std::tuple(p.values[diffuse] / pi, p.values[specular], p.values[roughness].x, p.values[power].x,
+                    p.values[nanoRoughness].x, p.values[correlation].x, p.values[falloff].x,
+                    chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x),
+                    Rgb(facets.logPeak(), facets.meanSlope(), facets.meanSquareSlope()), nodes);
 }
 
 }  // namespace
 
 const Model& holzschuchPacanowski() {
-  static const Model model(holzschuchPacanowskiSpec, {.create = create, .shaderParameters = shaderParameters});
+  static const Model model(holzschuchPacanowskiSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

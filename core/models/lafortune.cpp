@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/models/cosine_power.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/lafortune.glsl"
+}
 
 namespace {
 
@@ -50,37 +53,37 @@ constexpr ModelSpec lafortuneSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-/// The generalised cosine over its largest factor is 1 - x: formed from differences, since x decides at large
-/// exponents.
-/// @param a, b |C_xy| and C_z over the larger of them; @param backward whether C_xy is positive.
-double complementOfCosine(const SurfaceGeometry& g, double a, double b, bool backward) {
-  const auto length2 = [](double x, double y) { return x * x + y * y; };
-  const double sign = backward ? -1 : 1, dz = g.wi.z - g.wo.z;
-  const double apart = length2(g.wi.x + sign * g.wo.x, g.wi.y + sign * g.wo.y);
-  const double lean =
-      a > b ? (a - b) * length2(g.wi.z, g.wo.z) : (b - a) * (length2(g.wi.x, g.wi.y) + length2(g.wo.x, g.wo.y));
-  return (a * apart + b * dz * dz + lean) / 2;
+struct Lobe {
+  double n, largest, factor;
+
+  explicit Lobe(const ParameterValues& p)
+      : n(p.values[exponent].x), largest(std::max(std::abs(p.values[cXY].x), p.values[cZ].x)) {
+    const bool normalised = chosen(p.values[normalisation].x) == 0;
+    factor = normalised ? reflectionNormalisation(n) : std::exp(n * std::log(largest));
+    if (!(largest > smallest)) factor = 0;
+  }
+};
+
+auto arguments(const ParameterValues& p) {
+  const Lobe lobe(p);
+  const double xy = p.values[cXY].x, scale = std::max(lobe.largest, smallest);
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] * lobe.factor, std::abs(xy) / scale,
+                    p.values[cZ].x / scale, xy > 0 ? -1.0 : 1.0, lobe.n);
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double n = p.values[exponent].x, xy = p.values[cXY].x, z = p.values[cZ].x;
-  const double largest = std::max(std::abs(xy), z);
-  const bool normalised = chosen(p.values[normalisation].x) == 0;
-  const double factor = normalised ? reflectionNormalisation(n) : std::exp(n * std::log(largest));
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (largest > smallest ? factor : 0);
-  const double scale = std::max(largest, smallest), a = std::abs(xy) / scale, b = z / scale;
+  const Lobe lobe(p);
+  const double xy = p.values[cXY].x,
+               albedo = maxChannel(p.values[specular]) * lobe.factor / reflectionNormalisation(lobe.n);
   return makeGeometryBrdf(
-      [=, backward = xy > 0](const SurfaceGeometry& g) {
-        return kd + ks * powerOfComplement(complementOfCosine(g, a, b, backward), n);
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionNormalisation(n),
-                     CosinePowerDensity{n, {xy, xy, z}}));
+      bound<glsl::formula_lafortune>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, CosinePowerDensity{lobe.n, {xy, xy, p.values[cZ].x}}));
 }
 
 }  // namespace
 
 const Model& lafortune() {
-  static const Model model(lafortuneSpec, {.create = create});
+  static const Model model(lafortuneSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

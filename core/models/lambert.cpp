@@ -2,9 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 
 namespace gonio::models {
+
+namespace glsl {
+// Mesa's compiler miscounts the arguments of a function with a parameter that has no name.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include "core/models/lambert.glsl"
+#pragma GCC diagnostic pop
+}  // namespace glsl
 
 namespace {
 
@@ -18,14 +25,16 @@ constexpr ModelSpec lambertSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
+auto arguments(const ParameterValues& p) { return std::tuple(p.values[0] / pi); }
+
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  return makeGeometryBrdf([kd = p.values[0] / pi](const SurfaceGeometry&) { return kd; });
+  return makeGeometryBrdf(bound<glsl::formula_lambert>(arguments(p)));
 }
 
 }  // namespace
 
 const Model& lambert() {
-  static const Model model(lambertSpec, {.create = create});
+  static const Model model(lambertSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

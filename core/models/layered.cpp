@@ -2,17 +2,18 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/half_vector_densities.h"
 
 /// A body, microfacet lobes that differ in width, and two lobes of fabrics and coatings: what a sum of simple lobes can
 /// say of a measured material.
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/layered.glsl"
+}
 
 namespace {
 
@@ -137,29 +138,8 @@ struct MicrofacetLobe {
   Rgb normal{0}, edge{0};
   double alpha2 = 1;
 
-  /// Height-correlated masking, folded so that nothing is divided by a cosine.
-  Rgb operator()(const SurfaceGeometry& g) const {
-    const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
-    const double rootI = std::sqrt(alpha2 + (1 - alpha2) * g.cosI * g.cosI);
-    const double rootO = std::sqrt(alpha2 + (1 - alpha2) * g.cosO * g.cosO);
-    const double m = 1 - g.cosD, m2 = m * m, s = m2 * m2 * m;
-    const double lobe = alpha2 / (pi * slope * slope) * 0.5 / (g.cosO * rootI + g.cosI * rootO);
-    return lobe * ((1 - s) * normal + s * edge);
-  }
+  Rgb operator()(const SurfaceGeometry& g) const { return glsl::layeredLobe(g, normal, edge, alpha2); }
   bool isBlack() const { return normal == Rgb(0) && edge == Rgb(0); }
-};
-
-/// The glow of fibres.
-struct SheenLobe {
-  Rgb strength{0};
-  double exponent = 1;  ///< 1 / alpha
-
-  Rgb operator()(const SurfaceGeometry& g) const {
-    // Sharp rims are large powers of a sine near 1: its logarithm from the cosine keeps the digits.
-    const double logSin2 = g.sin2H > 0.5 ? fastLog1p(-g.half.z * g.half.z) : fastLog(std::max(g.sin2H, 1e-30));
-    const double distribution = (2 + exponent) * fastExp(logSin2 * exponent / 2) / (2 * pi);
-    return strength * (distribution / (4 * (g.cosI + g.cosO - g.cosI * g.cosO)));
-  }
 };
 
 Direction mirrored(const Direction& w) { return {-w.x, -w.y, w.z}; }
@@ -184,13 +164,14 @@ double albedoOf(const MicrofacetLobe& lobe) { return maxChannel(0.9 * lobe.norma
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[0] / pi;
   const std::array<MicrofacetLobe, lobeCount> lobes{lobeOf(p, base), lobeOf(p, flakes), lobeOf(p, coat)};
-  const SheenLobe fibres{isOn(p, sheenSwitch) ? p.values[sheen] : Rgb(0), 1 / p.values[sheenRoughness].x};
+  const Rgb glow = isOn(p, sheenSwitch) ? p.values[sheen] : Rgb(0);
+  const double exponent = 1 / p.values[sheenRoughness].x;
   const Rgb backward = isOn(p, retroSwitch) ? p.values[retro] : Rgb(0);
   const double alphaR = p.values[retroRoughness].x;
   const MicrofacetLobe back{backward, backward, alphaR * alphaR};
   const auto normals = [&](int lobe) { return VisibleNormalDensity{p.values[firstOf(lobe) + 2].x}; };
   // The glow of fibres is wide: cosine-weighted directions serve it.
-  const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(fibres.strength), albedoOf(lobes[base]),
+  const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(glow), albedoOf(lobes[base]),
                                       albedoOf(lobes[flakes]), albedoOf(lobes[coat]), albedoOf(back)};
   const DensityMixture<CosineDensity, VisibleNormalDensity, VisibleNormalDensity, VisibleNormalDensity, RetroLobe>
       sampler(mixtureFractions(albedos), CosineDensity{}, normals(base), normals(flakes), normals(coat),
@@ -198,14 +179,27 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const auto highlights = [=](const SurfaceGeometry& g) {
     return kd + lobes[base](g) + lobes[flakes](g) + lobes[coat](g);
   };
-  if (fibres.strength == Rgb(0) && back.isBlack()) return makeGeometryBrdf(highlights, sampler);
+  if (glow == Rgb(0) && back.isBlack()) return makeGeometryBrdf(highlights, sampler);
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         const DirectionPair turned{g.wi, mirrored(g.wo)};
         const Rgb retroreflected = isAboveSurface(turned) ? back(surfaceGeometry(turned)) : Rgb(0);
-        return highlights(g) + fibres(g) + retroreflected;
+        return highlights(g) + glsl::layeredSheen(g, glow, exponent) + retroreflected;
       },
       sampler);
+}
+
+auto lobeArguments(const ParameterValues& p, Lobe lobe) {
+  const MicrofacetLobe made = lobeOf(p, lobe);
+  return std::tuple(made.normal, made.edge, made.alpha2);
+}
+
+auto arguments(const ParameterValues& p) {
+  const double alphaR = p.values[retroRoughness].x;
+  return std::tuple_cat(std::tuple(p.values[0] / pi), lobeArguments(p, base), lobeArguments(p, flakes),
+                        lobeArguments(p, coat),
+                        std::tuple(p.values[sheen], 1 / p.values[sheenRoughness].x, p.values[retro], alphaR * alphaR,
+                                   isOn(p, sheenSwitch) ? 1.0 : 0.0, isOn(p, retroSwitch) ? 1.0 : 0.0));
 }
 
 /// The parts of the sum: the body, the lobes from wide to sharp, the sheen, the retroreflection.
@@ -263,7 +257,8 @@ ParameterValues ordered(const ParameterValues& p) {
 }  // namespace
 
 const Model& layered() {
-  static const Model model(layeredSpec, {.create = create, .lobes = parts, .canonical = ordered});
+  static const Model model(
+      layeredSpec, {.create = create, .arguments = shaderArguments<arguments>, .lobes = parts, .canonical = ordered});
   return model;
 }
 

@@ -3,8 +3,11 @@
 #include "core/models/model.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "core/brdf/weighted_sum.h"
+#include "core/models/shader_arguments.h"
 #include "core/support/error.h"
 
 namespace gonio::models {
@@ -16,6 +19,17 @@ ParameterValues clamped(const ModelSpec& spec, ParameterValues parameters) {
   return parameters;
 }
 
+double blend(const ParameterSpec& parameter, std::span<const double> values, std::span<const double> weights) {
+  // Equal values stay as they are, to the last bit.
+  if (std::equal(values.begin() + 1, values.end(), values.begin())) return values[0];
+  const bool geometric = parameter.scale == ParameterScale::logarithmic &&
+                         std::all_of(values.begin(), values.end(), [](double value) { return value > 0; });
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (weights[i] > 0) sum += weights[i] * (geometric ? std::log(values[i]) : values[i]);
+  return geometric ? std::exp(sum) : sum;
+}
+
 }  // namespace
 
 std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
@@ -24,11 +38,20 @@ std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
   return std::nullopt;
 }
 
+std::string ModelSpec::shaderName() const {
+  std::string word(id);
+  std::ranges::replace(word, '-', '_');
+  return word;
+}
+
+std::string ModelSpec::formulaFile() const {
+  return "core/models/" + (file.empty() ? shaderName() : std::string(file)) + ".glsl";
+}
+
 Model::Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {
-  if (functions.shaderParameters)
-    shaderComponents_.assign(shaderParameters(defaultParameters(spec)).size(), 3);
-  else
-    for (const ParameterSpec& parameter : spec.parameters) shaderComponents_.push_back(parameter.perChannel ? 3 : 1);
+  const ShaderArguments arguments = functions.arguments(defaultParameters(spec));
+  shaderArguments_ = arguments.text();
+  shaderVectors_ = arguments.packed().size();
 }
 
 std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters) const {
@@ -40,10 +63,8 @@ std::unique_ptr<const Brdf> Model::instantiateUnclamped(const ParameterValues& p
   return create(clamped(spec_, parameters));
 }
 
-std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters) const {
-  const ParameterValues used = clamped(spec_, parameters);
-  if (functions_.shaderParameters) return functions_.shaderParameters(used);
-  return {used.values.begin(), used.values.end()};
+std::vector<glm::vec4> Model::shaderParameters(const ParameterValues& parameters) const {
+  return functions_.arguments(clamped(spec_, parameters)).packed();
 }
 
 std::vector<ModelLobe> Model::lobes(const ParameterValues& parameters) const {
@@ -79,5 +100,25 @@ std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterV
   }
   return clamped;
 }
+
+ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> ends, std::span<const double> weights) {
+  assert(!ends.empty() && ends.size() == weights.size());
+  if (const auto whole = indexOfFullWeight(weights)) return ends[*whole];
+  ParameterValues result = ends[0];
+  std::vector<double> values(ends.size());
+  for (std::size_t p = 0; p < spec.parameters.size(); ++p) {
+    const ParameterSpec& parameter = spec.parameters[p];
+    for (int channel = 0; channel < 3; ++channel) {
+      for (std::size_t i = 0; i < ends.size(); ++i) values[i] = ends[i].values[p][channel];
+      if (!parameter.choices.empty() && !std::equal(values.begin() + 1, values.end(), values.begin()))
+        throw Error("the choices of " + std::string(parameter.id) + " differ; they cannot be blended");
+      result.values[p][channel] = blend(parameter, values, weights);
+    }
+  }
+  return result;
+}
+
+ModelBrdf::ModelBrdf(const Model& model, ParameterValues parameters)
+    : model_(model), parameters_(std::move(parameters)), brdf_(model.instantiate(parameters_)) {}
 
 }  // namespace gonio::models

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cmath>
-
-#include "core/math/fast_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 #include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/neumann_distance.glsl"
+}
 
 namespace {
 
@@ -50,27 +50,27 @@ constexpr ModelSpec neumannDistanceSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-double squaredDistance(const SurfaceGeometry& g) {
-  const double x = g.wi.x + g.wo.x, y = g.wi.y + g.wo.y;
-  return x * x + y * y;
+auto arguments(const ParameterValues& p) {
+  const double s2 = p.values[width].x * p.values[width].x, c = p.values[power].x;
+  const bool isRational = chosen(p.values[falloff].x) == rational;
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] * ((isRational ? c - 1 : 1) / (pi * s2)), 1 / s2, c,
+                    isRational ? 1.0 : 0.0);
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double s2 = p.values[width].x * p.values[width].x, c = p.values[power].x;
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * s2);
+  const auto [kd, ks, sharpness, c, isRational] = arguments(p);
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
-  if (chosen(p.values[falloff].x) == gaussian)
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * fastExp(-squaredDistance(g) / s2); },
+  if (isRational == 0)
+    return makeGeometryBrdf(bound<glsl::gaussianFalloff>(std::tuple(kd, ks, sharpness)),
                             diffuseMixture(diffuseAlbedo, albedo, DiskDensity{GaussianRadial{p.values[width].x}}));
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) { return kd + ks * ((c - 1) * fastExp(-c * fastLog1p(squaredDistance(g) / s2))); },
-      diffuseMixture(diffuseAlbedo, albedo, DiskDensity{RationalRadial{1 / s2, c}}));
+  return makeGeometryBrdf(bound<glsl::rationalFalloff>(std::tuple(kd, ks, sharpness, c)),
+                          diffuseMixture(diffuseAlbedo, albedo, DiskDensity{RationalRadial{sharpness, c}}));
 }
 
 }  // namespace
 
 const Model& neumannDistance() {
-  static const Model model(neumannDistanceSpec, {.create = create});
+  static const Model model(neumannDistanceSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <algorithm>
-
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/oren_nayar.glsl"
+}
 
 namespace {
 
@@ -34,21 +35,21 @@ constexpr ModelSpec orenNayarSpec = {
     .reference = orenNayar1994, .parameters = parameters};
 // clang-format on
 
-std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+auto arguments(const ParameterValues& p) {
   const double sigma2 = p.values[slope].x * p.values[slope].x;
   const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
   const Rgb kd = p.values[diffuse] / pi;
-  return makeGeometryBrdf([=](const SurfaceGeometry& g) {
-    // cos(phi) sin(max) tan(min) without angles: sin theta_i sin theta_o cos(phi) is the product of the projections.
-    const double across = std::max(0.0, g.wi.x * g.wo.x + g.wi.y * g.wo.y) / std::max(g.cosI, g.cosO);
-    return kd * (a + b * across);
-  });
+  return std::tuple(a * kd, b * kd);
+}
+
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  return makeGeometryBrdf(bound<glsl::formula_oren_nayar>(arguments(p)));
 }
 
 }  // namespace
 
 const Model& orenNayar() {
-  static const Model model(orenNayarSpec, {.create = create});
+  static const Model model(orenNayarSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
-#include "core/models/excess_sampler.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/surface_geometry.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/rational.glsl"
+}
 
 namespace {
 
@@ -17,10 +18,6 @@ constexpr std::string_view pacanowski = "Pacanowski et al. 2012, Rational BRDF, 
 constexpr std::string_view formulaText =
     "(p_0 + p_x x + p_y y + p_xx x^2 + p_xy x y + p_yy y^2) / (1 + q_x x + q_y y + q_xx x^2 + q_xy x y + q_yy y^2), "
     "x = 1 - cos theta_h, y = 1 - cos theta_d";
-
-/// The monomials in the order of the parameters: 1, x, y, x^2, x y, y^2.
-constexpr std::size_t monomials = 6;
-constexpr std::size_t denominatorStart = monomials;
 
 // clang-format off
 constexpr ParameterSpec numerator(std::string_view id, std::string_view label, std::string_view symbol, double highest,
@@ -69,48 +66,28 @@ constexpr ModelSpec rationalSpec = {
     .formula = formulaText, .reference = pacanowski, .parameters = parameters, .family = ModelFamily::series};
 // clang-format on
 
-std::array<double, monomials> monomialsOf(double x, double y) { return {1, x, y, x * x, x * y, y * y}; }
-
-struct Coefficients {
-  std::array<Rgb, monomials> above;
-  std::array<double, monomials> below;
-
-  explicit Coefficients(const ParameterValues& p) {
-    for (std::size_t i = 0; i < monomials; ++i) {
-      above[i] = p.values[i];
-      below[i] = i == 0 ? 1 : p.values[denominatorStart + i - 1].x;
-    }
-  }
-  Rgb operator()(double x, double y) const {
-    const std::array<double, monomials> at = monomialsOf(x, y);
-    Rgb p(0);
-    double q = 0;
-    for (std::size_t i = 0; i < monomials; ++i) {
-      p += above[i] * at[i];
-      q += below[i] * at[i];
-    }
-    return p / q;
-  }
-};
+/// Behind the numerator's coefficients of 1, x, y, x^2, x y and y^2 those of the denominator, without the first.
+auto arguments(const ParameterValues& p) {
+  const auto& v = p.values;
+  return std::tuple(v[0], v[1], v[2], v[3], v[4], v[5], v[6].x, v[7].x, v[8].x, v[9].x, v[10].x);
+}
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const Coefficients coefficients(p);
-  const double body = luminance(coefficients(0.5, 0));
-  return makeGeometryBrdf(
-      [coefficients](const SurfaceGeometry& g) {
-        const Direction apart = g.wi - g.wo;  // 2 sin theta_d long: 1 - cos theta_d without cancellation
-        return coefficients(g.oneMinusCosH, glm::dot(apart, apart) / 4 / (1 + g.cosD));
-      },
-      excessSampler(pi * body, [&](double thetaH) {
-        const double s = std::sin(thetaH / 2);
-        return luminance(coefficients(2 * s * s, 0)) - body;
-      }));
+  /// At theta_d = 0.
+  const auto valueAt = [&](double x) {
+    return luminance(std::apply([x](const auto&... each) { return glsl::rationalValue(x, 0, each...); }, arguments(p)));
+  };
+  const double body = valueAt(0.5);
+  return makeGeometryBrdf(bound<glsl::formula_rational>(arguments(p)), excessSampler(pi * body, [&](double thetaH) {
+                            const double s = std::sin(thetaH / 2);
+                            return valueAt(2 * s * s) - body;
+                          }));
 }
 
 }  // namespace
 
 const Model& rational() {
-  static const Model model(rationalSpec, {.create = create});
+  static const Model model(rationalSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -141,7 +141,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
   return makeGeometryBrdf(
       [channels](const SurfaceGeometry& g) {
-        const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
+        const double cos2H = g.h.z * g.h.z, m = 1 - g.cosD;
         const auto theta = [](const Direction& w) { return fastAtan2(std::sqrt(w.x * w.x + w.y * w.y), w.z); };
         const Angles angles{.thetaI = theta(g.wi),
                             .thetaO = theta(g.wo),
@@ -157,13 +157,11 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
 }
 
 /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
-  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
-  result[maskingScale] = glm::log(p.values[maskingScale]);
-  glm::vec3& logNormalisation = result.emplace_back();
-  for (int channel = 0; channel < 3; ++channel)
-    logNormalisation[channel] = float(sgdLogNormalisation(p.values[alpha][channel], p.values[power][channel]));
-  return result;
+auto arguments(const ParameterValues& p) {
+  const auto& v = p.values;
+  const auto logNormalisation = [&](int channel) { return sgdLogNormalisation(v[alpha][channel], v[power][channel]); };
+  return std::tuple(v[diffuse], v[specular], v[alpha], v[power], v[f0], v[f1], v[lambda], glm::log(v[maskingScale]),
+                    v[maskingPower], v[theta0], Rgb(logNormalisation(0), logNormalisation(1), logNormalisation(2)));
 }
 
 }  // namespace
@@ -171,7 +169,7 @@ std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
 double sgdLogNormalisation(double alpha, double p) { return -std::log(alpha) - logUpperIncompleteGamma(1 - p, alpha); }
 
 const Model& sgd() {
-  static const Model model(sgdSpec, {.create = create, .shaderParameters = shaderParameters});
+  static const Model model(sgdSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

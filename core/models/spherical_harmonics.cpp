@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/models/registry.h"
+#include "core/models/shader_arguments.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {
@@ -99,7 +100,9 @@ Specs::Specs() {
            .formula = formulaText,
            .reference = westin,
            .parameters = parameters,
-           .family = ModelFamily::series};
+           .family = ModelFamily::series,
+           // The terms, up to about 100 times one in size, cancel each other.
+           .floatError = {.absolute = 5e-6}};
 }
 
 double windowOf(int band, double smoothing) { return 1 - smoothing * (1 - std::cos(pi * band / bands)) / 2; }
@@ -149,17 +152,14 @@ std::unique_ptr<const Brdf> createUnclamped(const ParameterValues& p) {
 }
 
 /// The window is in the coefficients.
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
-  const Coefficients coefficients = windowed(p);
-  return {coefficients.begin(), coefficients.end()};
-}
+auto arguments(const ParameterValues& p) { return std::tuple(windowed(p)); }
 
 }  // namespace
 
 const Model& sphericalHarmonics() {
   static const Specs specs;
   static const Model model(
-      specs.model, {.create = create, .createUnclamped = createUnclamped, .shaderParameters = shaderParameters});
+      specs.model, {.create = create, .arguments = shaderArguments<arguments>, .createUnclamped = createUnclamped});
   return model;
 }
 

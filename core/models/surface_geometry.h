@@ -16,10 +16,10 @@ namespace gonio::models {
 /// Quantities of a pair of directions that most models need, computed without cancellation.
 struct SurfaceGeometry {
   Direction wi, wo;
-  Direction half;       ///< unit half vector
+  Direction h;          ///< unit half vector
   double cosI, cosO;    ///< cosines of the polar angles, > 0
-  double cosD;          ///< cosine of the difference angle: half . wi = half . wo
-  double sin2H;         ///< sin^2 theta_h = half.x^2 + half.y^2 (not 1 - cos^2: exact at the highlight)
+  double cosD;          ///< cosine of the difference angle: h . wi = h . wo
+  double sin2H;         ///< sin^2 theta_h = h.x^2 + h.y^2 (not 1 - cos^2: exact at the highlight)
   double oneMinusCosH;  ///< 1 - cos theta_h, by sin2H / (1 + cos theta_h)
 };
 
@@ -39,13 +39,13 @@ inline SurfaceGeometry surfaceGeometry(const DirectionPair& pair) {
   SurfaceGeometry g;
   g.wi = pair.wi;
   g.wo = pair.wo;
-  g.half = sum / length;
+  g.h = sum / length;
   g.cosI = std::min(1.0, pair.wi.z);
   g.cosO = std::min(1.0, pair.wo.z);
   // |wi + wo| = 2 cos theta_d for unit vectors.
   g.cosD = std::min(1.0, length / 2);
-  g.sin2H = g.half.x * g.half.x + g.half.y * g.half.y;
-  g.oneMinusCosH = g.sin2H / (1 + g.half.z);
+  g.sin2H = g.h.x * g.h.x + g.h.y * g.h.y;
+  g.oneMinusCosH = g.sin2H / (1 + g.h.z);
   return g;
 }
 
@@ -65,7 +65,7 @@ class GeometryBlock {
       isAbove_[i] = isAbove ? 1 : 0;
       wiX_[i] = g.wi.x, wiY_[i] = g.wi.y, wiZ_[i] = g.wi.z;
       woX_[i] = g.wo.x, woY_[i] = g.wo.y, woZ_[i] = g.wo.z;
-      halfX_[i] = g.half.x, halfY_[i] = g.half.y, halfZ_[i] = g.half.z;
+      halfX_[i] = g.h.x, halfY_[i] = g.h.y, halfZ_[i] = g.h.z;
       cosI_[i] = g.cosI, cosO_[i] = g.cosO, cosD_[i] = g.cosD;
       sin2H_[i] = g.sin2H, oneMinusCosH_[i] = g.oneMinusCosH;
     }
@@ -74,7 +74,7 @@ class GeometryBlock {
   SurfaceGeometry at(std::size_t i) const {
     return {.wi = {wiX_[i], wiY_[i], wiZ_[i]},
             .wo = {woX_[i], woY_[i], woZ_[i]},
-            .half = {halfX_[i], halfY_[i], halfZ_[i]},
+            .h = {halfX_[i], halfY_[i], halfZ_[i]},
             .cosI = cosI_[i],
             .cosO = cosO_[i],
             .cosD = cosD_[i],

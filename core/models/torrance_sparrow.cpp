@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/math/fast_functions.h"
 #include "core/math/quadrature.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/v_cavity.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/torrance_sparrow.glsl"
+}
 
 namespace {
 
@@ -62,32 +63,27 @@ double facetDensity(const ParameterValues& p) {
   return chosen(p.values[normalisation].x) == 0 ? 1 / facetArea(p.values[roughness].x) : 1;
 }
 
-std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double m = p.values[roughness].x, inverseM2 = 1 / (m * m), density = facetDensity(p);
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (density / 4);
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const double albedo = maxChannel(p.values[specular]) * density * facetArea(m) * fresnel(typicalCosine);
-  return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double thetaH = fastAtan2(std::sqrt(g.sin2H), g.half.z);
-        return kd + ks * (fastExp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * vCavityOverCosines(g));
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{TabulatedNormals([=](double thetaH) {
-                       return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
-                     })}));
+auto arguments(const ParameterValues& p) {
+  const double m = p.values[roughness].x;
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] * (facetDensity(p) / 4), 1 / (m * m),
+                    chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x));
 }
 
-/// K stands behind the values: the shader does no quadrature.
-std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
-  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
-  result.emplace_back(float(facetDensity(p)));
-  return result;
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double m = p.values[roughness].x;
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const double albedo = maxChannel(p.values[specular]) * facetDensity(p) * facetArea(m) * fresnel(typicalCosine);
+  return makeGeometryBrdf(
+      bound<glsl::formula_torrance_sparrow>(arguments(p)),
+      diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{TabulatedNormals([m](double thetaH) {
+                       return std::exp(-thetaH * thetaH / (m * m)) * std::cos(thetaH);
+                     })}));
 }
 
 }  // namespace
 
 const Model& torranceSparrow() {
-  static const Model model(torranceSparrowSpec, {.create = create, .shaderParameters = shaderParameters});
+  static const Model model(torranceSparrowSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <array>
-#include <cmath>
 #include <glm/exponential.hpp>
 
-#include "core/math/fast_functions.h"
-#include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
-#include "core/models/v_cavity.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
+
+namespace glsl {
+#include "core/models/weidlich_wilkie.glsl"
+}
 
 namespace {
 
@@ -76,52 +76,33 @@ constexpr ModelSpec weidlichWilkieSpec = {
     .formula = layersFormula, .reference = weidlichWilkie2007, .parameters = parameters};
 // clang-format on
 
-/// The geometry of the refracted directions, both still in the plane of the facet normal h: i' = (i + s h) / eta with
-/// s = eta cos theta_d' - cos theta_d, formed without cancellation. eta >= 1, so s >= 0 and both stay above the
-/// horizon.
-SurfaceGeometry refracted(const SurfaceGeometry& g, double eta) {
-  const double contrast = (eta - 1) * (eta + 1), root = std::sqrt(contrast + g.cosD * g.cosD);
-  const double s = contrast / (root + g.cosD);
-  SurfaceGeometry inside = g;
-  inside.wi = (g.wi + s * g.half) / eta;
-  inside.wo = (g.wo + s * g.half) / eta;
-  inside.cosI = inside.wi.z;
-  inside.cosO = inside.wo.z;
-  inside.cosD = root / eta;
-  return inside;
+Fresnel baseFresnel(const ParameterValues& p) {
+  return chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+}
+
+auto arguments(const ParameterValues& p) {
+  const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x, eta = p.values[coatIndex].x;
+  const Fresnel coatFresnel(FresnelChoice::dielectric, normalReflectanceFromIndex(eta), 0);
+  return std::tuple(p.values[diffuse] / pi, p.values[specular] / 4.0, 1 / (m2 * m2), baseFresnel(p),
+                    p.values[coat] / 4.0, 1 / (m1 * m1), coatFresnel, eta, p.values[absorption]);
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x, eta = p.values[coatIndex].x;
-  const double coatSharpness = 1 / (m1 * m1), baseSharpness = 1 / (m2 * m2);
-  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0, kc = p.values[coat] / 4.0;
-  const Rgb depth = p.values[absorption];
-  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-  const Fresnel coatFresnel(FresnelChoice::dielectric, normalReflectanceFromIndex(eta), 0);
-  const double entering = fresnelTransmittance(typicalCosine, eta);
-  const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
+  const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x;
+  const double entering = fresnelTransmittance(typicalCosine, p.values[coatIndex].x);
+  const double kept = entering * entering * maxChannel(glm::exp(-2.0 * p.values[absorption]));
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double folded = vCavityOverCosines(g), unmasked = folded * g.cosI * g.cosO;
-        const double transmitted = fresnelTransmittance(g.cosD, eta);
-        const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
-        const SurfaceGeometry inside = refracted(g, eta);
-        const double length = 1 / inside.cosI + 1 / inside.cosO;
-        const Rgb absorbed(fastExp(-depth.x * length), fastExp(-depth.y * length), fastExp(-depth.z * length));
-        const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * vCavityOverCosines(inside);
-        const double surface = beckmannDistribution(g, coatSharpness) * coatFresnel(g.cosD) * folded;
-        return kc * surface + (kd + ks * base) * absorbed * leaving;
-      },
+      bound<glsl::formula_weidlich_wilkie>(arguments(p)),
       DensityMixture(
           mixtureFractions(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
-                                      maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
+                                      maxChannel(p.values[specular]) * kept * baseFresnel(p)(typicalCosine)}),
           CosineDensity{}, HalfVectorDensity{BeckmannNormals{m1, m1}}, HalfVectorDensity{BeckmannNormals{m2, m2}}));
 }
 
 }  // namespace
 
 const Model& weidlichWilkie() {
-  static const Model model(weidlichWilkieSpec, {.create = create});
+  static const Model model(weidlichWilkieSpec, {.create = create, .arguments = shaderArguments<arguments>});
   return model;
 }
 

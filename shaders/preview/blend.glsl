@@ -14,11 +14,11 @@ uniform sampler3D blendTables[BLEND_TABLES];
 uniform float blendPhiPeriods[BLEND_TABLES];
 uniform float blendWeights[BLEND_TABLES];
 #ifdef BLEND_MOVES
-uniform vec3 targetParameters[MODEL_PARAMETERS];
-uniform vec3 ownParameters[BLEND_TABLES * MODEL_PARAMETERS];
+uniform vec4 targetParameters[MODEL_PARAMETERS];
+uniform vec4 ownParameters[BLEND_TABLES * MODEL_PARAMETERS];
 
 vec3 ownModel(vec3 wi, vec3 wo, int material) {
-  vec3 parameters[MODEL_PARAMETERS];
+  vec4 parameters[MODEL_PARAMETERS];
   for (int i = 0; i < MODEL_PARAMETERS; ++i) parameters[i] = ownParameters[material * MODEL_PARAMETERS + i];
   return EVALUATE_MODEL(wi, wo, parameters);
 }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
-#include "core/models/model_brdf.h"
+#include "core/models/model.h"
 #include "core/models/registry.h"
 #include "core/rgl/rgl_file.h"
 #include "tests/support/test_program.h"

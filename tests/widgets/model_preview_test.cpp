@@ -4,7 +4,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/bundled_library.h"
-#include "core/models/model_brdf.h"
+#include "core/models/model.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"

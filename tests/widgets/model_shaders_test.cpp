@@ -16,6 +16,7 @@
 #include "tests/support/rounded.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
+#include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/shader_library.h"
 
 namespace model_shaders_test {
@@ -73,22 +74,16 @@ std::vector<DirectionPair> makePairs() {
 /// drivers add some units in the last place. Two steps of SGD amplify the rounding, so its C++ is evaluated with that
 /// much less and more of what rounds: the masking takes exp(ln c + k ln(theta - theta_0)), as if c were off by k times
 /// the error of theta; the Fresnel term is a difference of numbers about 1, as if F_0 were off by some units in the
-/// last place. The terms of spherical harmonics, up to about 100 times one in size, cancel each other; the steep
-/// parabola of DSBRDF's exponents stretches the rounding of theta_d; the power under the exponential of Holzschuch and
-/// Pacanowski's facets multiplies that of the logarithm. Turning a half vector into the frame of a grain rounds it by
-/// some units in the last place, as if the rotation were off by as much.
+/// last place. Turning a half vector into the frame of a grain rounds it by some units in the last place, as if the
+/// rotation were off by as much.
 struct Bounds {
-  static constexpr double relativeOfC = 5e-4, absoluteOfF0 = 1e-6, absoluteOfHarmonics = 5e-6, relativeOfDsbrdf = 1e-4,
-                          relativeOfFacets = 1e-4, absoluteOfRotation = 2e-7;
-  double relative = 2e-5, absolute = 1e-7;
+  static constexpr double relativeOfC = 5e-4, absoluteOfF0 = 1e-6, absoluteOfRotation = 2e-7;
+  ModelSpec::FloatError error;
   std::vector<Rgb> low, high;
 
   Bounds(const Model& model, const ParameterValues& parameters, std::span<const DirectionPair> pairs)
-      : low(pairs.size()), high(pairs.size()) {
+      : error(model.spec().floatError), low(pairs.size()), high(pairs.size()) {
     ParameterValues lower = parameters, higher = parameters;
-    if (&model == &sphericalHarmonics()) absolute = absoluteOfHarmonics;
-    if (&model == &dsbrdf()) relative = relativeOfDsbrdf;
-    if (&model == &holzschuchPacanowski()) relative = relativeOfFacets;
     if (&model == &sgd()) {
       const std::size_t c = model.spec().find("c").value(), f0 = model.spec().find("f0").value();
       lower.values[c] *= 1 + relativeOfC;
@@ -110,12 +105,12 @@ struct Bounds {
   }
 
   bool contain(std::size_t pair, int channel, double value) const {
-    const double slack = absolute + relative * high[pair][channel];
+    const double slack = error.absolute + error.relative * high[pair][channel];
     return value >= low[pair][channel] - slack && value <= high[pair][channel] + slack;
   }
 };
 
-/// The GLSL twins against the C++.
+/// The formulas as GLSL against the same, or their twins, as C++.
 class ModelShadersTest : public QObject {
   Q_OBJECT
  private:
@@ -136,19 +131,17 @@ class ModelShadersTest : public QObject {
   }
 
   static std::unique_ptr<QOpenGLShaderProgram> makeProgram(const Model& model) {
-    const std::string id(model.spec().id);
-    const QString function = QString::fromStdString(id).replace('-', '_');
-    const QByteArray fragment = widgets::shaderText(QString("models/%1.glsl").arg(QString::fromStdString(id))) +
+    const QByteArray fragment = widgets::shaderText(widgets::modelFile(model)) +
+                                widgets::modelUniform(model, "parameters").toUtf8() +
                                 QString(R"(
-uniform vec3 parameters[PARAMETER_COUNT_%1];
 uniform sampler2D wiTexture, woTexture;
 out vec4 value;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  value = vec4(evaluate_%2(texelFetch(wiTexture, at, 0).xyz, texelFetch(woTexture, at, 0).xyz, parameters), 1.0);
+  value = vec4(%1(texelFetch(wiTexture, at, 0).xyz, texelFetch(woTexture, at, 0).xyz, parameters), 1.0);
 }
 )")
-                                    .arg(function.toUpper(), function)
+                                    .arg(widgets::modelFunction(model))
                                     .toUtf8();
     auto program = std::make_unique<QOpenGLShaderProgram>();
     program->addShaderFromSourceCode(QOpenGLShader::Vertex,
@@ -158,12 +151,12 @@ void main() {
     return program;
   }
 
-  std::vector<glm::vec4> draw(QOpenGLShaderProgram& program, const std::vector<glm::vec3>& parameters) {
+  std::vector<glm::vec4> draw(QOpenGLShaderProgram& program, const Model& model, const ParameterValues& parameters) {
     target_->bind();
     program.bind();
     program.setUniformValue("wiTexture", 0);
     program.setUniformValue("woTexture", 1);
-    program.setUniformValueArray("parameters", &parameters.front().x, int(parameters.size()), 3);
+    widgets::setModelUniform(program, "parameters", model, parameters);
     gl_.glViewport(0, 0, width, height);
     gl_.glBindVertexArray(vertexArray_);
     gl_.glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -211,7 +204,7 @@ void main() {
     for (int n = 0; n < draws; ++n) {
       const ParameterValues values = n == 0 ? defaultParameters(model.spec()) : roundedParameters(model.spec(), random);
       const Bounds bounds(model, values, pairs_);
-      const std::vector<glm::vec4> shaded = draw(*program, model.shaderParameters(values));
+      const std::vector<glm::vec4> shaded = draw(*program, model, values);
       for (std::size_t i = 0; i < pairCount; ++i)
         for (int c = 0; c < 3; ++c)
           if (!bounds.contain(i, c, shaded[i][c]))
@@ -233,7 +226,7 @@ void main() {
     std::mt19937_64 random(5);
     constexpr int draws = 50;
     for (int n = 0; n < draws; ++n) {
-      const std::vector<glm::vec4> shaded = draw(*program, model.shaderParameters(randomCorner(model.spec(), random)));
+      const std::vector<glm::vec4> shaded = draw(*program, model, randomCorner(model.spec(), random));
       for (const glm::vec4& value : shaded)
         for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
     }

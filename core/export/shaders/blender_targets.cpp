@@ -63,7 +63,7 @@ struct PrincipledFormula {
     constexpr double maskingAlpha = 0.25, strength = 0.25;
     const double squared = std::pow(v.coatRoughness, 4);
     const double density =
-        squared < 1 ? (squared - 1) / (pi * std::log(squared) * (g.sin2H + squared * g.half.z * g.half.z)) : 1 / pi;
+        squared < 1 ? (squared - 1) / (pi * std::log(squared) * (g.sin2H + squared * g.h.z * g.h.z)) : 1 / pi;
     const double masking =
         0.25 / (ggxCosineOverG1(g.wi, maskingAlpha, maskingAlpha) * ggxCosineOverG1(g.wo, maskingAlpha, maskingAlpha));
     return Rgb(strength * v.coat * density * masking * glm::mix(0.04, 1.0, riseOf(g.cosD, 1.5)));

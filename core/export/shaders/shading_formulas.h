@@ -67,7 +67,7 @@ struct GgxAlpha {
 /// @param masking alpha of G_2, where it differs from that of D.
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha, const GgxAlpha& masking) {
   const double i = ggxCosineOverG1(g.wi, masking.x, masking.y), o = ggxCosineOverG1(g.wo, masking.x, masking.y);
-  return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
+  return 0.25 * ggxDensity(g.h, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
 }
 inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha) {
   return correlatedGgx(g, alpha, alpha);
@@ -76,7 +76,7 @@ inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxAlpha& al
 /// Surfaces", eq. 23 and 34).
 inline double separableGgx(const models::SurfaceGeometry& g, const GgxAlpha& alpha) {
   const double i = ggxCosineOverG1(g.wi, alpha.x, alpha.y), o = ggxCosineOverG1(g.wo, alpha.x, alpha.y);
-  return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (i * o);
+  return 0.25 * ggxDensity(g.h, alpha.x, alpha.y) / (i * o);
 }
 
 /// (1 - cosine)^5 of Schlick's approximation (Schlick 1994, "An Inexpensive BRDF Model for Physically-based

@@ -37,7 +37,7 @@ struct UnrealFormula {
     const Rgb f0 = glm::mix(Rgb(0.08 * v.specular), v.baseColour, v.metalness);
     // Below 2 % nothing is a real surface: the edge fades too.
     const Rgb fresnel = glm::mix(f0, Rgb(std::min(1.0, 50 * f0.y)), s);
-    return (1 - v.metalness) * v.baseColour / pi + ggxDensity(g.half, alpha, alpha) * visibility * fresnel;
+    return (1 - v.metalness) * v.baseColour / pi + ggxDensity(g.h, alpha, alpha) * visibility * fresnel;
   }
 };
 

@@ -156,11 +156,10 @@ class GoniotoolTest : public QObject {
     double last = std::numeric_limits<double>::infinity();
     for (const nlohmann::json& fit : result.json["fits"]) {
       const std::string model = fit["model"].get<std::string>();
-      // The body of Ashikhmin and Shirley is none of Lambert's.
-      const double most = model == "ashikhmin-shirley" ? 0.05 : 1e-3;
+      const double most = std::max(1e-3, models::findModel(model).spec().constantError);
       const double error = fit["errors"]["cube-root"].get<double>();
       QVERIFY2(error < most, qPrintable(QString("%1: error %2, expected less than %3. A model that cannot reproduce a "
-                                                "constant needs a bound of its own here.")
+                                                "constant states its ModelSpec::constantError.")
                                             .arg(model.c_str())
                                             .arg(error)
                                             .arg(most)));

@@ -177,15 +177,13 @@ class FitTest : public QObject {
     for (const models::Model* model : models::allModels()) {
       const FitResult result = fit(*table, *model);
       verifyInsideHardRanges(result);
-      // The body of Ashikhmin and Shirley is none of Lambert's: it gets what the highlight leaves.
-      const double bound = model->spec().id == "ashikhmin-shirley" ? 0.02 : 1e-6;
-      QVERIFY2(
-          result.errors[0] < bound,
-          qPrintable(QString("%1: error %2, expected less than %3. A model that cannot reproduce a constant needs a "
-                             "bound of its own here.")
-                         .arg(model->spec().id.data())
-                         .arg(result.errors[0])
-                         .arg(bound)));
+      const double bound = std::max(1e-6, model->spec().constantError);
+      QVERIFY2(result.errors[0] < bound,
+               qPrintable(QString("%1: error %2, expected less than %3. A model that cannot reproduce a constant "
+                                  "states its ModelSpec::constantError.")
+                              .arg(model->spec().id.data())
+                              .arg(result.errors[0])
+                              .arg(bound)));
     }
     const FitResult ggx = fit(*table, models::findModel("ggx"));
     QVERIFY(std::abs(ggx.parameters.values[0].y / (pi * 0.2) - 1) < 1e-3);

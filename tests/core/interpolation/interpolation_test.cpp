@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "core/math/parallel.h"
-#include "core/models/parameter_blend.h"
+#include "core/models/model.h"
 #include "core/support/error.h"
 #include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"

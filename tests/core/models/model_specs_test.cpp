@@ -130,28 +130,33 @@ class ModelSpecsTest : public QObject {
     }
   }
 
-  void shadersGetTheValuesInOrder() {
+  /// Each number of the packed arguments is taken once, in order.
+  void shadersGetTheArgumentsOfTheFormula() {
     std::mt19937_64 random(1);
     for (const Model* model : allModels()) {
-      if (model == &sphericalHarmonics() || model == &dsbrdf()) continue;  // computed beforehand
-      const ParameterValues values = randomParameters(model->spec(), random);
-      const std::vector<glm::vec3> shader = model->shaderParameters(values);
-      const bool isSgd = model == &sgd();
-      QVERIFY(shader.size() >= values.values.size());  // what does not depend on directions may stand behind
-      for (std::size_t i = 0; i < values.values.size(); ++i)
-        if (!isSgd || model->spec().parameters[i].id != "c") QCOMPARE(shader[i], glm::vec3(values.values[i]));
+      const std::size_t vectors = model->shaderVectors();
+      QCOMPARE(model->shaderParameters(randomParameters(model->spec(), random)).size(), vectors);
+      QCOMPARE(model->shaderParameters(randomCorner(model->spec(), random)).size(), vectors);
+      std::string arguments = model->shaderArguments();
+      std::size_t at = 0, taken = 0;
+      for (;; ++taken) {
+        const std::string next = "p[" + std::to_string(taken / 4) + "]." + "xyzw"[taken % 4];
+        at = arguments.find("p[", at);
+        if (at == std::string::npos) break;
+        QCOMPARE(arguments.substr(at, next.size()), next);
+        at += next.size();
+      }
+      QCOMPARE((taken + 3) / 4, vectors);
     }
-    // Components that a shader stores once are equal.
-    for (const Model* model : allModels()) {
-      const std::vector<glm::vec3> shader = model->shaderParameters(randomParameters(model->spec(), random));
-      const std::span<const int> components = model->shaderComponents();
-      QCOMPARE(components.size(), shader.size());
-      for (std::size_t i = 0; i < shader.size(); ++i)
-        QVERIFY(components[i] == 3 || (components[i] == 1 && shader[i] == glm::vec3(shader[i].x)));
-    }
+    QCOMPARE(ggx().shaderArguments(), std::string("vec3(p[0].x, p[0].y, p[0].z), vec3(p[0].w, p[1].x, p[1].y), p[1].z, "
+                                                  "p[1].w, FresnelTerm(p[2].x, p[2].y, p[2].z, p[2].w, p[3].x)"));
+    const std::vector<glm::vec4> packed = ggx().shaderParameters(
+        parametersOf(ggx(), {{"specular", 0.75}, {"roughness", 0.5}, {"masking", 1}, {"fresnel", 2}, {"f0", 0.25}}));
+    QCOMPARE(packed[1], glm::vec4(0.75, 0.75, 0.25, 1));
+    QVERIFY(packed[2].x == 0 && packed[2].w == 0.25f && packed[3] == glm::vec4(0.75, 0, 0, 0));
     // Published values of c that no float holds.
-    const std::vector<glm::vec3> shader = sgd().shaderParameters(parametersOf(sgd(), {{"c", 1.6e109}}));
-    QVERIFY(std::abs(shader[sgd().spec().find("c").value()].x - std::log(1.6e109)) < 1e-4);
+    const std::vector<glm::vec4> published = sgd().shaderParameters(parametersOf(sgd(), {{"c", 1.6e109}}));
+    QVERIFY(std::abs(published[21 / 4][21 % 4] - std::log(1.6e109)) < 1e-4);
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/models/parameter_blend.h"
+#include "core/models/model.h"
 
 #include <QTest>
 #include <cmath>

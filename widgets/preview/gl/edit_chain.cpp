@@ -151,7 +151,7 @@ using editing::FactorEdit;
 /// The text of a chain while it is put together: functions that each call the one before.
 struct ChainText {
   QString uniforms, functions, steps, stage = QStringLiteral("measuredBrdf");
-  QStringList definitions, files;
+  QStringList files;
   int edits = 0, factorEdits = 0, stages = 0, lobeEdits = 0;
 
   QString nextStage() { return QStringLiteral("editStage%1").arg(stages++); }
@@ -173,11 +173,8 @@ struct ChainText {
   }
 
   void addModel(const DifferentialEdit& edit) {
-    for (const char* state : {"edited", "fitted"}) {
-      const ModelUniform parameters = modelUniform(*edit.model, state + QString::number(edits));
-      uniforms += ' ' + parameters.declaration;
-      definitions << parameters.definition;
-    }
+    for (const char* state : {"edited", "fitted"})
+      uniforms += ' ' + modelUniform(*edit.model, state + QString::number(edits));
     files << modelFile(*edit.model);
     if (edit.composition == editing::Composition::lobes) return addLobes(edit);
     const bool additive = edit.composition == editing::Composition::additive;
@@ -233,8 +230,7 @@ void EditChain::addVariant(const editing::EditList& edits, QStringList& definiti
   if (text.factorEdits > 0) definitions << QString("FACTOR_EDITS %1").arg(text.factorEdits);
   if (text.edits == 0) return;
   text.endSteps();
-  definitions << text.definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions
-              << "LAST_STAGE " + text.stage;
+  definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions << "LAST_STAGE " + text.stage;
   if (text.lobeEdits > 0) definitions << "LOBE_EDITS";
   preamble << text.files;
 }

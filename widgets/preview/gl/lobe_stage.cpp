@@ -54,8 +54,10 @@ struct LobeStage {
   Parts parts;
 
   QString lobes(const char* directions, const char* parameters, const char* values) const {
-    return QString("vec3 %1[LOBE_COUNT_%2]; lobes_%3(%4, %5%6, %1); ")
-        .arg(values, model.toUpper(), model, directions, parameters, number);
+    return QString("vec3 %1[%2]; lobes_%3(%4, %5%6, %1); ")
+        .arg(values)
+        .arg(parts.changes.size())
+        .arg(model, directions, parameters, number);
   }
 
   QString begin(const QString& name) const {

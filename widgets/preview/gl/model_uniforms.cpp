@@ -8,48 +8,62 @@ namespace gonio::widgets {
 
 namespace {
 
-QString packedName(const QString& name) { return "packed_" + name; }
-
-/// Vectors of four that hold so many components.
-int vectorsFor(int components) { return (components + 3) / 4; }
-
-/// "packed_edited0[1].w" for the component 7.
-QString componentText(const QString& name, int component) {
-  return QString("%1[%2].%3").arg(packedName(name)).arg(component / 4).arg("xyzw"[component % 4]);
+/// Around a formula that returns the value; %1 name, %2 vectors, %3 arguments.
+constexpr const char* evaluateFunction = R"(
+vec3 evaluate_%1(vec3 wi, vec3 wo, vec4 p[%2]) {
+  SurfaceGeometry g;
+  return surfaceGeometry(wi, wo, g) ? formula_%1(g, %3) : vec3(0.0);
 }
+)";
+
+/// Around a formula that returns %4 lobes; %5 their sum.
+constexpr const char* lobesFunctions = R"(
+void lobes_%1(vec3 wi, vec3 wo, vec4 p[%2], out vec3 lobes[%4]) {
+  SurfaceGeometry g;
+  for (int i = 0; i < %4; ++i) lobes[i] = vec3(0.0);
+  if (surfaceGeometry(wi, wo, g)) formula_%1(g, %3, lobes);
+}
+
+vec3 evaluate_%1(vec3 wi, vec3 wo, vec4 p[%2]) {
+  vec3 lobes[%4];
+  lobes_%1(wi, wo, p, lobes);
+  return %5;
+}
+)";
 
 }  // namespace
 
-QString modelName(const models::Model& model) {
-  return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size())).replace('-', '_');
-}
+QString modelName(const models::Model& model) { return QString::fromStdString(model.spec().shaderName()); }
 
 QString modelFunction(const models::Model& model) { return "evaluate_" + modelName(model); }
 
-QString modelFile(const models::Model& model) { return "models/" + modelName(model).replace('_', '-') + ".glsl"; }
+QString modelFile(const models::Model& model) { return "models/" + modelName(model); }
 
-ModelUniform modelUniform(const models::Model& model, const QString& name) {
-  QStringList entries;
-  int next = 0;
-  for (const int count : model.shaderComponents()) {
-    QStringList parts;
-    for (int i = 0; i < count; ++i) parts << componentText(name, next++);
-    entries << "vec3(" + parts.join(", ") + ')';
+QByteArray modelShader(const models::Model& model) {
+  const QString includes = QStringLiteral("#include \"formula.glsl\"\n#include \"%1\"\n")
+                               .arg(QString::fromStdString(model.spec().formulaFile()));
+  const QString arguments = QString::fromStdString(model.shaderArguments());
+  QString functions = QString(model.hasLobes() ? lobesFunctions : evaluateFunction)
+                          .arg(modelName(model))
+                          .arg(model.shaderVectors())
+                          .arg(arguments);
+  if (model.hasLobes()) {
+    QStringList lobes;
+    for (std::size_t i = 0; i < model.lobes(models::defaultParameters(model.spec())).size(); ++i)
+      lobes << QString("lobes[%1]").arg(i);
+    functions = functions.arg(lobes.size()).arg(lobes.join(" + "));
   }
-  return {QString("uniform vec4 %1[%2];").arg(packedName(name)).arg(vectorsFor(next)),
-          QString("%1 vec3[%2](%3)").arg(name).arg(entries.size()).arg(entries.join(", "))};
+  return (includes + functions).toUtf8();
+}
+
+QString modelUniform(const models::Model& model, const QString& name) {
+  return QString("uniform vec4 %1[%2];").arg(name).arg(model.shaderVectors());
 }
 
 void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
                      const models::ParameterValues& values) {
-  const std::span<const int> components = model.shaderComponents();
-  const std::vector<glm::vec3> entries = model.shaderParameters(values);
-  std::vector<float> packed;
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    for (int c = 0; c < components[i]; ++c) packed.push_back(entries[i][c]);
-  const int vectors = vectorsFor(int(packed.size()));
-  packed.resize(4 * std::size_t(vectors));
-  program.setUniformValueArray(packedName(name).toUtf8().constData(), packed.data(), vectors, 4);
+  const std::vector<glm::vec4> packed = model.shaderParameters(values);
+  program.setUniformValueArray(name.toUtf8().constData(), &packed.front().x, int(packed.size()), 4);
 }
 
 void addModel(const models::Model& model, QStringList& definitions, QStringList& preamble) {
@@ -58,8 +72,8 @@ void addModel(const models::Model& model, QStringList& definitions, QStringList&
 }
 
 void addModelAlone(const models::Model& model, QStringList& definitions, QStringList& preamble) {
-  const ModelUniform parameters = modelUniform(model, "modelParameters");
-  definitions << "MODEL_ALONE" << parameters.definition << "MODEL_UNIFORM " + parameters.declaration;
+  definitions << "MODEL_ALONE"
+              << "MODEL_UNIFORM " + modelUniform(model, "modelParameters");
   addModel(model, definitions, preamble);
 }
 

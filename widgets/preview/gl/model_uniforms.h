@@ -7,23 +7,22 @@
 
 #include "core/models/model.h"
 
-/// Models in the shaders: their functions (shaders/models) and their parameters.
+/// Models in the shaders: functions around their formulas (core/models/*.glsl), and their parameters.
 namespace gonio::widgets {
 
 /// Name of a model in the shaders, e.g. "ggx_anisotropic".
 QString modelName(const models::Model& model);
-/// The function of shaders/models that evaluates a model, e.g. "evaluate_ggx".
+/// The function that evaluates a model, e.g. "evaluate_ggx": `vec3 evaluate_ggx(vec3 wi, vec3 wo, vec4 p[N])`, with
+/// Model::shaderParameters(). Directions are unit vectors away from the surface; the value is 0 where that in C++ is.
 QString modelFunction(const models::Model& model);
-/// The file with this function, e.g. "models/ggx.glsl".
+/// The file of a model for #include, "models/ggx_anisotropic", which ShaderLibrary takes from modelShader().
 QString modelFile(const models::Model& model);
+/// The GLSL of a model: its formula and the function modelFunction(). For a sum of N lobes also
+/// `lobes_ID(vec3 wi, vec3 wo, vec4 p[], out vec3 lobes[N])`, of which the value is the sum.
+QByteArray modelShader(const models::Model& model);
 
-/// The parameters of a model as one uniform. They are packed into vectors of four: three components for a colour, one
-/// for any other parameter. In the shader, `name` expands to the array of vec3 that the model's function takes.
-struct ModelUniform {
-  QString declaration;  ///< "uniform vec4 packed_edited0[9];"
-  QString definition;   ///< "edited0 vec3[18](...)", for a #define
-};
-ModelUniform modelUniform(const models::Model& model, const QString& name);
+/// The declaration of the parameters of a model as a uniform, e.g. "uniform vec4 edited0[4];".
+QString modelUniform(const models::Model& model, const QString& name);
 /// Sets this uniform in the bound program.
 void setModelUniform(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
                      const models::ParameterValues& values);

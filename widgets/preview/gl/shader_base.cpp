@@ -3,7 +3,7 @@
 #include "widgets/preview/gl/shader_base.h"
 
 #include "core/factorization/pdv_factors.h"
-#include "core/models/model_brdf.h"
+#include "core/models/model.h"
 #include "widgets/preview/gl/measured_textures.h"
 #include "widgets/preview/gl/model_uniforms.h"
 

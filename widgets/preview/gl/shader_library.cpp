@@ -6,14 +6,19 @@
 #include <QSet>
 
 #include "core/support/error.h"
+#include "widgets/preview/gl/model_uniforms.h"
 
 namespace gonio::widgets {
 
 namespace {
 
+/// The tree: in the resources, or the folder of the sources.
+QString root() { return qEnvironmentVariable("GONIO_SHADER_DIR", QStringLiteral(":")); }
+
 QByteArray readShader(const QString& name) {
-  const QString folder = qEnvironmentVariable("GONIO_SHADER_DIR", QStringLiteral(":/shaders"));
-  QFile file(folder + '/' + name);
+  if (const QString models = QStringLiteral("models/"); name.startsWith(models))
+    return modelShader(models::findModel(name.mid(models.size()).replace('_', '-').toStdString()));
+  QFile file(root() + (name.startsWith("core/") ? "/" : "/shaders/") + name);
   if (!file.open(QIODevice::ReadOnly))
     throw Error("shader " + file.fileName().toStdString() + ": " + file.errorString().toStdString());
   return file.readAll();
@@ -24,6 +29,7 @@ void appendExpanded(QByteArray& text, const QString& name, QSet<QString>& includ
   included.insert(name);
   for (const QByteArray& line : readShader(name).split('\n')) {
     const QByteArray trimmed = line.trimmed();
+    if (trimmed == "#pragma once") continue;
     if (trimmed.startsWith("#include"))
       appendExpanded(text, QString::fromUtf8(trimmed.mid(8).trimmed().replace('"', "")), included);
     else

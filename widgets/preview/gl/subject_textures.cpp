@@ -14,17 +14,13 @@ namespace gonio::widgets {
 
 namespace {
 
-void append(std::vector<glm::vec3>& all, const std::vector<glm::vec3>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 void setEdits(QOpenGLShaderProgram& program, const std::vector<editing::DifferentialEdit>& edits) {
   if (edits.empty()) return;
-  const auto target = edits[0].model->shaderParameters(edits[0].edited);
-  std::vector<glm::vec3> own;
-  for (const editing::DifferentialEdit& edit : edits) append(own, edit.model->shaderParameters(edit.fitted));
-  program.setUniformValueArray("targetParameters", &target.front().x, int(target.size()), 3);
-  program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 3);
+  setModelUniform(program, "targetParameters", *edits[0].model, edits[0].edited);
+  std::vector<glm::vec4> own;
+  for (const editing::DifferentialEdit& edit : edits)
+    for (const glm::vec4& vector : edit.model->shaderParameters(edit.fitted)) own.push_back(vector);
+  program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 4);
 }
 
 }  // namespace
@@ -39,7 +35,7 @@ void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitio
   }
   if (blend.edits.empty()) return;
   const models::Model& model = *blend.edits[0].model;
-  definitions << "BLEND_MOVES" << QString("MODEL_PARAMETERS %1").arg(model.shaderComponents().size());
+  definitions << "BLEND_MOVES" << QString("MODEL_PARAMETERS %1").arg(model.shaderVectors());
   addModel(model, definitions, preamble);
 }
 
