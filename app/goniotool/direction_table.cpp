@@ -3,8 +3,8 @@
 #include "app/goniotool/direction_table.h"
 
 #include <array>
-#include <charconv>
 
+#include "core/io/csv_table.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
 
@@ -39,17 +39,13 @@ DirectionTable readDirections(const std::filesystem::path& path) {
 }
 
 std::string valuesCsv(const DirectionTable& directions, const std::vector<Rgb>& values) {
-  std::string text = "theta_i,phi_i,theta_o,phi_o,r,g,b\n";
-  char buffer[64];
+  io::CsvWriter csv;
+  csv.texts({"theta_i", "phi_i", "theta_o", "phi_o", "r", "g", "b"}).endLine();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const DirectionTable::Row& row = directions.rows[i];
-    const double fields[] = {row.thetaI, row.phiI, row.thetaO, row.phiO, values[i].x, values[i].y, values[i].z};
-    for (const double& field : fields) {
-      const auto result = std::to_chars(buffer, buffer + sizeof buffer, field);
-      text.append(buffer, result.ptr) += &field == std::end(fields) - 1 ? '\n' : ',';
-    }
+    csv.number(row.thetaI).number(row.phiI).number(row.thetaO).number(row.phiO).colour(values[i]).endLine();
   }
-  return text;
+  return csv.str();
 }
 
 }  // namespace gonio::tool

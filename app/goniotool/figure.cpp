@@ -175,7 +175,7 @@ std::optional<FigureMeasurement> makeFigure(const FigureArguments& options, cons
   FigureMeasurement measurement = measureFigure(figure, control);
   for (const std::string& name : options.out)
     files.add(name, figureFile(figure, measurement, figureFormatOf(name), options.dotsPerInch));
-  if (!options.csv.empty()) files.add(options.csv, plots::toCsv(figureCsv(figure, measurement)));
+  if (!options.csv.empty()) files.add(options.csv, io::toCsv(figureCsv(figure, measurement)));
   if (!options.latex.empty()) files.add(options.latex, figureLatex(figure, measurement));
   control.throwIfStopped();
   return measurement;

@@ -41,7 +41,7 @@ void write(const fs::path& folder, const std::string& stem, Json head, std::span
   const std::vector<StudyAxes> axes =
       facts.timed() ? allCostAxes() : std::vector<StudyAxes>{{.cost = Cost::bytes, .quality = {}}};
   const std::string json = io::jsonText(head, 2) + "\n";
-  const std::string csv = plots::toCsv(studyCsv("material: " + title, records, facts.machine, facts.pictures));
+  const std::string csv = io::toCsv(studyCsv("material: " + title, records, facts.machine, facts.pictures));
   const std::string svg = studySvg(title, records, axes, notes);
   const auto content = [&](const char* suffix, const std::string& text) {
     return io::FileContent{fileOf(folder, stem, suffix), std::as_bytes(std::span(text))};

@@ -13,6 +13,7 @@
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/half_out.h"
 #include "core/coordinates/projected_deviation.h"
+#include "core/io/csv_table.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
@@ -144,16 +145,12 @@ namespace {
 
 constexpr int angleDecimals = 6;
 
-std::string fieldsOf(const Rgb& value) {
-  return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
-}
-
-std::string rowOf(const PlannedSample& sample, FactorCurve curve) {
+void writeSample(io::CsvWriter& csv, const PlannedSample& sample, FactorCurve curve) {
   const auto& [wi, wo] = sample.directions;
-  std::string text = std::to_string(sample.index) + "," + std::string(factorCurveNames[std::size_t(curve)]);
+  csv.integer(sample.index).text(factorCurveNames[std::size_t(curve)]);
   for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo)})
-    text += "," + io::decimalText(degrees(angle), angleDecimals);
-  return text + "," + std::to_string(sample.order);
+    csv.literal(io::decimalText(degrees(angle), angleDecimals));
+  csv.integer(sample.order);
 }
 
 FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
@@ -166,17 +163,19 @@ FactorCurve curveOf(const io::CsvText::Row& row, const std::string& name) {
 }  // namespace
 
 std::string factorReadingsCsv(const FactorPlan& plan, const MeasuredValues& values) {
-  std::string text = io::csvComment("method: " + plan.plan.method) + "index,curve,theta_i,phi_i,theta_o,phi_o,order";
-  if (!values.rgb.empty()) text += ",r,g,b";
-  if (!values.noise.empty()) text += ",noise_r,noise_g,noise_b";
-  text += "\n";
+  io::CsvWriter csv;
+  csv.comment("method: " + plan.plan.method);
+  csv.texts({"index", "curve", "theta_i", "phi_i", "theta_o", "phi_o", "order"});
+  if (!values.rgb.empty()) csv.texts({"r", "g", "b"});
+  if (!values.noise.empty()) csv.texts({"noise_r", "noise_g", "noise_b"});
+  csv.endLine();
   for (std::size_t i = 0; i < plan.plan.samples.size(); ++i) {
-    text += rowOf(plan.plan.samples[i], plan.curves[i]);
-    if (!values.rgb.empty()) text += fieldsOf(values.rgb[i]);
-    if (!values.noise.empty()) text += fieldsOf(values.noise[i]);
-    text += "\n";
+    writeSample(csv, plan.plan.samples[i], plan.curves[i]);
+    if (!values.rgb.empty()) csv.colour(values.rgb[i]);
+    if (!values.noise.empty()) csv.colour(values.noise[i]);
+    csv.endLine();
   }
-  return text;
+  return csv.str();
 }
 
 void writeFactorReadings(const FactorPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {

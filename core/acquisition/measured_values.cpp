@@ -11,6 +11,7 @@
 
 #include "core/acquisition/sample_rows.h"
 #include "core/io/atomic_file.h"
+#include "core/io/csv_table.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
 #include "core/support/text.h"
@@ -130,21 +131,20 @@ std::vector<const io::CsvText::Row*> rowsOf(const io::CsvText& csv, const Sampli
   return rows;
 }
 
-std::string fields(const Rgb& value) {
-  return "," + numberText(value.x) + "," + numberText(value.y) + "," + numberText(value.z);
-}
-
 }  // namespace
 
 std::string valuesCsv(const SamplingPlan& plan, const MeasuredValues& values) {
   const bool hasNoise = !values.noise.empty();
-  std::string text = hasNoise ? "index,r,g,b,noise_r,noise_g,noise_b\n" : "index,r,g,b\n";
+  io::CsvWriter csv;
+  csv.texts({"index", "r", "g", "b"});
+  if (hasNoise) csv.texts({"noise_r", "noise_g", "noise_b"});
+  csv.endLine();
   for (std::size_t i = 0; i < plan.samples.size(); ++i) {
-    text += std::to_string(plan.samples[i].index) + fields(values.rgb[i]);
-    if (hasNoise) text += fields(values.noise[i]);
-    text += "\n";
+    csv.integer(plan.samples[i].index).colour(values.rgb[i]);
+    if (hasNoise) csv.colour(values.noise[i]);
+    csv.endLine();
   }
-  return text;
+  return csv.str();
 }
 
 void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const std::filesystem::path& path) {

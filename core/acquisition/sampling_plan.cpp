@@ -11,6 +11,7 @@
 
 #include "core/coordinates/grid_directions.h"
 #include "core/io/atomic_file.h"
+#include "core/io/csv_table.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
 #include "core/support/text.h"
@@ -211,20 +212,20 @@ void planOrder(SamplingPlan& plan) {
 }  // namespace
 
 std::string planCsv(const SamplingPlan& plan, const std::vector<std::string>& comments) {
-  std::string text;
-  if (!plan.method.empty()) text += io::csvComment(std::string(methodLabel) + plan.method);
-  if (!plan.basisDigest.empty()) text += io::csvComment(std::string(basisLabel) + plan.basisDigest);
-  for (const std::string& comment : comments) text += io::csvComment(comment);
-  text += "index,theta_i,phi_i,theta_o,phi_o,theta_h,theta_d,phi_d,order\n";
+  io::CsvWriter csv;
+  if (!plan.method.empty()) csv.comment(std::string(methodLabel) + plan.method);
+  if (!plan.basisDigest.empty()) csv.comment(std::string(basisLabel) + plan.basisDigest);
+  for (const std::string& comment : comments) csv.comment(comment);
+  csv.texts({"index", "theta_i", "phi_i", "theta_o", "phi_o", "theta_h", "theta_d", "phi_d", "order"}).endLine();
   for (const PlannedSample& sample : plan.samples) {
     const auto& [wi, wo] = sample.directions;
     const HalfDifference at = toHalfDifference(wi, wo);
-    text += std::to_string(sample.index);
+    csv.integer(sample.index);
     for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo), at.thetaH, at.thetaD, at.phiD})
-      text += "," + io::decimalText(degrees(angle), decimals);
-    text += "," + std::to_string(sample.order) + "\n";
+      csv.literal(io::decimalText(degrees(angle), decimals));
+    csv.integer(sample.order).endLine();
   }
-  return text;
+  return csv.str();
 }
 
 void writePlan(const SamplingPlan& plan, const std::filesystem::path& path, const std::vector<std::string>& comments) {

@@ -6,7 +6,7 @@
 #include "core/export/target_table.h"
 #include "core/formats/formats.h"
 #include "core/formats/rgl.h"
-#include "core/io/csv_text.h"
+#include "core/io/csv_table.h"
 #include "core/io/exr_codec.h"
 #include "core/plots/slice.h"
 
@@ -62,10 +62,12 @@ constexpr int lightPolarStep = 15, lightPolarEnd = 75, lightAzimuthStep = 30, vi
 ExportResult makeCsv(const materials::EditedMaterial& source, const ExportOptions&, const TaskControl& control) {
   const bool isotropic = source.shown.brdf->isIsotropic();
   std::size_t count = 0;
-  std::string text =
-      io::csvComment(materials::originOf(source)) +
-      "# BRDF values, linear sRGB in 1/sr without the cosine. Angles in degrees: polar from the normal, azimuth from "
-      "the tangent; i: to the light, o: to the viewer.\ntheta_i,phi_i,theta_o,phi_o,red,green,blue\n";
+  io::CsvWriter csv;
+  csv.comment(materials::originOf(source));
+  csv.comment(
+      "BRDF values, linear sRGB in 1/sr without the cosine. Angles in degrees: polar from the normal, azimuth from the "
+      "tangent; i: to the light, o: to the viewer.");
+  csv.texts({"theta_i", "phi_i", "theta_o", "phi_o", "red", "green", "blue"}).endLine();
   for (int thetaI = 0; thetaI <= lightPolarEnd; thetaI += lightPolarStep)
     for (int phiI = 0; phiI < (isotropic ? lightAzimuthStep : 360); phiI += lightAzimuthStep) {
       control.throwIfStopped();
@@ -73,15 +75,16 @@ ExportResult makeCsv(const materials::EditedMaterial& source, const ExportOption
         for (int phiO = 0; phiO <= (isotropic ? 180 : 345); phiO += viewerAzimuthStep) {
           const Rgb value = source.shown.brdf->evaluate(fromSpherical(radians(thetaI), radians(phiI)),
                                                         fromSpherical(radians(thetaO), radians(phiO)));
-          for (const int angle : {thetaI, phiI, thetaO, phiO}) text += std::to_string(angle) + ",";
-          text += colourText(value, ",") + "\n";
+          for (const int angle : {thetaI, phiI, thetaO, phiO}) csv.integer(angle);
+          for (int c = 0; c < 3; ++c) csv.literal(decimalText(value[c]));
+          csv.endLine();
           ++count;
         }
     }
   ExportResult made;
   made.losses.push_back("the file contains values at " + std::to_string(count) +
                         " pairs of directions and nothing between them");
-  made.parts.push_back(textPart(".csv", text));
+  made.parts.push_back(textPart(".csv", csv.str()));
   return made;
 }
 

@@ -42,11 +42,11 @@ std::string figurePicturesText(const FigurePictures& pictures) {
          size + ", " + std::to_string(pictures.samples) + " samples";
 }
 
-plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement) {
-  plots::CsvTable table{.comments = {"pictures: " + figurePicturesText(description.pictures)}, .columns = {}};
+io::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement) {
+  io::CsvTable table{.comments = {"pictures: " + figurePicturesText(description.pictures)}, .columns = {}};
   if (!description.title.empty()) table.comments.insert(table.comments.begin(), description.title);
-  plots::CsvColumn materials{"material", {}}, ids{"representation", {}}, labels{"label", {}}, budgets{"budget", {}};
-  std::vector<plots::CsvColumn> numbers;
+  io::CsvColumn materials{"material", {}}, ids{"representation", {}}, labels{"label", {}}, budgets{"budget", {}};
+  std::vector<io::CsvColumn> numbers;
   for (const std::string& id : description.numbers) numbers.push_back({figureNumber(id).title(), {}});
   for (std::size_t row = 0; row < measurement.rows.size(); ++row)
     for (std::size_t cell = 0; cell < measurement.rows[row].cells.size(); ++cell) {
@@ -59,7 +59,7 @@ plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeas
         numbers[i].values.push_back(measurement.rows[row].cells[cell]->value(description.numbers[i]));
     }
   table.columns = {materials, ids, labels, budgets};
-  for (plots::CsvColumn& column : numbers) table.columns.push_back(std::move(column));
+  for (io::CsvColumn& column : numbers) table.columns.push_back(std::move(column));
   return table;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/figures/figure_measurement.h"
-#include "core/plots/csv_table.h"
+#include "core/io/csv_table.h"
 
 namespace gonio::figures {
 
@@ -14,7 +14,7 @@ namespace gonio::figures {
 
 /// A CSV table with one row per material and representation, in the order of the figure: material, representation,
 /// label, budget, and the numbers in full precision without prefixes ("size [B]").
-plots::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement);
+io::CsvTable figureCsv(const FigureDescription& description, const FigureMeasurement& measurement);
 
 /// The same rows as a LaTeX tabular for \input, with rules of the package booktabs and the best errors of each material
 /// in bold.

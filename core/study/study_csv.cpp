@@ -12,16 +12,16 @@ std::string picturesText(int width, int height, int samples) {
          std::to_string(samples) + " samples";
 }
 
-plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
-                         const std::string& pictures) {
-  plots::CsvTable table{.comments = {title, "images and frame times: " + pictures}, .columns = {}};
+io::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
+                      const std::string& pictures) {
+  io::CsvTable table{.comments = {title, "images and frame times: " + pictures}, .columns = {}};
   for (const std::string& line : machineLines(machine)) table.comments.push_back(line);
   const auto texts = [&](const char* name, const auto& text) {
-    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});
+    io::CsvColumn& column = table.columns.emplace_back(io::CsvColumn{.title = name, .values = {}});
     for (const StudyRecord& record : records) column.texts.push_back(std::string(text(record)));
   };
   const auto numbers = [&](const std::string& name, const auto& number) {
-    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});
+    io::CsvColumn& column = table.columns.emplace_back(io::CsvColumn{.title = name, .values = {}});
     for (const StudyRecord& record : records) column.values.push_back(double(number(record)));
   };
   using R = const StudyRecord&;
@@ -45,11 +45,11 @@ plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> 
   return table;
 }
 
-plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummary> summaries,
-                           std::span<const std::string> materials, const MachineFacts& machine,
-                           const std::string& pictures) {
+io::CsvTable summaryCsv(const std::string& title, std::span<const StudySummary> summaries,
+                        std::span<const std::string> materials, const MachineFacts& machine,
+                        const std::string& pictures) {
   std::vector<StudyRecord> medians;
-  plots::CsvColumn count{"materials", {}}, least{"min rendered SNR [dB]", {}}, most{"max rendered SNR [dB]", {}},
+  io::CsvColumn count{"materials", {}}, least{"min rendered SNR [dB]", {}}, most{"max rendered SNR [dB]", {}},
       worst{"worst material", {}};
   for (const StudySummary& summary : summaries) {
     medians.push_back(summary.median);
@@ -58,8 +58,8 @@ plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummar
     most.values.push_back(summary.maxSnr);
     worst.texts.push_back(materials[summary.worst]);
   }
-  plots::CsvTable table = studyCsv(title, medians, machine, pictures);
-  for (plots::CsvColumn* column : {&count, &least, &most, &worst}) table.columns.push_back(std::move(*column));
+  io::CsvTable table = studyCsv(title, medians, machine, pictures);
+  for (io::CsvColumn* column : {&count, &least, &most, &worst}) table.columns.push_back(std::move(*column));
   return table;
 }
 

@@ -136,9 +136,9 @@ void CurveChart::drawOn(QPaintDevice& device, const QSize& size, const PlotStyle
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }
 
-plots::CsvTable CurveChart::table() const {
+io::CsvTable CurveChart::table() const {
   const ChartAxes titles = axes();
-  plots::CsvTable table{commentsOfTable(), curveColumns(m_series, titles.angleColumn, settings().channel, titles.unit)};
+  io::CsvTable table{commentsOfTable(), curveColumns(m_series, titles.angleColumn, settings().channel, titles.unit)};
   table.comments.push_back("values: " + titles.values);
   for (const std::string& comment : fixedForCsv()) table.comments.push_back(comment);
   return table;

@@ -36,7 +36,7 @@ class CurveChart : public Plot {
   const PlotSeriesList<plots::Curve>& series() const { return m_series; }
 
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
-  plots::CsvTable table() const override;
+  io::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
   /// Position of the line that marks the angle of incidence, in the widget's coordinates.

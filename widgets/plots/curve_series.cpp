@@ -8,14 +8,14 @@
 
 namespace gonio::widgets {
 
-std::vector<plots::CsvColumn> curveColumns(const PlotSeriesList<plots::Curve>& series, const std::string& angle,
-                                           plots::Channel channel, const std::string& unit) {
-  std::vector<plots::CsvColumn> columns;
+std::vector<io::CsvColumn> curveColumns(const PlotSeriesList<plots::Curve>& series, const std::string& angle,
+                                        plots::Channel channel, const std::string& unit) {
+  std::vector<io::CsvColumn> columns;
   if (series.empty()) return columns;
-  plots::CsvColumn& angles = columns.emplace_back(plots::CsvColumn{angle + " [degrees]", {}});
+  io::CsvColumn& angles = columns.emplace_back(io::CsvColumn{angle + " [degrees]", {}});
   for (const double value : series.front().data.angles) angles.values.push_back(degrees(value));
   for (const auto& [role, name, curve] : series) {
-    plots::CsvColumn column{name.toStdString() + " [" + unit + "]", {}};
+    io::CsvColumn column{name.toStdString() + " [" + unit + "]", {}};
     for (std::size_t i = 0; i < curve.angles.size(); ++i) column.values.push_back(curve.points.at(i, channel));
     columns.push_back(std::move(column));
   }

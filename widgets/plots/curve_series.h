@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/plots/csv_table.h"
+#include "core/io/csv_table.h"
 #include "core/plots/section.h"
 #include "widgets/plots/plot_series.h"
 
@@ -10,8 +10,8 @@
 namespace gonio::widgets {
 
 /// Angles in degrees in the first column, then one column per curve, of the selected channel.
-std::vector<plots::CsvColumn> curveColumns(const PlotSeriesList<plots::Curve>& series, const std::string& angle,
-                                           plots::Channel channel, const std::string& unit);
+std::vector<io::CsvColumn> curveColumns(const PlotSeriesList<plots::Curve>& series, const std::string& angle,
+                                        plots::Channel channel, const std::string& unit);
 /// The values of all curves, for the choice of a scale.
 std::vector<double> shownValues(const PlotSeriesList<plots::Curve>& series, plots::Channel channel);
 /// E.g. "measured 0.2 1/sr", one line per curve.

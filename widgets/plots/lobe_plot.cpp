@@ -76,8 +76,8 @@ void LobePlot::paintEvent(QPaintEvent*) {
   draw(painter, size(), style());
 }
 
-plots::CsvTable LobePlot::table() const {
-  plots::CsvTable table{commentsOfTable(), {}};
+io::CsvTable LobePlot::table() const {
+  io::CsvTable table{commentsOfTable(), {}};
   table.comments.push_back("values: " + valueForCsv(settings()));
   table.comments.push_back(angleForCsv("theta_i", settings().thetaI) + "; phi_i = 180 degrees");
   if (m_series.empty()) return table;
@@ -87,7 +87,7 @@ plots::CsvTable LobePlot::table() const {
     table.columns[1].values.push_back(degrees(azimuth(direction)));
   }
   for (const auto& series : m_series) {
-    plots::CsvColumn column{series.name.toStdString() + " [1/sr]", {}};
+    io::CsvColumn column{series.name.toStdString() + " [1/sr]", {}};
     for (std::size_t i = 0; i < series.data.directions.size(); ++i)
       column.values.push_back(series.data.points.at(i, settings().channel));
     table.columns.push_back(std::move(column));

@@ -20,7 +20,7 @@ class LobePlot final : public Plot {
   const LobeView& view() const { return m_view; }
 
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
-  plots::CsvTable table() const override;
+  io::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "core/plots/csv_table.h"
+#include "core/io/csv_table.h"
 #include "widgets/charts/plot_style.h"
 #include "widgets/plots/plot_series.h"
 
@@ -33,7 +33,7 @@ class Plot : public QWidget {
   /// Draws the complete plot on any device, e.g. a picture or an SVG file.
   virtual void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) = 0;
   /// The plotted numbers, with a header that describes them.
-  virtual plots::CsvTable table() const = 0;
+  virtual io::CsvTable table() const = 0;
   virtual bool isEmpty() const = 0;
 
   QSize sizeHint() const override;

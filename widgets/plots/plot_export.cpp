@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/io/atomic_file.h"
-#include "core/plots/csv_table.h"
+#include "core/io/csv_table.h"
 #include "core/support/error.h"
 #include "widgets/plots/plot.h"
 
@@ -48,7 +48,7 @@ QByteArray plotAsPng(Plot& plot, const QSize& wanted) {
   return buffer.data();
 }
 
-QByteArray plotAsCsv(const Plot& plot) { return QByteArray::fromStdString(plots::toCsv(plot.table())); }
+QByteArray plotAsCsv(const Plot& plot) { return QByteArray::fromStdString(io::toCsv(plot.table())); }
 
 void exportPlot(Plot& plot, const QString& path, const QSize& size) {
   QByteArray content;

@@ -77,8 +77,8 @@ void PolarPlot::drawCrosshair(QPainter& painter) const {
   }
 }
 
-plots::CsvTable PolarPlot::table() const {
-  plots::CsvTable table{commentsOfTable(), curveColumns(m_series, "theta_o", settings().channel, "1/sr")};
+io::CsvTable PolarPlot::table() const {
+  io::CsvTable table{commentsOfTable(), curveColumns(m_series, "theta_o", settings().channel, "1/sr")};
   table.comments.push_back("values: " + valueForCsv(settings()));
   table.comments.push_back(angleForCsv("theta_i", settings().thetaI));
   table.comments.push_back(

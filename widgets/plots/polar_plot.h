@@ -22,7 +22,7 @@ class PolarPlot : public Plot {
   const PlotSeriesList<plots::Curve>& series() const { return m_series; }
 
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
-  plots::CsvTable table() const override;
+  io::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
   /// Position of the light's handle, in the widget's coordinates.

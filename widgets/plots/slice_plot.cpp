@@ -200,8 +200,8 @@ void SlicePlot::drawOn(QPaintDevice& device, const QSize& size, const PlotStyle&
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }
 
-plots::CsvTable SlicePlot::table() const {
-  plots::CsvTable table{commentsOfTable(), {}};
+io::CsvTable SlicePlot::table() const {
+  io::CsvTable table{commentsOfTable(), {}};
   table.comments.push_back("values: " + valueForCsv(settings()) + "; empty: below the horizon or not measured");
   if (m_series.empty()) return table;
   const plots::Slice& first = m_series.front().data;
@@ -213,7 +213,7 @@ plots::CsvTable SlicePlot::table() const {
       table.columns[1].values.push_back(degrees(first.thetaD(row)));
     }
   for (const auto& series : m_series) {
-    plots::CsvColumn column{series.name.toStdString() + " [1/sr]", {}};
+    io::CsvColumn column{series.name.toStdString() + " [1/sr]", {}};
     for (std::size_t i = 0; i < series.data.cells.values.size(); ++i)
       column.values.push_back(series.data.cells.at(i, settings().channel));
     table.columns.push_back(std::move(column));

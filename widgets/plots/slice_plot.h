@@ -34,7 +34,7 @@ class SlicePlot final : public Plot {
 
   /// Draws the whole slices, independently of zoom and pan.
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
-  plots::CsvTable table() const override;
+  io::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }
   void resetView() override;
   /// Position of a point of a slice in the widget. Angles in rad.

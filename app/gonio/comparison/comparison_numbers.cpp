@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/csv_table.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/plots/csv_table.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -76,14 +76,13 @@ QString comparisonValue(double value) {
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference) {
   const QString compared =
       ComparisonNumbersText::tr("%1 against %2, scene %3").arg(test, reference, comparisonSceneName);
-  plots::CsvTable table{.comments = {compared.toStdString()},
-                        .columns = {{"quantity", {}}, {"value", {}}, {"unit", {}}}};
+  io::CsvTable table{.comments = {compared.toStdString()}, .columns = {{"quantity", {}}, {"value", {}}, {"unit", {}}}};
   for (const ComparisonLine& line : comparisonLines(&numbers)) {
     table.columns[0].texts.push_back(line.name.toStdString());
     table.columns[1].values.push_back(line.value);
     table.columns[2].texts.push_back(line.unit.toStdString());
   }
-  return QString::fromStdString(plots::toCsv(table));
+  return QString::fromStdString(io::toCsv(table));
 }
 
 }  // namespace gonio::app

@@ -44,7 +44,7 @@ void writeNumbers(const FigureToWrite& figure, const fs::path& path, const TaskC
     throw Error(path.string() + ": found the suffix '" + suffix + "', expected .csv or .tex");
   checkBefore(figure.description, path);
   const FigureMeasurement measurement = measuredWhole(figure, control);
-  io::writeFileAtomically(path, suffix == ".csv" ? plots::toCsv(figureCsv(figure.description, measurement))
+  io::writeFileAtomically(path, suffix == ".csv" ? io::toCsv(figureCsv(figure.description, measurement))
                                                  : figureLatex(figure.description, measurement));
 }
 

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <atomic>
+#include "core/io/csv_table.h"
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -149,7 +150,8 @@ void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
                QImage::Format_RGB32);
   sheet.fill(Qt::black);
   QImage coverage;
-  QByteArray index = "sha256,hue,roughness\n";
+  io::CsvWriter index;
+  index.texts({"sha256", "hue", "roughness"}).endLine();
   QPainter painter(&sheet);
   int number = 0;
   for (const materials::LibraryEntry& entry : entries) {
@@ -158,8 +160,8 @@ void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
     const QImage picture = spherePicture(*material.brdf, bundledSide, bundledSamples);
     if (coverage.isNull()) coverage = picture.convertToFormat(QImage::Format_Alpha8);
     painter.drawImage(tile(number++), onMeanGround(picture));
-    index += QByteArray::fromStdString(material.source.sha256) + ',' + picture.text("hue").toLatin1() + ',' +
-             picture.text("roughness").toLatin1() + '\n';
+    index.text(material.source.sha256).text(picture.text("hue").toStdString());
+    index.text(picture.text("roughness").toStdString()).endLine();
   }
   painter.end();
   coverage.reinterpretAsFormat(QImage::Format_Grayscale8);
@@ -167,8 +169,9 @@ void writeBundledThumbnails(const QString& folder, const TaskControl& control) {
   writeFile(folder + QStringLiteral("/coverage.png"), [&](QIODevice& file) { return coverage.save(&file, "PNG"); });
   writeFile(folder + QStringLiteral("/bundled.jpg"),
             [&](QIODevice& file) { return sheet.save(&file, "JPG", jpegQuality); });
+  const QByteArray indexBytes = QByteArray::fromStdString(index.str());
   writeFile(folder + QStringLiteral("/bundled.csv"),
-            [&](QIODevice& file) { return file.write(index) == index.size(); });
+            [&](QIODevice& file) { return file.write(indexBytes) == indexBytes.size(); });
 }
 
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/thumbnail.h"
-#include "core/plots/csv_table.h"
+#include "core/io/csv_table.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/formula_text.h"
@@ -99,13 +99,13 @@ void FitRankingModel::setCurrent(const models::Model* model) {
 }
 
 QString FitRankingModel::csv() const {
-  plots::CsvTable table;
+  io::CsvTable table;
   const auto texts = [&](const std::string& title, auto text) {
-    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{title, {}});
+    io::CsvColumn& column = table.columns.emplace_back(io::CsvColumn{title, {}});
     for (const Row& row : m_rows) column.texts.emplace_back(text(row.ranked));
   };
   const auto numbers = [&](const std::string& title, auto number) {
-    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{title, {}});
+    io::CsvColumn& column = table.columns.emplace_back(io::CsvColumn{title, {}});
     for (const Row& row : m_rows) column.values.push_back(double(number(row.ranked)));
   };
   using R = const study::RankedFit&;
@@ -118,7 +118,7 @@ QString FitRankingModel::csv() const {
     const std::string unit = records[i].unit.empty() ? "" : " [" + std::string(records[i].unit) + "]";
     numbers(std::string(records[i].id) + unit, [i](R ranked) { return ranked.fit.errors[i]; });
   }
-  return QString::fromStdString(plots::toCsv(table));
+  return QString::fromStdString(io::toCsv(table));
 }
 
 int FitRankingModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }

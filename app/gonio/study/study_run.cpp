@@ -107,8 +107,8 @@ std::string StudyRun::pictures() const {
 }
 
 QString StudyRun::csv() const {
-  return QString::fromStdString(plots::toCsv(study::studyCsv("material: " + title(), m_model.records(),
-                                                             m_machine.value_or(study::MachineFacts()), pictures())));
+  return QString::fromStdString(io::toCsv(study::studyCsv("material: " + title(), m_model.records(),
+                                                          m_machine.value_or(study::MachineFacts()), pictures())));
 }
 
 void StudyRun::writeSvg(const QString& path, const study::StudyAxes& axes) const {

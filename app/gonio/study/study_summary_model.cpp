@@ -41,7 +41,7 @@ std::vector<study::Representation> StudySummaryModel::missing(std::size_t materi
 QString StudySummaryModel::csv(const study::MachineFacts& machine, const std::string& pictures) const {
   std::string title = "medians over " + std::to_string(m_materials.size()) + " materials:";
   for (const std::string& name : m_materials) title += " " + name;
-  return QString::fromStdString(plots::toCsv(summaryCsv(title, m_summaries, m_materials, machine, pictures)));
+  return QString::fromStdString(io::toCsv(summaryCsv(title, m_summaries, m_materials, machine, pictures)));
 }
 
 const study::StudySummary* StudySummaryModel::summaryOf(int row) const {

@@ -10,6 +10,7 @@
 #include "core/export/target_table.h"
 #include "core/io/csv_text.h"
 #include "core/math/colour.h"
+#include "core/io/csv_table.h"
 
 namespace gonio::exports {
 
@@ -65,45 +66,42 @@ std::string srgbText(const Rgb& colour) {
   return text;
 }
 
-/// Rows of one program: program,input,value,srgb.
+/// Writes the rows of one program: program,input,value,srgb.
 class ValueRows {
  public:
-  explicit ValueRows(std::string_view program) : program_(program) {}
+  ValueRows(io::CsvWriter& csv, std::string_view program) : csv_(csv), program_(program) {}
   ValueRows& colour(std::string_view input, const Rgb& colour) {
-    return add(input, colourText(colour, " ") + "," + srgbText(colour));
+    return add(input, colourText(colour, " "), srgbText(colour));
   }
-  ValueRows& number(std::string_view input, double number) { return add(input, decimalText(number) + ","); }
-  const std::string& text() const { return text_; }
+  ValueRows& number(std::string_view input, double number) { return add(input, decimalText(number), ""); }
 
  private:
-  ValueRows& add(std::string_view input, const std::string& fields) {
-    text_ += std::string(program_) + "," + std::string(input) + "," + fields + "\n";
+  ValueRows& add(std::string_view input, std::string_view value, std::string_view srgb) {
+    csv_.texts({program_, input}).literal(value).literal(srgb).endLine();
     return *this;
   }
 
+  io::CsvWriter& csv_;
   std::string_view program_;
-  std::string text_;
 };
 
-std::string unrealRows(const SurfaceValues& v) {
-  return ValueRows("Unreal Engine (Default Lit)")
+void unrealRows(io::CsvWriter& csv, const SurfaceValues& v) {
+  ValueRows(csv, "Unreal Engine (Default Lit)")
       .colour("Base Color", v.baseColour)
       .number("Metallic", v.metalness)
       .number("Specular", v.specular)
-      .number("Roughness", v.roughness)
-      .text();
+      .number("Roughness", v.roughness);
 }
 
-std::string unityRows(const SurfaceValues& v) {
-  return ValueRows("Unity (HDRP Lit)")
+void unityRows(io::CsvWriter& csv, const SurfaceValues& v) {
+  ValueRows(csv, "Unity (HDRP Lit)")
       .colour("Base Map", v.baseColour)
       .number("Metallic", v.metalness)
-      .number("Smoothness", 1 - v.roughness)
-      .text();
+      .number("Smoothness", 1 - v.roughness);
 }
 
-std::string arnoldRows(const SurfaceValues& v) {
-  return ValueRows("Arnold (standard_surface)")
+void arnoldRows(io::CsvWriter& csv, const SurfaceValues& v) {
+  ValueRows(csv, "Arnold (standard_surface)")
       .number("base", 1)
       .colour("base_color", v.baseColour)
       .number("metalness", v.metalness)
@@ -115,14 +113,13 @@ std::string arnoldRows(const SurfaceValues& v) {
       .number("specular_rotation", v.rotation / (2 * pi))
       .number("coat", v.coat)
       .number("coat_roughness", v.coatRoughness)
-      .number("coat_IOR", 1.5)
-      .text();
+      .number("coat_IOR", 1.5);
 }
 
 struct ValuesProgram {
   std::string_view key, label;  ///< of its SNR
   const SurfaceShader& (*shader)();
-  std::string (*rows)(const SurfaceValues&);
+  void (*rows)(io::CsvWriter&, const SurfaceValues&);
 };
 
 constexpr ValuesProgram programs[] = {
@@ -136,7 +133,7 @@ ExportResult makeValues(const materials::EditedMaterial& source, const ExportOpt
   const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.1));
   ExportResult worst;
   std::vector<ExportFact> facts;
-  std::string rows;
+  std::vector<SurfaceValues> fitted;
   for (std::size_t i = 0; i < std::size(programs); ++i) {
     const TaskControl part = control.between(0.1 + 0.3 * double(i), 0.4 + 0.3 * double(i));
     const SurfaceShader& shader = programs[i].shader();
@@ -144,15 +141,18 @@ ExportResult makeValues(const materials::EditedMaterial& source, const ExportOpt
     ExportResult made;
     measureExport(made, shader.brdf(values), comparison, part.between(0.8, 1));
     facts.push_back({programs[i].key, programs[i].label, made.snr});
-    rows += programs[i].rows(values);
+    fitted.push_back(values);
     if (!worst.brdf || made.snr < worst.snr) worst = std::move(made);
   }
   worst.facts = std::move(facts);
   if (!source.shown.brdf->isIsotropic())
     worst.warnings.push_back(
         "the material is anisotropic: the values for Unreal and Unity are means over all azimuths");
-  worst.parts.push_back(
-      textPart(valuesSuffix, io::csvComment(originText(source, worst.snr)) + "program,input,value,srgb\n" + rows));
+  io::CsvWriter csv;
+  csv.comment(originText(source, worst.snr));
+  csv.texts({"program", "input", "value", "srgb"}).endLine();
+  for (std::size_t i = 0; i < std::size(programs); ++i) programs[i].rows(csv, fitted[i]);
+  worst.parts.push_back(textPart(valuesSuffix, csv.str()));
   return worst;
 }
 

@@ -130,7 +130,7 @@ class FigureMakingTest : public QObject {
     QVERIFY(same("a.pdf", figures::FigureFormat::pdf));
     QVERIFY(same("a.svg", figures::FigureFormat::svg));
     QVERIFY(same("a.PNG", figures::FigureFormat::png));
-    QCOMPARE(editor.bytes("a.csv").toStdString(), plots::toCsv(figures::figureCsv(read, measurement)));
+    QCOMPARE(editor.bytes("a.csv").toStdString(), io::toCsv(figures::figureCsv(read, measurement)));
     QCOMPARE(editor.bytes("a.tex").toStdString(), figures::figureLatex(read, measurement));
   }
 

@@ -250,7 +250,7 @@ class FigureFilesTest : public QObject {
   void csvHasAllNumbers() {
     const FigureDescription figure = test::smallFigure();
     const FigureMeasurement measurement = test::madeUpMeasurement(figure);
-    const io::CsvText csv = io::readCsvText(plots::toCsv(figureCsv(figure, measurement)));
+    const io::CsvText csv = io::readCsvText(io::toCsv(figureCsv(figure, measurement)));
     QCOMPARE(csv.rows.size(), std::size_t(4));
     QCOMPARE(csv.comments[0], std::string("pictures: sphere-studio, 16 x 16, 4 samples"));
     for (std::size_t i = 0; i < 4; ++i) {

@@ -86,7 +86,7 @@ class FigureNamesTest : public QObject {
     const FigureDescription figure = figureNamed(name);
     const FigureMeasurement measurement = test::madeUpMeasurement(figure);
     const std::string shown = name.empty() ? figure.materials[1].path : plainText(name);
-    checkCsv(plots::toCsv(figureCsv(figure, measurement)), shown);
+    checkCsv(io::toCsv(figureCsv(figure, measurement)), shown);
     checkLatex(figureLatex(figure, measurement), shown);
     checkJson(figure, name);
     if (name.size() > 1000) return;  // a page has no place for it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/csv_text.h"
+#include "core/io/csv_table.h"
 
 #include <QTest>
 #include <array>
@@ -109,6 +110,13 @@ class CsvTextTest : public QObject {
     QCOMPARE(errorOf([] { io::readCsvText("a,b\n1\n"); }), std::string("line 2: found 1 columns, expected 2: a, b"));
     QVERIFY(contains(errorOf([] { io::readCsvText("# only\n"); }), "no header line with column names"));
     QVERIFY(contains(errorOf([] { io::readText(outputPath("io/no_such_table.csv")); }), "cannot be opened"));
+  }
+
+  void tablesAreWritten() {
+    const std::string text =
+        io::toCsv({{"first", "two\nlines"}, {{"theta, \"x\"", {0.1, 1e-300}}, {"f [1/sr]", {std::nan(""), -2}}}});
+    QCOMPARE(text, std::string("# first\n# two lines\n\"theta, \"\"x\"\"\",f [1/sr]\n0.1,\n1e-300,-2\n"));
+    QCOMPARE(io::toCsv({}), std::string("\n"));
   }
 };
 

@@ -6,7 +6,6 @@
 
 #include "core/plots/angle_nodes.h"
 #include "core/plots/clip_polyline.h"
-#include "core/plots/csv_table.h"
 #include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
 #include "tests/support/test_program.h"
@@ -97,13 +96,6 @@ class PlotNumbersTest : public QObject {
     const glm::dvec2 outside[] = {{-1, 0}, {0, 2.5}, {2, 1.5}};
     QVERIFY(clipPolyline(outside, {0, 0}, {1, 1}).empty());
     QVERIFY(clipPolyline({}, {0, 0}, {1, 1}).empty());
-  }
-
-  void csvIsReadBack() {
-    const std::string text =
-        toCsv({{"first", "two\nlines"}, {{"theta, \"x\"", {0.1, 1e-300}}, {"f [1/sr]", {std::nan(""), -2}}}});
-    QCOMPARE(text, std::string("# first\n# two lines\n\"theta, \"\"x\"\"\",f [1/sr]\n0.1,\n1e-300,-2\n"));
-    QCOMPARE(toCsv({}), std::string("\n"));
   }
 };
 
