@@ -9,7 +9,7 @@
 #include "app/goniotool/report.h"
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_packing.h"
-#include "core/dictionary/patch_dictionary.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/training_files.h"
 

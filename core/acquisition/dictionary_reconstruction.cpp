@@ -9,9 +9,9 @@
 
 #include "core/acquisition/sample_rows.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/gram.h"
-#include "core/dictionary/largest_coefficients.h"
-#include "core/dictionary/shared_subspace.h"
+#include "core/dictionary/mode_products.h"
+#include "core/dictionary/largest_projections.h"
+#include "core/dictionary/training_materials.h"
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"

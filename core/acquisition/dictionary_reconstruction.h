@@ -8,7 +8,6 @@
 
 #include "core/acquisition/measured_values.h"
 #include "core/dictionary/dictionary.h"
-#include "core/dictionary/sparse_code.h"
 #include "core/dictionary/training_materials.h"
 
 namespace gonio::acquisition {

@@ -10,7 +10,7 @@
 
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/procrustes.h"
+#include "core/dictionary/mode_products.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/dictionary.h"
 
 namespace gonio::dictionary {
 

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/dictionary.h"
 
 /// Serialisation of a code. Unless quantised, coefficients are sorted by index; each index is stored as the difference
 /// from the previous one, in a variable number of bytes: seven bits per byte, lowest first, with the eighth bit set if
-/// more bytes follow. Quantised codes are compressed (quantised_code.h).
+/// more bytes follow. Quantised codes are compressed (compressChannels()).
 namespace gonio::dictionary {
 
 /// Number format of the coefficients.
@@ -20,6 +20,22 @@ enum class CodePrecision : std::uint8_t {
   half,      ///< float16 of the value divided by the largest absolute value of its channel: relative error 2^-11
   quantised  ///< multiples of ChannelCode::step, compressed: about a fifth of the bytes of `half`
 };
+
+/// The code with the values of each channel rounded to multiples of ChannelCode::step: 1.4 times the smallest absolute
+/// value of a coefficient, which gives the smallest error at equal bytes (docs/results/dictionaries.md), at least 2^-20
+/// of the largest. A channel that has a step already stays as it is. No coefficient is lost, unless it is below half of
+/// the step.
+SparseCode quantised(SparseCode code);
+
+/// The bytes of a quantised code, compressed by range coding: coefficients concentrate at low indices, and the channels
+/// of a material resemble each other, so that a coefficient, index and value together, needs about 6 bits. (zstd at its
+/// highest level needs 55 to 84 % more bytes for the indices and values.) Per channel: uint8 dictionary, float32 step,
+/// float32 ChannelCode::highest, little-endian; then the range coder's bytes (docs/formats.md). @throws Error for more
+/// than 256 dictionaries or 65535 coefficients, or an index outside the grid.
+std::vector<std::byte> compressChannels(const SparseCode& code);
+/// Inverse of compressChannels(): sets the channels of `code`; set its grid before the call. @throws Error if there are
+/// too few or too many bytes, or a value is not finite or too large.
+void expandChannels(std::span<const std::byte> bytes, SparseCode& code);
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32
 /// ChannelCode::highest, the indices, the values. Little-endian. Quantised: compressChannels(). @throws Error for more

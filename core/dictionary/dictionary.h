@@ -4,10 +4,15 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/brdf/data_transform.h"
 #include "core/coordinates/half_difference_grid.h"
+#include "core/dictionary/largest_projections.h"
+
+namespace gonio::dictionary {
 
 /// Sparse codes over an ensemble of small orthonormal dictionaries: Miandji et al., "Compressive Image Reconstruction
 /// in Reduced Union of Subspaces" (2015), "A Unified Framework for Compression and Compressed Sensing of Light Fields
@@ -15,7 +20,6 @@
 /// Reflectance Modeling and Acquisition", section 4.3.2.
 ///
 /// Modes are the axes of a table in the order of memory: 0 phi_d (fastest), 1 theta_d, 2 theta_h.
-namespace gonio::dictionary {
 
 /// Three square orthonormal matrices. A table Y with coefficients S is the sum over l of S(l0, l1, l2) u0_l0 o u1_l1 o
 /// u2_l2, where o is the outer product.
@@ -46,5 +50,29 @@ double orthonormalityError(const Eigen::MatrixXd& matrix);
 /// Orthonormalises a matrix that is orthonormal up to single-precision rounding: one Newton-Schulz step, U (3 I - U^T
 /// U) / 2, which squares the error.
 Eigen::MatrixXd polished(const Eigen::MatrixXd& nearlyOrthonormal);
+
+/// One channel of a material: a few coefficients over one dictionary. Like a cell of a table, the coefficient of the
+/// atoms l0, l1, l2 of the three modes has the index l0 + n0 (l1 + n1 l2), with n the sizes of the modes.
+struct ChannelCode {
+  int dictionary = 0;
+  std::vector<Coefficient<float>> coefficients;  ///< by decreasing absolute value
+  /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells with
+  /// a small factor of cell scaling, and the inverse of the logarithm would amplify that.
+  float highest = std::numeric_limits<float>::max();
+  float step = 0;  ///< of which all values are multiples (quantised()); 0: not quantised
+};
+
+/// A material as a sparse code over an ensemble: red, green, blue.
+struct SparseCode {
+  HalfDifferenceGrid grid;
+  DataTransform transform = DataTransform::logPlus;
+  bool scaled = true;  ///< whether it represents signals with cell scaling (GridGeometry::cellScaling)
+  std::array<ChannelCode, 3> channels;
+
+  /// The largest number of coefficients of a channel.
+  std::size_t coefficients() const;
+  /// The code with only the largest `coefficients` of each channel.
+  SparseCode truncated(std::size_t coefficients) const;
+};
 
 }  // namespace gonio::dictionary

@@ -2,20 +2,115 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/encode.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "core/coordinates/grid_directions.h"
+#include "core/dictionary/alternatives/basis_pursuit.h"
 #include "core/dictionary/code_packing.h"
-#include "core/dictionary/compact_signal.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/encode_attempt.h"
-#include "core/dictionary/quantised_code.h"
+#include "core/dictionary/invalid_cells.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
 
 namespace {
+
+/// The three signals of one transform of a material while Encoder refines their coefficients.
+template <typename Scalar>
+class EncodeAttempt {
+ public:
+  using Signals = std::array<Eigen::Array<Scalar, Eigen::Dynamic, 1>, 3>;
+  using Dictionaries = std::array<const ModeMatrices<Scalar>*, 3>;  ///< of the channels
+
+  /// Chooses the coefficients by one projection. Table, options and dictionaries must outlive this object.
+  EncodeAttempt(Signals signals, const TabulatedBrdf& table, const EncodeOptions& options,
+                const Dictionaries& dictionaries, const TaskControl& control);
+  EncodeAttempt(const EncodeAttempt&) = delete;
+  EncodeAttempt& operator=(const EncodeAttempt&) = delete;
+
+  /// As many more rounds.
+  void refine(int rounds, const TaskControl& control);
+  /// The coefficients of the channels by decreasing absolute value; only as many as EncodeOptions::relativeError needs.
+  std::array<std::vector<Coefficient<float>>, 3> coefficients() const;
+
+ private:
+  std::vector<Coefficient<float>> coefficients(std::size_t channel) const;
+  void refineChannel(std::size_t channel, int rounds, const TaskControl& control);
+
+  const EncodeOptions& options_;
+  Signals signals_;  ///< with the values that the rounds give to invalid cells
+  std::array<std::optional<InvalidCellRefinement<Scalar>>, 3> cells_;
+  std::array<std::vector<Coefficient<Scalar>>, 3> found_;  ///< in no order
+  int rounds_ = 0;
+};
+
+/// The least count of coefficients (larger in size first) that leaves at most `mostLeft` of the energy.
+template <typename Scalar>
+std::size_t countForError(const std::vector<Coefficient<Scalar>>& coefficients, double energy, double mostLeft) {
+  std::size_t n = 0;
+  for (double left = energy; n < coefficients.size() && left > mostLeft * energy; ++n)
+    left -= double(coefficients[n].value) * double(coefficients[n].value);
+  return n;
+}
+
+template <typename Scalar>
+EncodeAttempt<Scalar>::EncodeAttempt(Signals signals, const TabulatedBrdf& table, const EncodeOptions& options,
+                                     const Dictionaries& dictionaries, const TaskControl& control)
+    : options_(options), signals_(std::move(signals)) {
+  const Sizes sizes = modeSizes(table.grid());
+  parallelForBlocks(3, 1,
+                    [&](std::size_t c, std::size_t) {
+                      cells_[c].emplace(signals_[c], table.valid(), sizes, *dictionaries[c]);
+                      cells_[c]->selectLargest(options_.coefficients, found_[c]);
+                    },
+                    {.stop = control.stop, .progress = {}});
+}
+
+template <typename Scalar>
+void EncodeAttempt<Scalar>::refineChannel(std::size_t channel, int rounds, const TaskControl& control) {
+  InvalidCellRefinement<Scalar>& cells = *cells_[channel];
+  std::vector<Coefficient<Scalar>>& code = found_[channel];
+  if (options_.method == CodingMethod::basisPursuit) {
+    pursueBasis(cells, options_.coefficients, rounds, code, control);
+    refitValues(cells, rounds, code, control);
+    return;
+  }
+  for (int round = rounds_; round < rounds_ + rounds; ++round) {
+    control.throwIfStopped();
+    cells.update(code, Scalar(round) / Scalar(round + 3));
+    cells.selectLargest(options_.coefficients, code);
+  }
+}
+
+template <typename Scalar>
+void EncodeAttempt<Scalar>::refine(int rounds, const TaskControl& control) {
+  if (rounds <= 0) return;
+  const TaskControl silent{.stop = control.stop, .progress = {}};
+  parallelForBlocks(
+      3, 1, [&](std::size_t c, std::size_t) { refineChannel(c, rounds, silent); }, silent);
+  rounds_ += rounds;
+}
+
+template <typename Scalar>
+std::vector<Coefficient<float>> EncodeAttempt<Scalar>::coefficients(std::size_t channel) const {
+  std::vector<Coefficient<Scalar>> sorted = found_[channel];
+  std::sort(sorted.begin(), sorted.end(), isLarger<Scalar>);
+  if (options_.relativeError) {
+    const double energy = signals_[channel].template cast<double>().square().sum();
+    sorted.resize(countForError(sorted, energy, *options_.relativeError));
+  }
+  return coefficientsIn<float>(sorted);
+}
+
+template <typename Scalar>
+std::array<std::vector<Coefficient<float>>, 3> EncodeAttempt<Scalar>::coefficients() const {
+  return {coefficients(0), coefficients(1), coefficients(2)};
+}
 
 /// Fraction of a signal's energy that its block may omit while dictionaries are compared: little beside the error of a
 /// code, which falls about as 1 / coefficients.

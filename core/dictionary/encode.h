@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/dictionary/dictionary.h"
 #include "core/dictionary/signals.h"
-#include "core/dictionary/sparse_code.h"
 #include "core/support/task_control.h"
 
 namespace gonio::dictionary {
@@ -19,7 +19,8 @@ enum class CodingMethod {
   /// Greedily: the largest projections. Over an orthonormal dictionary these are the atoms of orthogonal matching
   /// pursuit, and their values the least-squares fit.
   orthogonalMatchingPursuit,
-  basisPursuit  ///< by the smallest sum of absolute values (core/dictionary/basis_pursuit.h), then least squares
+  basisPursuit  ///< by the smallest sum of absolute values (core/dictionary/alternatives/basis_pursuit.h), then least
+                ///< squares
 };
 
 /// Names in JSON, in Python and on the command line, in the order of CodingMethod.

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/dictionary/largest_coefficients.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
 
 namespace gonio::dictionary {

@@ -8,9 +8,15 @@
 #include <cstddef>
 #include <vector>
 
+namespace gonio::dictionary {
+
+/// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A
+/// generalized solution of the orthogonal Procrustes problem"). Orthonormal up to rounding for any rank of Z, also for
+/// Z = 0.
+Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z);
+
 /// Products of three-mode blocks (third-order tensors) with matrices, in the precision of the block; training and
 /// encoding spend most of their time here. As in Tensor, the first index of a block runs fastest.
-namespace gonio::dictionary {
 
 template <typename Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -68,5 +74,28 @@ const Scalar* transposedModeProducts(const Scalar* block, Sizes sizes, const Mod
   }
   return block;
 }
+
+/// Adds X_(mode) X_(mode)^T of a block to `gram`. Computes the matrix product in the block's precision.
+template <typename Scalar>
+void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd& gram) {
+  using Map = Eigen::Map<const Matrix<Scalar>>;
+  const Eigen::Index n0 = sizes[0], n1 = sizes[1], n2 = sizes[2];
+  if (mode == 0) {
+    const Map fibres(block, n0, n1 * n2);
+    gram += (fibres * fibres.transpose()).template cast<double>();
+  } else if (mode == 2) {
+    const Map fibres(block, n0 * n1, n2);
+    gram += (fibres.transpose() * fibres).template cast<double>();
+  } else {
+    for (Eigen::Index k = 0; k < n2; ++k) {
+      const Map slab(block + n0 * n1 * k, n0, n1);
+      gram += (slab.transpose() * slab).template cast<double>();
+    }
+  }
+}
+
+/// The smallest number of leading eigenvectors, at least 1, that loses at most the fraction `maxLoss` of the energy.
+/// @param eigenvalues of a Gram matrix, descending.
+int rankFor(const Eigen::VectorXd& eigenvalues, double maxLoss);
 
 }  // namespace gonio::dictionary

@@ -2,12 +2,187 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/training.h"
 
+#include <algorithm>
+#include <cassert>
 #include <chrono>
+#include <numeric>
+#include <random>
 
-#include "core/dictionary/ensemble_learner.h"
-#include "core/dictionary/full_sweep.h"
+#include "core/dictionary/alternatives/full_sweep.h"
+#include "core/dictionary/largest_projections.h"
+#include "core/dictionary/mode_products.h"
+#include "core/math/decompositions.h"
+#include "core/math/parallel.h"
 
 namespace gonio::dictionary {
+
+namespace {
+
+/// Signals of one sum that a thread adds up alone; the sums of such parts are added in order.
+constexpr std::size_t partSize = 8;
+
+/// Sum over members of `add(member, sum)`, in parts of fixed size: the same bits for any number of threads.
+template <typename Add>
+Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, const TaskControl& control) {
+  const std::size_t parts = (members.size() + partSize - 1) / partSize;
+  std::vector<Eigen::MatrixXd> sums(parts, Eigen::MatrixXd::Zero(size, size));
+  parallelForBlocks(members.size(), partSize,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t m = begin; m < end; ++m) add(members[m], sums[begin / partSize]);
+                    },
+                    {.stop = control.stop});
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (const Eigen::MatrixXd& part : sums) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+EnsembleLearner::EnsembleLearner(std::span<const CompactSignal<double>> signals, const Sizes& sizes, int dictionaries,
+                                 int sparsity)
+    : signals_(signals),
+      sizes_(sizes),
+      sparsity_(sparsity),
+      dictionaries_(std::size_t(dictionaries)),
+      memberships_(signals.size()),
+      errors_(signals.size()),
+      coefficients_(signals.size()) {
+  assert(dictionaries >= 1 && sparsity >= 0);
+  for (const CompactSignal<double>& signal : signals) totalEnergy_ += signal.energy;
+}
+
+void EnsembleLearner::start(std::vector<ModeMatrices<double>> dictionaries) {
+  assert(dictionaries.size() == dictionaries_.size());
+  dictionaries_ = std::move(dictionaries);
+}
+
+void EnsembleLearner::start(std::uint64_t seed, const TaskControl& control) {
+  std::vector<int> order(signals_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937_64 random(seed);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[std::size_t(random() % i)]);
+  const std::size_t k = dictionaries_.size();
+  for (std::size_t d = 0; d < k; ++d) {
+    const std::size_t begin = d * order.size() / k, end = (d + 1) * order.size() / k;
+    dictionaries_[d] = leadingVectors(std::span(order).subspan(begin, end - begin), control);
+  }
+}
+
+ModeMatrices<double> EnsembleLearner::leadingVectors(std::span<const int> members, const TaskControl& control) const {
+  ModeMatrices<double> result;
+  for (int mode = 0; mode < 3; ++mode) {
+    const Eigen::MatrixXd gram = sumOver(
+        members, sizes_[std::size_t(mode)],
+        [&](int i, Eigen::MatrixXd& sum) {
+          const CompactSignal<double>& signal = signals_[std::size_t(i)];
+          const int rank = signal.ranks[std::size_t(mode)];
+          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, rank);
+          addGram(signal.block.data(), signal.ranks, mode, inner);
+          const Eigen::MatrixXd basis = signal.bases[std::size_t(mode)];
+          sum += basis * inner * basis.transpose();
+        },
+        control);
+    result[std::size_t(mode)] = eigenBasis(gram).vectors;
+  }
+  return result;
+}
+
+double EnsembleLearner::assign(const TaskControl& control) {
+  std::vector<Coefficients> coefficients(signals_.size());
+  std::vector<int> memberships(signals_.size());
+  std::vector<double> errors(signals_.size());
+  parallelForBlocks(
+      signals_.size(), 4,
+      [&](std::size_t begin, std::size_t end) {
+        Workspace<double> workspace;
+        Coefficients kept;
+        for (std::size_t i = begin; i < end; ++i) {
+          double most = -1;
+          for (std::size_t d = 0; d < dictionaries_.size(); ++d) {
+            signals_[i].selectLargest(dictionaries_[d], std::size_t(sparsity_), workspace, kept);
+            const double captured = energy<double>(kept);
+            if (!(captured > most)) continue;
+            most = captured;
+            memberships[i] = int(d);
+            coefficients[i].swap(kept);
+          }
+          errors[i] = std::max(signals_[i].energy - most, 0.0);
+        }
+      },
+      control);
+  coefficients_.swap(coefficients);
+  memberships_.swap(memberships);
+  errors_.swap(errors);
+  return totalEnergy_ > 0 ? std::accumulate(errors_.begin(), errors_.end(), 0.0) / totalEnergy_ : 0;
+}
+
+/// Each signal's largest coefficients over its own dictionary.
+void EnsembleLearner::selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
+                                         const TaskControl& control) {
+  parallelForBlocks(
+      signals_.size(), 4,
+      [&](std::size_t begin, std::size_t end) {
+        Workspace<double> workspace;
+        for (std::size_t i = begin; i < end; ++i)
+          signals_[i].selectLargest(dictionaries[std::size_t(memberships_[i])], std::size_t(sparsity_), workspace,
+                                    coefficients_[i]);
+      },
+      control);
+}
+
+double EnsembleLearner::iterate(const TaskControl& control, int passes) {
+  const double error = assign(control);
+  const TaskControl stop{.stop = control.stop};
+  std::vector<ModeMatrices<double>> renewed = dictionaries_;
+  const std::vector<std::vector<int>> groups = members();
+  for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0) selectCoefficients(renewed, stop);
+    for (int mode = 0; mode < 3; ++mode) renew(mode, groups, renewed, stop);
+  }
+  reseedEmpty(groups, renewed, stop);
+  dictionaries_.swap(renewed);
+  return error;
+}
+
+std::vector<std::vector<int>> EnsembleLearner::members() const {
+  std::vector<std::vector<int>> groups(dictionaries_.size());
+  for (std::size_t i = 0; i < memberships_.size(); ++i) groups[std::size_t(memberships_[i])].push_back(int(i));
+  return groups;
+}
+
+void EnsembleLearner::renew(int mode, const std::vector<std::vector<int>>& members,
+                            std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
+  std::vector<Eigen::MatrixXd> correlations(dictionaries.size());
+  for (std::size_t d = 0; d < dictionaries.size(); ++d) {
+    correlations[d] = sumOver(
+        members[d], sizes_[std::size_t(mode)],
+        [&](int i, Eigen::MatrixXd& sum) {
+          thread_local Workspace<double> workspace;
+          const CompactSignal<double>& signal = signals_[std::size_t(i)];
+          const int rank = signal.ranks[std::size_t(mode)];
+          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, sizes_[std::size_t(mode)]);
+          addCorrelation(signal.block.data(), signal.ranks, signal.inBases(dictionaries[d]), mode,
+                         coefficients_[std::size_t(i)], workspace, inner);
+          sum.noalias() += signal.bases[std::size_t(mode)] * inner;
+        },
+        control);
+  }
+  parallelForBlocks(dictionaries.size(), 1, [&](std::size_t begin, std::size_t) {
+    if (!members[begin].empty()) dictionaries[begin][std::size_t(mode)] = orthogonalProcrustes(correlations[begin]);
+  });
+}
+
+/// A dictionary without a member starts again from the signal that the others serve worst.
+void EnsembleLearner::reseedEmpty(const std::vector<std::vector<int>>& members,
+                                  std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
+  std::vector<int> order(errors_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return errors_[std::size_t(a)] > errors_[std::size_t(b)]; });
+  std::size_t next = 0;
+  for (std::size_t d = 0; d < dictionaries.size() && next < order.size(); ++d)
+    if (members[d].empty()) dictionaries[d] = leadingVectors(std::span(order).subspan(next++, 1), control);
+}
 
 namespace {
 

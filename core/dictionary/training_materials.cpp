@@ -2,9 +2,92 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/training_materials.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "core/dictionary/dictionary.h"
+#include "core/dictionary/mode_products.h"
+#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
+
+namespace {
+
+/// The bases' leading columns.
+ModeMatrices<double> leadingColumns(const SharedSubspace& subspace) {
+  ModeMatrices<double> leading;
+  for (std::size_t mode = 0; mode < 3; ++mode) leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]);
+  return leading;
+}
+
+}  // namespace
+
+ModeMatrices<double> SharedSubspace::lifted(const ModeMatrices<double>& inner) const {
+  ModeMatrices<double> full = bases;
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    full[mode].leftCols(ranks[mode]) = bases[mode].leftCols(ranks[mode]) * inner[mode];
+  return full;
+}
+
+SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
+                                  const TaskControl& control) {
+  const Sizes sizes = modeSizes(materials.grid);
+  const auto zeros = [&] {
+    ModeMatrices<double> z;
+    for (std::size_t mode = 0; mode < 3; ++mode) z[mode] = Eigen::MatrixXd::Zero(sizes[mode], sizes[mode]);
+    return z;
+  };
+  ModeMatrices<double> total = zeros();
+  std::vector<ModeMatrices<double>> grams(materials.names.size());
+  forEachSignal(
+      materials, options,
+      [&](std::size_t material, std::size_t, const Eigen::ArrayXd& values) {
+        if (grams[material][0].size() == 0) grams[material] = zeros();
+        for (int mode = 0; mode < 3; ++mode) addGram(values.data(), sizes, mode, grams[material][std::size_t(mode)]);
+      },
+      [&](std::size_t material) {
+        for (std::size_t mode = 0; mode < 3; ++mode) total[mode] += grams[material][mode];
+        grams[material] = {};
+      },
+      control);
+  SharedSubspace subspace;
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const EigenBasis basis = eigenBasis(total[mode]);
+    subspace.bases[mode] = basis.vectors;
+    subspace.ranks[mode] = rankFor(basis.values, maxLoss / 3);
+  }
+  return subspace;
+}
+
+void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
+                       const std::function<void(std::size_t signal, std::span<const double> block)>& work,
+                       const TaskControl& control) {
+  const Sizes sizes = modeSizes(materials.grid);
+  const ModeMatrices<double> bases = leadingColumns(subspace);
+  // The mode that shrinks most goes first.
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return double(subspace.ranks[std::size_t(a)]) / sizes[std::size_t(a)] <
+           double(subspace.ranks[std::size_t(b)]) / sizes[std::size_t(b)];
+  });
+  const std::size_t signals = materials.names.size() * options.signalsPerMaterial();
+  std::vector<double> energies(signals), projected(signals);
+  forEachSignal(
+      materials, options,
+      [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
+        thread_local Workspace<double> workspace;
+        energies[signal] = values.square().sum();
+        const double* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
+        const auto size = Eigen::Index(count(subspace.ranks));
+        projected[signal] = Eigen::Map<const Eigen::VectorXd>(block, size).squaredNorm();
+        work(signal, {block, std::size_t(size)});
+      },
+      [](std::size_t) {}, control);
+  const double total = std::accumulate(energies.begin(), energies.end(), 0.0);
+  const double kept = std::accumulate(projected.begin(), projected.end(), 0.0);
+  subspace.loss = total > 0 ? std::max(0.0, 1 - kept / total) : 0;
+}
 
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,

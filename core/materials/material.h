@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
-#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/dictionary.h"
 #include "core/io/byte_source.h"
 
 namespace gonio::materials {

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/brdf/weighted_sum.h"
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/formats/code.h"

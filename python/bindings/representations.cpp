@@ -10,7 +10,6 @@
 
 #include "core/baselines/baselines.h"
 #include "core/brdf/weighted_sum.h"
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"

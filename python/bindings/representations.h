@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/dictionary/patch_dictionary.h"
-#include "core/dictionary/separated_components.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
+#include "core/dictionary/alternatives/separated_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/dictionary_file.h"
 #include "python/bindings/materials.h"

@@ -5,7 +5,7 @@
 
 #include "core/baselines/neural_fit.h"
 #include "core/dictionary/code_packing.h"
-#include "core/dictionary/patch_dictionary.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
 #include "core/dictionary/training.h"
 #include "core/formats/neural.h"
 #include "core/materials/dictionary_file.h"

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <benchmark/benchmark.h>
 
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "core/materials/dictionary_file.h"

@@ -9,7 +9,7 @@
 
 #include "core/baselines/baselines.h"
 #include "core/dictionary/encode.h"
-#include "core/dictionary/patch_dictionary.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
 #include "core/dictionary/principal_components.h"
 
 /// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches

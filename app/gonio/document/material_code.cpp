@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/basis_pursuit.h"
+#include "core/dictionary/alternatives/basis_pursuit.h"
 
 #include <Eigen/QR>
 #include <QTest>

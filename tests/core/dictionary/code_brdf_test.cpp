@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/decode.h"
 
 #include <QTest>
 #include <cmath>
 
-#include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/random_directions.h"

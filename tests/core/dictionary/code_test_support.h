@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/dictionary.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 
 namespace gonio::dictionary::test_support {

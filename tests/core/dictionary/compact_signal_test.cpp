@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/compact_signal.h"
+#include "core/dictionary/largest_projections.h"
 
 #include <QTest>
 #include <algorithm>
 
-#include "core/dictionary/correlation.h"
-#include "core/dictionary/largest_projections.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 

@@ -4,11 +4,10 @@
 
 #include <QTest>
 
-#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/decode.h"
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/code_packing.h"
-#include "core/dictionary/decode.h"
-#include "core/dictionary/gram.h"
+#include "core/dictionary/mode_products.h"
 #include "core/math/decompositions.h"
 #include "tests/core/dictionary/code_test_support.h"
 #include "tests/support/test_program.h"

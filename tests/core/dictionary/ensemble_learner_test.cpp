@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/ensemble_learner.h"
+#include "core/dictionary/training.h"
 
 #include <QTest>
 #include <algorithm>

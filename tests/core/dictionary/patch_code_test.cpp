@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/patch_code.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
 
 #include <QTest>
 #include <cmath>

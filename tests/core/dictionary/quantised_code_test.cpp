@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/quantised_code.h"
+#include "core/dictionary/code_packing.h"
 
 #include <QTest>
 #include <cmath>
@@ -8,7 +8,6 @@
 #include <random>
 #include <set>
 
-#include "core/dictionary/code_packing.h"
 #include "core/dictionary/mode_products.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/separated_components.h"
+#include "core/dictionary/alternatives/separated_components.h"
 
 #include <QTest>
 #include <cmath>

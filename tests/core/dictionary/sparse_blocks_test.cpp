@@ -6,7 +6,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/invalid_cells.h"
 #include "core/dictionary/largest_projections.h"
-#include "core/dictionary/procrustes.h"
+#include "core/dictionary/mode_products.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 

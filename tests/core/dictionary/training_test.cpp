@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "core/dictionary/full_sweep.h"
+#include "core/dictionary/alternatives/full_sweep.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 

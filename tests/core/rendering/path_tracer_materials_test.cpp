@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/brdf/tabulated_brdf.h"
-#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"

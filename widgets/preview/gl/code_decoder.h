@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/dictionary/sparse_code.h"
+#include "core/dictionary/dictionary.h"
 
 namespace gonio::widgets {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/k_svd.h"
+#include "core/dictionary/alternatives/k_svd.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/full_sweep.h"
+#include "core/dictionary/alternatives/full_sweep.h"
 
-#include "core/dictionary/correlation.h"
-#include "core/dictionary/dictionary.h"
 #include "core/dictionary/largest_projections.h"
-#include "core/dictionary/procrustes.h"
+#include "core/dictionary/dictionary.h"
+#include "core/dictionary/mode_products.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
