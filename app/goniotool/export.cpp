@@ -90,7 +90,7 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   if (scene) exports::checkSceneName(*target.scene, name.filename().string());
   exports::ExportResult made = exports::makeExport(target, source, options, tool.control("exporting"));
   if (scene) exports::addScene(made, target, *scene, name);
-  const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
+  const std::vector<exports::ExportFile> files = exports::exportedFiles(made, name);
   exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   Json json{{"target", arguments.target},

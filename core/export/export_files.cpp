@@ -16,15 +16,15 @@ ExportPart textPart(std::string_view suffix, std::string_view text) {
   return {std::string(suffix), {bytes, bytes + text.size()}};
 }
 
-std::string decimalText(double number) {
+std::string sixDigitText(double number) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.6g", number + 0.0);  // no "-0"
   return digits;
 }
 
 std::string colourText(const Rgb& colour, std::string_view separator) {
-  return decimalText(colour.x) + std::string(separator) + decimalText(colour.y) + std::string(separator) +
-         decimalText(colour.z);
+  return sixDigitText(colour.x) + std::string(separator) + sixDigitText(colour.y) + std::string(separator) +
+         sixDigitText(colour.z);
 }
 
 void checkTargets(std::span<const fs::path> paths, std::span<const fs::path> sources, bool overwrite) {

@@ -24,7 +24,7 @@ struct ExportPart {
 ExportPart textPart(std::string_view suffix, std::string_view text);
 
 /// A number with up to six significant digits: "0.25", "1e-05".
-std::string decimalText(double number);
+std::string sixDigitText(double number);
 /// The channels with a separator, e.g. "0.8, 0.4, 0.1".
 std::string colourText(const Rgb& colour, std::string_view separator = ", ");
 

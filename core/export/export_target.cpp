@@ -90,7 +90,7 @@ void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene
     made.parts.push_back(std::move(part));
 }
 
-std::vector<ExportFile> filesOf(const ExportResult& made, const fs::path& name) {
+std::vector<ExportFile> exportedFiles(const ExportResult& made, const fs::path& name) {
   std::vector<ExportFile> files;
   for (const ExportPart& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
   return files;

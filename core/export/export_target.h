@@ -71,7 +71,7 @@ ExportResult makeExport(const ExportTarget& target, const materials::EditedMater
 /// Adds the files of a scene. Precondition: target.scene is not null. @throws Error as checkSceneName().
 void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The files of an export for writeExport().
-std::vector<ExportFile> filesOf(const ExportResult& made, const std::filesystem::path& name);
+std::vector<ExportFile> exportedFiles(const ExportResult& made, const std::filesystem::path& name);
 
 /// The default name of an export: editing::editedName() as plainText(), without commas and with '_' for spaces, since
 /// other programs treat both as separators. Examples: "chrome", "chrome_rougher".

@@ -8,7 +8,7 @@
 #include "core/formats/rgl.h"
 #include "core/io/csv_table.h"
 #include "core/io/exr_codec.h"
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 
 namespace gonio::exports {
 
@@ -76,7 +76,7 @@ ExportResult makeCsv(const materials::EditedMaterial& source, const ExportOption
           const Rgb value = source.shown.brdf->evaluate(fromSpherical(radians(thetaI), radians(phiI)),
                                                         fromSpherical(radians(thetaO), radians(phiO)));
           for (const int angle : {thetaI, phiI, thetaO, phiO}) csv.integer(angle);
-          for (int c = 0; c < 3; ++c) csv.literal(decimalText(value[c]));
+          for (int c = 0; c < 3; ++c) csv.literal(sixDigitText(value[c]));
           csv.endLine();
           ++count;
         }

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/figures/figure_drawing.h"
 #include "core/figures/figure_layout.h"
 #include "core/figures/figure_measurement.h"
 

@@ -4,11 +4,28 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "core/figures/figure_layout.h"
 #include "core/figures/figure_measurement.h"
 
 namespace gonio::figures {
+
+/// Measures text widths in a system font, as figurePdf() and figurePng() draw them. @param font family.
+TextWidth cairoTextWidth(const std::string& font);
+
+/// A drawing as PDF, with embedded fonts and pictures at full resolution. Equal drawings and fonts give equal bytes.
+/// @throws Error that states cairo's reason.
+std::vector<std::byte> figurePdf(const FigureDrawing& drawing);
+
+/// A drawing as PNG, or its pixels. @param dotsPerInch resolution. @throws as figurePdf().
+std::vector<std::byte> figurePng(const FigureDrawing& drawing, double dotsPerInch);
+Raster figureRaster(const FigureDrawing& drawing, double dotsPerInch);
+
+/// A drawing as SVG, in mm, with pictures embedded as PNG and texts as text elements, so that they can be edited (cairo
+/// writes outlines).
+std::string figureSvg(const FigureDrawing& drawing);
 
 /// File formats of figures.
 enum class FigureFormat { pdf, svg, png };

@@ -2,11 +2,111 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/fitting/fit_data.h"
 
-#include "core/fitting/fit_warnings.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/fitting/fit_cells.h"
+#include "core/math/parallel.h"
 
 namespace gonio::fitting {
 
 namespace {
+
+constexpr std::array<const char*, 3> channelNames{"red", "green", "blue"};
+
+constexpr double noticeableFraction = 0.01;
+
+/// One channel over the cells that count.
+struct ChannelCensus {
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+  double total = 0, heaviest = 0;  ///< of value times measure of the cell
+
+  void add(double value, double measure) {
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+    total += value * measure;
+    heaviest = std::max(heaviest, value * measure);
+  }
+  void add(const ChannelCensus& other) {
+    smallest = std::min(smallest, other.smallest);
+    largest = std::max(largest, other.largest);
+    total += other.total;
+    heaviest = std::max(heaviest, other.heaviest);
+  }
+};
+
+using Channels = std::array<ChannelCensus, 3>;
+
+Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& selection) {
+  const HalfDifferenceGrid& grid = table.grid();
+  const auto rowLength = std::size_t(grid.phiDCount);  // of cells with one measure
+  std::vector<Channels> slabs(std::size_t(grid.thetaHCount));
+  const std::size_t slabLength = selection.isUsed.size() / slabs.size();
+  parallelForBlocks(slabs.size(), 1, [&](std::size_t slab, std::size_t) {
+    double measure = 0;
+    for (std::size_t cell = slab * slabLength; cell < (slab + 1) * slabLength; ++cell) {
+      if (cell % rowLength == 0) measure = grid.cellMeasure(cell);
+      if (!selection.isUsed[cell]) continue;
+      for (int c = 0; c < 3; ++c) slabs[slab][std::size_t(c)].add(table.values()[cell][c], measure);
+    }
+  });
+  Channels channels;
+  for (const Channels& slab : slabs)
+    for (std::size_t c = 0; c < channels.size(); ++c) channels[c].add(slab[c]);
+  return channels;
+}
+
+template <typename Predicate>
+std::string namesOf(const Channels& channels, Predicate matches) {
+  std::string names;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (matches(channels[c])) names += (names.empty() ? "" : ", ") + std::string(channelNames[c]);
+  return names;
+}
+
+/// @param used cells; @param negative channels below 0, of `valid` cells.
+std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, std::size_t negative,
+                                    std::size_t valid) {
+  if (used == 0) return {"The measurement has no valid cell within the maximum polar angle: nothing was fitted."};
+  std::vector<std::string> warnings;
+  const auto isBlack = [](const ChannelCensus& c) { return !(c.largest > 0); };
+  if (const std::string names = namesOf(channels, isBlack); !names.empty())
+    warnings.push_back("No BRDF value above 0 in " + names + ": fitted as black.");
+  // Noise leaves a few; more of them mean that something was subtracted wrongly.
+  if (double(negative) > noticeableFraction * 3 * double(valid))
+    warnings.push_back(std::to_string(std::lround(100 * double(negative) / double(3 * valid))) +
+                       " % of the measured values are below 0; the fit treats them as 0.");
+  const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
+  if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
+    warnings.push_back("All cells have the same value in " + names +
+                       ": explained by a diffuse term alone; the highlight parameters remain at their defaults.");
+  // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
+  const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
+  if (const std::string names = namesOf(channels, isSpike); !names.empty())
+    warnings.push_back("One cell contains more than half of the reflected light in " + names +
+                       ": the fit may follow an outlier.");
+  return warnings;
+}
+
+/// Messages for the user about problems that make a fit to these cells doubtful: no cells, black channels, many
+/// negative values, the same value everywhere, one cell that outweighs all others. Usually empty. One pass over the
+/// used cells.
+std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& selection) {
+  return warningsOf(takeChannelCensus(table, selection), selection.used, table.clampedCount(), table.validCount());
+}
+
+/// The same for cells without a table. @param negative number of channel values that were below 0.
+std::vector<std::string> measurementWarnings(const FitCells& cells, std::size_t negative) {
+  Channels channels;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      channels[c].add(cells.values[c][i], cells.rootWeight[i] * cells.rootWeight[i]);
+  return warningsOf(channels, cells.size(), negative, cells.size());
+}
 
 /// Patches of a theta_h row.
 struct Strata {

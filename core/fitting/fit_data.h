@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "core/fitting/azimuth_cells.h"
 #include "core/fitting/fit.h"
+#include "core/fitting/fit_cells.h"
 #include "core/fitting/projected_problem.h"
 #include "core/metrics/brdf_metrics.h"
 

@@ -21,9 +21,9 @@ Cells cellsOf(std::span<const double> values, std::size_t begin, std::size_t cou
 }
 
 /// Gauss-Newton's bounded linear problem: the basis columns times some slopes against a target, block by block.
-class NormalEquations {
+class GaussNewtonProblem {
  public:
-  explicit NormalEquations(const ChannelProblem& problem)
+  explicit GaussNewtonProblem(const ChannelProblem& problem)
       : problem_(problem),
         columns_(Eigen::Index(blockSize), Eigen::Index(problem.bases.size())),
         normal_(LinearMatrix::Zero(columns_.cols(), columns_.cols())),
@@ -83,7 +83,7 @@ void evaluate(const ChannelProblem& problem, ChannelSolution& solution) {
 
 /// The linear problem with the transform replaced by its tangent at the measurement.
 LinearVector startParameters(const ChannelProblem& problem) {
-  NormalEquations equations(problem);
+  GaussNewtonProblem equations(problem);
   Eigen::ArrayXd target(static_cast<Eigen::Index>(blockSize));
   forBlocks(problem.size(), [&](std::size_t begin, std::size_t count) {
     const Cells weights = cellsOf(problem.startWeight, begin, count);
@@ -95,7 +95,7 @@ LinearVector startParameters(const ChannelProblem& problem) {
 
 /// Where one Gauss-Newton step (reweighted for the means of |d|^p) would go.
 LinearVector gaussNewtonTarget(const ChannelProblem& problem, const ChannelSolution& at) {
-  NormalEquations equations(problem);
+  GaussNewtonProblem equations(problem);
   double slopes[blockSize], target[blockSize];
   const auto addBlock = [&](std::size_t begin, std::size_t count, const auto& slope, const auto& reweight) {
     const double *factor = problem.factor.data() + begin, *rootWeight = problem.rootWeight.data() + begin,

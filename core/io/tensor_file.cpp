@@ -44,7 +44,7 @@ class TensorCursor {
 };
 
 /// Bytes of a tensor, or more than `limit` where they would not fit.
-std::uint64_t boundedBytes(const Tensor& tensor, std::uint64_t limit) {
+std::uint64_t boundedBytes(const TensorView& tensor, std::uint64_t limit) {
   if (std::ranges::count(tensor.shape, 0u) > 0) return 0;
   std::uint64_t bytes = typeBytes[std::size_t(tensor.type)];
   for (const std::uint64_t size : tensor.shape) {
@@ -61,8 +61,8 @@ std::vector<std::byte> readTensorFile(const ByteSource& source) {
   return source.readAll();
 }
 
-Tensor readField(TensorCursor& cursor, std::span<const std::byte> file, const std::string& name) {
-  Tensor tensor;
+TensorView readField(TensorCursor& cursor, std::span<const std::byte> file, const std::string& name) {
+  TensorView tensor;
   const auto dimensions = cursor.number<std::uint16_t>("a number of dimensions");
   const auto type = cursor.number<std::uint8_t>("a type");
   if (type == 0 || type >= std::size(typeBytes))
@@ -97,9 +97,9 @@ void expectTensorFile(const ByteSource& source) {
                          "version 1.0");
 }
 
-std::uint64_t Tensor::count() const { return bytes.size() / typeBytes[std::size_t(type)]; }
+std::uint64_t TensorView::count() const { return bytes.size() / typeBytes[std::size_t(type)]; }
 
-std::vector<float> Tensor::floats() const {
+std::vector<float> TensorView::floats() const {
   std::vector<float> values(count());
   if (type == TensorType::float32 && !values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   if (type == TensorType::float16)
@@ -111,7 +111,7 @@ std::vector<float> Tensor::floats() const {
   return values;
 }
 
-std::string Tensor::describe() const {
+std::string TensorView::describe() const {
   std::string text = typeNames[std::size_t(type)];
   for (std::size_t i = 0; i < shape.size(); ++i) text += (i == 0 ? " " : " x ") + std::to_string(shape[i]);
   return text;
@@ -129,7 +129,7 @@ TensorFile::TensorFile(const ByteSource& source) : bytes_(readTensorFile(source)
   }
 }
 
-const Tensor& TensorFile::field(std::string_view name, TensorType type, std::size_t dimensions) const {
+const TensorView& TensorFile::field(std::string_view name, TensorType type, std::size_t dimensions) const {
   const std::string expected = "a field '" + std::string(name) + "' of type " + typeNames[std::size_t(type)] +
                                " with " + std::to_string(dimensions) + " dimensions";
   const auto found = fields_.find(name);
@@ -144,7 +144,7 @@ const Tensor& TensorFile::field(std::string_view name, TensorType type, std::siz
 }
 
 std::vector<float> TensorFile::floats(std::string_view name, std::size_t dimensions) const {
-  const Tensor& tensor = floatField(name, dimensions);
+  const TensorView& tensor = floatField(name, dimensions);
   const std::vector<float> values = tensor.floats();
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
@@ -153,14 +153,14 @@ std::vector<float> TensorFile::floats(std::string_view name, std::size_t dimensi
   return values;
 }
 
-const Tensor& TensorFile::floatField(std::string_view name, std::size_t dimensions) const {
+const TensorView& TensorFile::floatField(std::string_view name, std::size_t dimensions) const {
   const auto found = fields_.find(name);
   const bool isHalf = found != fields_.end() && found->second.type == TensorType::float16;
   return field(name, isHalf ? TensorType::float16 : TensorType::float32, dimensions);
 }
 
 std::string TensorFile::text(std::string_view name) const {
-  const Tensor& tensor = field(name, TensorType::uint8, 1);
+  const TensorView& tensor = field(name, TensorType::uint8, 1);
   return {reinterpret_cast<const char*>(tensor.bytes.data()), tensor.bytes.size()};
 }
 

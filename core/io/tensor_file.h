@@ -34,7 +34,7 @@ enum class TensorType : std::uint8_t {
 };
 
 /// One named array of a tensor file: row-major, the last dimension fastest.
-struct Tensor {
+struct TensorView {
   TensorType type{};
   std::vector<std::uint64_t> shape;
   std::span<const std::byte> bytes;  ///< inside the TensorFile, which must outlive this object
@@ -58,13 +58,13 @@ class TensorFile {
   explicit TensorFile(const ByteSource& source);
 
   /// All fields by name.
-  const std::map<std::string, Tensor, std::less<>>& fields() const { return fields_; }
+  const std::map<std::string, TensorView, std::less<>>& fields() const { return fields_; }
   bool contains(std::string_view name) const { return fields_.find(name) != fields_.end(); }
   /// The field of this name, type and number of dimensions. @throws FormatMismatch that states what the file has
   /// instead.
-  const Tensor& field(std::string_view name, TensorType type, std::size_t dimensions) const;
+  const TensorView& field(std::string_view name, TensorType type, std::size_t dimensions) const;
   /// A field of type float32 or float16. @throws FormatMismatch as field().
-  const Tensor& floatField(std::string_view name, std::size_t dimensions) const;
+  const TensorView& floatField(std::string_view name, std::size_t dimensions) const;
   /// The values of floatField(). @throws Error that names the first one that is not finite.
   std::vector<float> floats(std::string_view name, std::size_t dimensions) const;
   /// A uint8 field as text.
@@ -72,7 +72,7 @@ class TensorFile {
 
  private:
   std::vector<std::byte> bytes_;
-  std::map<std::string, Tensor, std::less<>> fields_;
+  std::map<std::string, TensorView, std::less<>> fields_;
 };
 
 /// One field of a tensor file to write.

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/support/task_control.h"
+
+namespace gonio::plots {
 
 /// Data of plots of a BRDF, without drawing. Angles are in rad; values are linear RGB, 1/sr (conventions of
 /// core/math/types.h), times the chosen CosineFactor.
-namespace gonio::plots {
 
 /// The factor of plotted values, which plots state in the title of the axis.
 enum class CosineFactor {
@@ -47,5 +49,95 @@ PlottedValues evaluatePlotted(const Brdf& brdf, std::span<const DirectionPair> p
 /// Distance from the horizon at which plots over angles end, rad (0.05 degrees): models are 0 on the horizon, and lines
 /// would drop to 0 there.
 inline constexpr double horizonMargin = radians(0.05);
+
+/// `count` >= 2 ascending values from exactly `first` to exactly `last`, dense about `centre` (clamped to the range),
+/// for curves with a narrow highlight: the spacing grows with the distance from the centre as a hyperbolic sine, by a
+/// factor of about `density` at the far end.
+std::vector<double> nodesAbout(double centre, double first, double last, int count, double density = 30);
+
+/// Values of a BRDF over one angle.
+struct Curve {
+  std::vector<double> angles;  ///< rad, ascending
+  PlottedValues points;        ///< one per angle
+};
+
+enum class SectionAxis { thetaH, thetaD, thetaO };
+
+/// The definition of a section: the varying angle, and the fixed ones.
+struct Section {
+  SectionAxis axis = SectionAxis::thetaO;
+  /// For SectionAxis::thetaO: the light has this polar angle and azimuth pi; the viewer has the signed polar angle
+  /// theta_o in the plane of azimuth `planeAzimuth` (0: plane of incidence). There theta_o = theta_i is the mirror
+  /// direction and theta_o = -theta_i is retro-reflection. Rad.
+  double thetaI = radians(45), planeAzimuth = 0;
+  /// Fixed angles, rad. For SectionAxis::thetaH: thetaD and phiD; for SectionAxis::thetaD: thetaH and phiD. With thetaH
+  /// = 0, theta_d is the angle of incidence of mirror reflection.
+  double thetaH = 0, thetaD = radians(45), phiD = halfPi;
+  CosineFactor cosine = CosineFactor::none;
+  int count = 721;
+};
+
+/// The curve of a section: theta_h and theta_d over [0, pi/2 - horizonMargin], theta_o over
+/// [-pi/2 + horizonMargin, pi/2 - horizonMargin]; nodes are dense where a highlight is expected. Under 1 ms for models.
+/// @param coverage as in evaluatePlotted().
+Curve sectionCurve(const Brdf& brdf, const Section& section, const TabulatedBrdf* coverage = nullptr);
+
+/// The value of a channel, linear between the nodes of a curve; NaN outside them and next to a point that is not known.
+double valueAt(const Curve& curve, double angle, Channel channel);
+
+/// The lobe in the plane of incidence: the section over theta_o at planeAzimuth = 0.
+Curve polarLobe(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr);
+
+/// Spacing of theta_h in a slice.
+enum class ThetaHSpacing {
+  linear,     ///< uniform
+  squareRoot  ///< theta_h = u^2 pi/2 for u in [0, 1]: as in MERL tables, which magnifies the highlight
+};
+
+/// The plane (theta_h, theta_d) of half-difference space for one phi_d, as an image.
+struct Slice {
+  int width = 0;   ///< along theta_h
+  int height = 0;  ///< along theta_d
+  ThetaHSpacing spacing = ThetaHSpacing::squareRoot;
+  double phiD = halfPi;  ///< rad
+  PlottedValues cells;   ///< theta_h runs fastest
+
+  /// Angles at the centre of a column or row, rad.
+  double thetaH(int column) const;
+  double thetaD(int row) const;
+  std::size_t index(int column, int row) const { return std::size_t(row) * std::size_t(width) + std::size_t(column); }
+};
+
+/// Conversion of theta_h (rad) to a fraction of the axis, [0, 1], and back.
+double thetaHFraction(ThetaHSpacing spacing, double thetaH);
+double thetaHAt(ThetaHSpacing spacing, double fraction);
+
+/// A slice of `size` x `size` cells (90 in MERL tables). Takes a few ms. @param coverage as in evaluatePlotted().
+Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,
+                          const TabulatedBrdf* coverage = nullptr, int size = 90);
+
+/// Directional albedo (the integral of f cos theta_i over the light's hemisphere, without unit) for viewers at azimuth
+/// 0 and polar angles from 0 to 89 degrees, denser toward grazing. Directions without data count as 0. Parallel,
+/// deterministic; about 20 ms per angle on one core with the default number of samples. @param count number of angles.
+/// @param samples per integral. @throws Cancelled.
+Curve albedoCurve(const Brdf& brdf, int count = 31, int samples = 1 << 14, const TaskControl& control = {});
+
+/// The lobe for one direction of the light: values over the hemisphere of the viewer, at the nodes of a mesh of rings
+/// about the normal, dense near the mirror direction.
+struct LobeSurface {
+  int rings = 0;                      ///< number of polar angles, from the normal to the horizon
+  int sectors = 0;                    ///< number of azimuths; the last is adjacent to the first
+  std::vector<Direction> directions;  ///< wo per node; sectors run fastest
+  PlottedValues points;
+
+  std::size_t index(int ring, int sector) const {
+    return std::size_t(ring) * std::size_t(sectors) + std::size_t(sector % sectors);
+  }
+};
+
+/// @param thetaI polar angle of the light, rad; its azimuth is pi, as in Section. @param coverage as in
+/// evaluatePlotted(). Takes a few ms.
+LobeSurface lobeSurface(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr,
+                        int rings = 64, int sectors = 96);
 
 }  // namespace gonio::plots

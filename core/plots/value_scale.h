@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
@@ -28,5 +29,11 @@ ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDec
 /// About `count` ascending tick values inside the scale, in steps of 1, 2 or 5 times a power of ten; on a logarithmic
 /// scale powers of ten. 0 is omitted (the origin of a radial axis).
 std::vector<double> scaleTicks(const ValueScale& scale, int count = 4);
+
+/// Clips a polyline to the rectangle [min, max], for formats without clipping such as SVG 1.2 Tiny; the parts end
+/// exactly at the edges. A point that is not finite ends a part. Liang and Barsky 1984, "A New Concept and Method for
+/// Line Clipping".
+std::vector<std::vector<glm::dvec2>> clipPolyline(std::span<const glm::dvec2> points, const glm::dvec2& min,
+                                                  const glm::dvec2& max);
 
 }  // namespace gonio::plots

@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 
-#include "core/fitting/bounded_quadratic.h"
+#include "core/fitting/bounded_least_squares.h"
 #include "core/math/colour.h"
 
 namespace gonio::rgl {

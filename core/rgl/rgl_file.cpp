@@ -18,16 +18,16 @@ namespace {
 using Shape = std::vector<std::uint64_t>;
 
 void requireShape(const io::TensorFile& file, std::string_view name, const Shape& expected) {
-  const io::Tensor& tensor = file.floatField(name, expected.size());
+  const io::TensorView& tensor = file.floatField(name, expected.size());
   if (tensor.shape == expected) return;
-  io::Tensor wanted = tensor;
+  io::TensorView wanted = tensor;
   wanted.shape = expected;
   throw io::FormatMismatch("'" + std::string(name) + "' " + tensor.describe(), wanted.describe());
 }
 
 /// The sizes of a field's last two dimensions, each at least 2.
 glm::u64vec2 gridSize(const io::TensorFile& file, std::string_view name, std::size_t dimensions) {
-  const io::Tensor& tensor = file.floatField(name, dimensions);
+  const io::TensorView& tensor = file.floatField(name, dimensions);
   const std::uint64_t height = tensor.shape[dimensions - 2], width = tensor.shape[dimensions - 1];
   if (height < 2 || width < 2)
     throw io::FormatMismatch("'" + std::string(name) + "' " + tensor.describe(),
@@ -129,7 +129,7 @@ RglFile readRgl(const io::ByteSource& source) {
   const std::uint64_t phiCount = phis.size(), thetaCount = data.incident.slices() / phis.size();
   const glm::u64vec2 colourSize = gridSize(file, colourField, 5);
   requireShape(file, colourField, {phiCount, thetaCount, weights.size(), colourSize.y, colourSize.x});
-  const io::Tensor& jacobian = file.field("jacobian", io::TensorType::uint8, 1);
+  const io::TensorView& jacobian = file.field("jacobian", io::TensorType::uint8, 1);
   if (jacobian.bytes.size() != 1) throw io::FormatMismatch("'jacobian' " + jacobian.describe(), "one value");
 
   data.jacobian = jacobian.bytes[0] != std::byte{0};
@@ -193,7 +193,7 @@ std::vector<TensorField> colourFields(const SliceStack<glm::vec3>& rgb, const Pa
 
 constexpr std::array<std::string_view, 5> colourNames{"description", "rgb", "spectra", "wavelengths", "visible_ndf"};
 
-TensorField ownField(const std::string& name, const io::Tensor& tensor) {
+TensorField ownField(const std::string& name, const io::TensorView& tensor) {
   if (tensor.type == io::TensorType::float16) return TensorField::floats(name, tensor.shape, tensor.floats());
   return {name, tensor.type, tensor.shape, {tensor.bytes.begin(), tensor.bytes.end()}};
 }

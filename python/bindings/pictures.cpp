@@ -191,7 +191,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
     if (scene) exports::checkSceneName(*target.scene, name.filename().string());
     exports::ExportResult result = exports::makeExport(target, material.edited(), options, control);
     if (scene) exports::addScene(result, target, *scene, name);
-    files = exports::filesOf(result, name);
+    files = exports::exportedFiles(result, name);
     exports::writeExport(files);
     return result;
   });

@@ -261,7 +261,7 @@ void crossValidate(const std::vector<fs::path>& files, const Options& options, A
 }
 
 void testMeasured(const std::vector<fs::path>& files, const Options& options, AcquisitionRecords& records) {
-  const std::vector<fs::path> tested = filesOf({options.measured}, extensions);
+  const std::vector<fs::path> tested = filesIn({options.measured}, extensions);
   std::set<std::string> names;
   for (const fs::path& file : tested) names.insert(materialName(file));
   std::vector<fs::path> training;
@@ -279,7 +279,7 @@ int run(const Options& options) {
                  "FOLDER...\n");
     return 2;
   }
-  const std::vector<fs::path> files = filesOf(options.folders, extensions);
+  const std::vector<fs::path> files = filesIn(options.folders, extensions);
   AcquisitionRecords records(options.csv);
   options.measured.empty() ? crossValidate(files, options, records) : testMeasured(files, options, records);
   std::printf("\nRendered SNR, dB:\n\n%s\nInverse MSE, linear, sr^2:\n\n%s\nInverse MSE, log-relative:\n\n%s",

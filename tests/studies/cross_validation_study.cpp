@@ -235,7 +235,7 @@ int run(const Options& options) {
                  "       gonio_studies cross_validation --fold K FOLDER...\n");
     return 2;
   }
-  const std::vector<fs::path> files = filesOf(options.folders, {".binary"});
+  const std::vector<fs::path> files = filesIn(options.folders, {".binary"});
   if (options.fold) {
     printFold(files, *options.fold);
     return 0;

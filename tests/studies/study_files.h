@@ -14,7 +14,7 @@ namespace gonio::study {
 
 /// The files of folders by their extension, folder after folder, those of each in the order of their names: the order
 /// in which folds are dealt out.
-inline std::vector<std::filesystem::path> filesOf(const std::vector<std::filesystem::path>& folders,
+inline std::vector<std::filesystem::path> filesIn(const std::vector<std::filesystem::path>& folders,
                                                   std::initializer_list<std::string_view> extensions) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& folder : folders) {

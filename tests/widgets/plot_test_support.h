@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QTest>
 
-#include "core/plots/albedo_curve.h"
+#include "core/plots/plotted_values.h"
 #include "tests/support/function_brdf.h"
 #include "widgets/plots/albedo_plot.h"
 #include "widgets/plots/cartesian_plot.h"

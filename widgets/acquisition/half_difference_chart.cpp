@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "core/rendering/error_maps.h"
 #include "widgets/charts/plot_style.h"
 #include "widgets/inputs/number_field.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/plots/clip_polyline.h"
+#include "core/plots/value_scale.h"
 #include "widgets/charts/custom_plot.h"
 
 namespace gonio::widgets {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/plots/section.h"
+#include "core/plots/plotted_values.h"
 #include "widgets/plots/plot.h"
 
 class QCustomPlot;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/csv_table.h"
-#include "core/plots/section.h"
+#include "core/plots/plotted_values.h"
 #include "widgets/plots/plot_series.h"
 
 /// Functions for all plots of curves.

@@ -5,8 +5,7 @@
 #include <QString>
 #include <string>
 
-#include "core/plots/section.h"
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "widgets/plots/plot_series.h"
 
 /// The texts of plots.

@@ -4,7 +4,7 @@
 
 #include <QPainter>
 
-#include "core/plots/section.h"
+#include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
 #include "widgets/charts/plot_style.h"
 #include "widgets/plots/plot_series.h"

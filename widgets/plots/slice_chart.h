@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "widgets/charts/custom_plot.h"
 
 /// Parts of a slice chart that need no widget.

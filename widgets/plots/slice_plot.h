@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
 #include "widgets/plots/plot.h"
 

@@ -105,7 +105,7 @@ void ExportController::write(const materials::EditedMaterial& material, const Ex
     exports::ExportResult made =
         trial ? trial->made : exports::makeExport(*request.target, material, request.options, control);
     if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
-    exports::writeExport(exports::filesOf(made, name));
+    exports::writeExport(exports::exportedFiles(made, name));
     return messagesOf(made);
   });
 }
@@ -118,7 +118,7 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
     const materials::Material material = materials::readMaterial(source, control.between(0, 0.1));
     const exports::ExportResult made =
         exports::makeExport(*request.target, materials::unedited(material), request.options, control.between(0.1, 1));
-    exports::writeExport(exports::filesOf(made, name));
+    exports::writeExport(exports::exportedFiles(made, name));
     return messagesOf(made);
   });
 }

@@ -4,8 +4,8 @@
 
 #include <QPointer>
 
-#include "core/figures/cairo_figure.h"
 #include "core/figures/draw_figure.h"
+#include "core/figures/figure_formats.h"
 
 namespace gonio::app {
 

@@ -7,10 +7,7 @@
 
 #include "app/gonio/document/loaded_material.h"
 #include "core/editing/edit.h"
-#include "core/plots/albedo_curve.h"
-#include "core/plots/lobe_surface.h"
-#include "core/plots/section.h"
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "widgets/plots/plot_series.h"
 
 namespace gonio::app {

@@ -13,8 +13,8 @@ std::string valueLine(const char* type, const char* name, const std::string& val
 }
 
 std::string xyz(const char* type, const char* name, const Direction& v) {
-  return std::string("<") + type + " name=\"" + name + "\" x=\"" + decimalText(v.x) + "\" y=\"" + decimalText(v.y) +
-         "\" z=\"" + decimalText(v.z) + "\"/>\n";
+  return std::string("<") + type + " name=\"" + name + "\" x=\"" + sixDigitText(v.x) + "\" y=\"" + sixDigitText(v.y) +
+         "\" z=\"" + sixDigitText(v.z) + "\"/>\n";
 }
 
 std::string fileLine(const std::string& file) { return valueLine("string", "filename", xmlText(file)); }
@@ -24,8 +24,8 @@ std::string mitsubaSensor(const OrbitCamera& view) {
   std::string text = camera.orthographic ? "  <sensor type=\"orthographic\">\n"
                                          : "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" "
                                            "value=\"smaller\"/>\n    " +
-                                               valueLine("float", "fov", decimalText(degrees(view.fieldOfView)));
-  const std::string extent = decimalText(camera.halfExtent);
+                                               valueLine("float", "fov", sixDigitText(degrees(view.fieldOfView)));
+  const std::string extent = sixDigitText(camera.halfExtent);
   text += "    <transform name=\"to_world\">\n";
   if (camera.orthographic) text += "      <scale x=\"" + extent + "\" y=\"" + extent + "\"/>\n";
   text += "      <lookat origin=\"" + colourText(camera.eye) + "\" target=\"" +
@@ -42,7 +42,7 @@ std::string mitsubaSensor(const OrbitCamera& view) {
 std::string mitsubaEnvironment(const Scene& scene, const std::string& file) {
   return "  <emitter type=\"envmap\">\n    " + fileLine(file) +
          "    <transform name=\"to_world\"><rotate y=\"1\" angle=\"" +
-         decimalText(180 - degrees(scene.environmentRotation)) + "\"/></transform>\n  </emitter>\n";
+         sixDigitText(180 - degrees(scene.environmentRotation)) + "\"/></transform>\n  </emitter>\n";
 }
 
 std::string mitsubaLights(const Scene& scene) {
@@ -59,8 +59,8 @@ std::string mitsubaLights(const Scene& scene) {
 /// The sphere has its poles at z in Mitsuba, at y in Gonio.
 std::string mitsubaSphere(const Sphere& sphere) {
   return "  <shape type=\"sphere\">\n    <transform name=\"to_world\"><rotate x=\"1\" angle=\"-90\"/><scale value=\"" +
-         decimalText(sphere.radius) + "\"/><translate x=\"" + decimalText(sphere.centre.x) + "\" y=\"" +
-         decimalText(sphere.centre.y) + "\" z=\"" + decimalText(sphere.centre.z) + "\"/></transform>\n";
+         sixDigitText(sphere.radius) + "\"/><translate x=\"" + sixDigitText(sphere.centre.x) + "\" y=\"" +
+         sixDigitText(sphere.centre.y) + "\" z=\"" + sixDigitText(sphere.centre.z) + "\"/></transform>\n";
 }
 
 /// [-1, 1]^2 with +z as its front goes to the rectangle.
@@ -69,7 +69,7 @@ std::string mitsubaRectangle(const Rectangle& rectangle) {
   std::string matrix;
   for (int row = 0; row < 3; ++row)
     for (const double value : {rectangle.halfU[row], rectangle.halfV[row], n[row], rectangle.centre[row]})
-      matrix += decimalText(value) + " ";
+      matrix += sixDigitText(value) + " ";
   return "  <shape type=\"rectangle\">\n    <transform name=\"to_world\"><matrix value=\"" + matrix +
          "0 0 0 1\"/></transform>\n";
 }

@@ -37,12 +37,12 @@ std::string pbrtString(const std::string& text) {
 /// pbrt's cameras are left-handed: the first line mirrors the camera alone.
 std::string pbrtCamera(const OrbitCamera& view) {
   const CameraFrame camera = cameraFrame(view);
-  const std::string e = decimalText(camera.halfExtent);
+  const std::string e = sixDigitText(camera.halfExtent);
   return "Scale -1 1 1\nLookAt " + spaced(camera.eye) + "  " + spaced(camera.eye + camera.forward) + "  " +
          spaced(camera.up) + "\nCamera " +
          (camera.orthographic
               ? "\"orthographic\" \"float screenwindow\"" + bracketed("-" + e + " " + e + " -" + e + " " + e)
-              : "\"perspective\" \"float fov\"" + bracketed(decimalText(degrees(view.fieldOfView)))) +
+              : "\"perspective\" \"float fov\"" + bracketed(sixDigitText(degrees(view.fieldOfView)))) +
          "\n";
 }
 
@@ -69,7 +69,7 @@ std::string pbrtLights(const Scene& scene) {
 std::string pbrtShape(const SceneObject& object, const std::string& mesh) {
   if (const auto* sphere = std::get_if<Sphere>(&object.shape))
     return "  Translate " + spaced(sphere->centre) + "\n  Rotate -90 1 0 0\n  Shape \"sphere\" \"float radius\"" +
-           bracketed(decimalText(sphere->radius)) + "\n";
+           bracketed(sixDigitText(sphere->radius)) + "\n";
   if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) {
     std::string corners;
     for (const double v : {-1.0, 1.0})

@@ -90,12 +90,12 @@ std::string glslFunction(const ReciprocalLobes& fitted, const std::string& origi
   // An array has one element at least.
   if (lobes.lobes.empty()) lobes.lobes.push_back({});
   return glslComment(origin) + (glslUsage + 1) + "const vec3 gonioDiffuse = " + glslVector(lobes.diffuse) +
-         ";\nconst vec2 gonioGrain = vec2(" + decimalText(std::cos(lobes.rotation)) + ", " +
-         decimalText(std::sin(lobes.rotation)) + ");  // x axis of the lobes (brushing direction)\n" +
+         ";\nconst vec2 gonioGrain = vec2(" + sixDigitText(std::cos(lobes.rotation)) + ", " +
+         sixDigitText(std::sin(lobes.rotation)) + ");  // x axis of the lobes (brushing direction)\n" +
          "const int gonioLobeCount = " + std::to_string(lobes.lobes.size()) + ";\n" +
          glslArray(lobes, "vec2", "gonioAlpha",
                    [](const Lobe& lobe) {
-                     return "vec2(" + decimalText(lobe.alpha.x) + ", " + decimalText(lobe.alpha.y) + ")";
+                     return "vec2(" + sixDigitText(lobe.alpha.x) + ", " + sixDigitText(lobe.alpha.y) + ")";
                    }) +
          glslArray(lobes, "vec3", "gonioF0", [](const Lobe& lobe) { return glslVector(lobe.normal); }) +
          glslArray(lobes, "vec3", "gonioF82", [](const Lobe& lobe) { return glslVector(lobe.tint82); }) +

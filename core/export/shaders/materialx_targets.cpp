@@ -143,7 +143,7 @@ class MtlxNode {
   MtlxNode& value(std::string_view input, std::string_view type, const std::string& value) {
     return add(input, type, "value", value);
   }
-  MtlxNode& number(std::string_view input, double number) { return value(input, "float", decimalText(number)); }
+  MtlxNode& number(std::string_view input, double number) { return value(input, "float", sixDigitText(number)); }
   MtlxNode& colour(std::string_view input, const Rgb& colour) { return value(input, "color3", colourText(colour)); }
   MtlxNode& node(std::string_view input, std::string_view type, const std::string& name) {
     return add(input, type, "nodename", name);
@@ -224,7 +224,7 @@ std::string schlickLobesDocument(const ReciprocalLobes& lobes, const std::string
     const std::string lobeName = "lobe" + std::to_string(j + 1), sumName = "sum" + std::to_string(j + 1);
     MtlxNode node("generalized_schlick_bsdf", lobeName, "BSDF");
     node.colour("color0", lobe.normal).colour("color82", lobe.tint82).colour("color90", lobe.edge);
-    node.value("roughness", "vector2", decimalText(lobe.alpha.x) + ", " + decimalText(lobe.alpha.y));
+    node.value("roughness", "vector2", sixDigitText(lobe.alpha.x) + ", " + sixDigitText(lobe.alpha.y));
     if (grain) node.node("tangent", "vector3", "grain");
     nodes += node.text();
     nodes += MtlxNode("add", sumName, "BSDF").node("in1", "BSDF", sum).node("in2", "BSDF", lobeName).text();

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/fitting/bounded_least_squares.h"
-#include "core/fitting/bounded_quadratic.h"
 
 namespace gonio::exports {
 

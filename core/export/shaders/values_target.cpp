@@ -73,7 +73,7 @@ class ValueRows {
   ValueRows& colour(std::string_view input, const Rgb& colour) {
     return add(input, colourText(colour, " "), srgbText(colour));
   }
-  ValueRows& number(std::string_view input, double number) { return add(input, decimalText(number), ""); }
+  ValueRows& number(std::string_view input, double number) { return add(input, sixDigitText(number), ""); }
 
  private:
   ValueRows& add(std::string_view input, std::string_view value, std::string_view srgb) {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/export/shaders/picture_cells.h"
-#include "core/fitting/bounded_quadratic.h"
+#include "core/fitting/bounded_least_squares.h"
 
 namespace gonio::exports {
 

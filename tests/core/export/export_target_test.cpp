@@ -47,7 +47,7 @@ class ExportTargetTest : public QObject {
       const exports::ExportResult made = exports::makeExport(target, source, small());
       QCOMPARE(made.parts.size(), target.suffixes.size());
       for (std::size_t i = 0; i < made.parts.size(); ++i) QCOMPARE(made.parts[i].suffix, target.suffixes[i]);
-      QCOMPARE(exports::filesOf(made, "a/b").front().path, fs::path("a/b").concat(target.suffixes.front()));
+      QCOMPARE(exports::exportedFiles(made, "a/b").front().path, fs::path("a/b").concat(target.suffixes.front()));
       if (target.id == "csv" || target.id == "slices") {
         // Values, and no material whose accuracy could be stated.
         QVERIFY(!made.brdf && std::isnan(made.snr) && std::isnan(made.brdfSnr));

@@ -51,7 +51,7 @@ class PublishedReader {
   };
 
   Grid grid(const char* name, std::size_t dimensions) const {
-    const io::Tensor& tensor = file_.field(name, io::TensorType::float32, dimensions);
+    const io::TensorView& tensor = file_.field(name, io::TensorType::float32, dimensions);
     return {tensor.shape[dimensions - 1], tensor.shape[dimensions - 2], tensor.floats()};
   }
 

@@ -8,12 +8,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/figures/cairo_figure.h"
 #include "core/figures/draw_figure.h"
 #include "core/figures/figure_formats.h"
 #include "core/figures/figure_layout.h"
 #include "core/figures/figure_number.h"
-#include "core/figures/figure_svg.h"
 #include "core/figures/figure_tables.h"
 #include "core/io/csv_text.h"
 #include "core/rendering/error_maps.h"

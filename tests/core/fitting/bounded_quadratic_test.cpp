@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/bounded_quadratic.h"
+#include "core/fitting/bounded_least_squares.h"
 
 #include <Eigen/Cholesky>
 #include <QTest>

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "core/fitting/fit_parameters.h"
-#include "core/fitting/unit_scale.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"

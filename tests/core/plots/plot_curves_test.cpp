@@ -3,10 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/plots/albedo_curve.h"
-#include "core/plots/lobe_surface.h"
-#include "core/plots/section.h"
-#include "core/plots/slice.h"
+#include "core/plots/plotted_values.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 

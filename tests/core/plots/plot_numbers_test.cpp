@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/plots/angle_nodes.h"
-#include "core/plots/clip_polyline.h"
 #include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
 #include "tests/support/test_program.h"
