@@ -41,7 +41,9 @@ void addConvert(CLI::App& app, Tool& tool) {
   CLI::App* command =
       app.add_subcommand("convert", "Converts between formats; an unchanged MERL file stays byte-identical");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, outputHelp("File to write; its suffix sets the format"))->required();
+  command->add_option("OUT", options->out, outputHelp("File to write; its suffix sets the format"))
+      ->group(outputGroup)
+      ->required();
   command->add_flag(
       "--whole-circle", options->wholeCircle,
       "Sample phi_d from 0 to 360 degrees, 90 x 90 x 360 instead of 90 x 90 x 180 cells, as non-reciprocal "

@@ -139,7 +139,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
   command->add_option("SOURCE", options->sources, study::trainingHelp())->required();
-  command->add_option("--out", options->out, "File to write (.dictionary)")->required();
+  command->add_option("--out", options->out, "File to write (.dictionary)")->group(outputGroup)->required();
   command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Dictionaries for each number of coefficients (8)")
       ->check(CLI::Range(1, 64));

@@ -223,6 +223,7 @@ void addEdit(CLI::App& app, Tool& tool) {
       ->add_option("--out", options->out,
                    outputHelp("Material file to write") + ", or the edit without measured data (" +
                        std::string(editing::documentSuffix) + ")")
+      ->group(outputGroup)
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });
 }

@@ -1,27 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/dictionary/encode.h"
-#include "core/formats/formats.h"
-
 #include <algorithm>
+#include <chrono>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "app/goniotool/bases.h"
-#include "app/goniotool/encode_components.h"
-#include "app/goniotool/encode_patches.h"
-#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/brdf/weighted_sum.h"
+#include "core/dictionary/alternatives/patch_dictionary.h"
+#include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
+#include "core/dictionary/encode.h"
 #include "core/formats/code.h"
+#include "core/formats/formats.h"
+#include "core/materials/basis_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/picture_encoding.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
 namespace {
+
+struct ComponentArguments {
+  std::string material, basis, out;
+  int components = 0;
+};
+
+/// `goniotool encode --method components`: represents a material by principal components of a basis file (Nielsen et
+/// al. 2015), and writes the material that they represent to `out`, unless it is empty. @throws Error if the basis has
+/// fewer components.
+int encodeComponents(const ComponentArguments& options, const Tool& tool) {
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
+  const auto file = materials::readBasis(options.basis);
+  const dictionary::PrincipalComponents& basis = file->components;
+  if (options.components > basis.count())
+    throw Error(options.basis + ": found " + std::to_string(basis.count()) + " components, expected at least " +
+                std::to_string(options.components) + "; use fewer --coefficients");
+  const auto material = openMaterial(options.material, tool.control("reading"));
+  const auto table =
+      onGrid(material.tabulated(tool.control("tabulating")), basis.mapping.grid, tool.control("sampling"));
+  const auto start = std::chrono::steady_clock::now();
+  const dictionary::ComponentCode code =
+      dictionary::encode(basis, *table, options.components, tool.control("encoding"));
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(basis, code.inHalfPrecision(), tool.control("decoding"));
+  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
+  const std::size_t bytes = dictionary::ComponentCode::halfBytes(code.components());
+  Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
+            {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  std::string writtenText;
+  if (!options.out.empty()) {
+    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
+    json["written"] = written.json();
+    json["out"] = options.out;
+    writtenText = written.text;
+  }
+  print(tool, json,
+        std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
+            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
+  return 0;
+}
+
+struct PatchArguments {
+  std::string material, out;
+  std::vector<std::string> train, excluded;
+  std::size_t coefficients = 0;
+};
+
+/// `goniotool encode --method k-svd`: learns a dictionary of patches by K-SVD (dictionary::PatchDictionary), represents
+/// a material by its code, and writes the decoded material to `out`, unless it is empty. @throws Error if a material
+/// cannot be read or a training material has another grid than the first one.
+int encodePatches(const PatchArguments& options, const Tool& tool) {
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
+  const auto material = openMaterial(options.material, tool.control("reading"));
+  auto start = std::chrono::steady_clock::now();
+  const std::vector<std::string> files = study::trainingFilesOrLibrary(options.train, options.excluded);
+  const auto training = study::trainingMaterials(files, study::trainingGrid(files));
+  const auto patches = dictionary::learnPatchDictionary(
+      training, {}, tool.control("learning from " + std::to_string(training.names.size()) + " materials"));
+  tool.throwIfStopped();
+  const double trainingSeconds = secondsSince(start);
+  const auto table = onGrid(material.tabulated(tool.control("tabulating")), patches.grid, tool.control("sampling"));
+  start = std::chrono::steady_clock::now();
+  const dictionary::SparseCode code =
+      dictionary::encode(patches, *table, options.coefficients, tool.control("encoding"));
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(patches, code);
+  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
+  const std::size_t bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size();
+  Json json{{"method", "k-svd"},
+            {"materials", training.names.size()},
+            {"atoms", patches.atoms.count()},
+            {"trainingSeconds", trainingSeconds},
+            {"coefficients", code.coefficients()},
+            {"bytes", bytes},
+            {"errors", errorsJson(errors)},
+            {"brdfSnr", decibelsJson(snr)},
+            {"seconds", seconds}};
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  std::string writtenText;
+  if (!options.out.empty()) {
+    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
+    json["written"] = written.json();
+    json["out"] = options.out;
+    writtenText = written.text;
+  }
+  print(tool, json,
+        std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
+            " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +
+            " coefficients per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " + number(snr) + " dB, " +
+            number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
+  return 0;
+}
 
 using namespace dictionary;
 
@@ -197,9 +292,11 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_flag("--as-published", options->asPublished,
                     "Published method: without cell scaling, invalid cells filled once before the projection, "
                     "unweighted gamma error");
-  command->add_option("--out", options->out,
-                      "File to write: the code (" + suffixOf(formats::codeFormat) +
-                          "), or with --method components or k-svd " + outputHelp("the decoded material"));
+  command
+      ->add_option("--out", options->out,
+                   "File to write: the code (" + suffixOf(formats::codeFormat) +
+                       "), or with --method components or k-svd " + outputHelp("the decoded material"))
+      ->group(outputGroup);
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] { return encodeByMethod(*options, *command, tool); };
   });
@@ -211,7 +308,7 @@ void addDecode(CLI::App& app, Tool& tool) {
   command->add_option("CODE", options->material, "A " + suffixOf(formats::codeFormat) + " file")->required();
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary with which the code was encoded (bundled dictionary)");
-  command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
+  command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }
 

@@ -126,7 +126,9 @@ void addExport(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Exports a material, with its edits, for a renderer or as a table");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, "Path of the files to write, without suffix")->required();
+  command->add_option("OUT", options->out, "Path of the files to write, without suffix")
+      ->group(outputGroup)
+      ->required();
   command->add_option("--for", options->target, "Target. " + targetList())
       ->required()
       ->check(CLI::IsMember(targetIds()));

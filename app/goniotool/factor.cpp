@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "app/goniotool/factor_baseline.h"
-#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/baselines/baselines.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/formats/formats.h"
@@ -17,6 +21,52 @@
 namespace gonio::tool {
 
 namespace {
+
+struct FactorBaselineArguments {
+  std::string material, method, out;
+  std::size_t bytes = 0;  ///< budget
+  int samples = 0;        ///< per pixel, in the pictures for the rendered SNR
+};
+
+/// The ids of all baselines, for --method.
+std::vector<std::string> baselineIds() {
+  std::vector<std::string> ids;
+  for (const factorization::Baseline& baseline : factorization::baselines()) ids.emplace_back(baseline.id);
+  return ids;
+}
+
+/// goniotool factor --method METHOD with a baseline of the literature (core/baselines/baselines.h).
+int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
+  if (materials::hasSuffixOf(formats::pdvFormat, options.out))
+    throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
+  if (!options.out.empty()) materials::checkWritableSuffix(options.out);
+  const factorization::Baseline& baseline = factorization::findBaseline(options.method);
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const auto start = std::chrono::steady_clock::now();
+  const std::array<std::size_t, 1> budgets{options.bytes};
+  const factorization::ComparedModel model =
+      baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
+  const double seconds = secondsSince(start);
+  const FactorQuality quality = factorQuality(material, *model.brdf, options.samples, tool);
+  WrittenMaterial written;
+  if (!options.out.empty()) written = writeMaterial(material.name, model.brdf, options.out, tool, table->grid());
+  Json json{{"method", options.method},
+            {"reference", baseline.reference},
+            {"byteBudget", options.bytes},
+            {"bytes", model.bytes},
+            {"seconds", seconds}};
+  addQuality(json, quality);
+  const std::string tableText = addTableQuality(json, *material.brdf, *table);
+  if (!options.out.empty()) {
+    json["written"] = written.json();
+    json["out"] = options.out;
+  }
+  print(tool, json,
+        options.method + " (" + std::string(baseline.name) + "), " + std::to_string(model.bytes) + " bytes, " +
+            qualityText(quality, seconds) + tableText + written.text);
+  return 0;
+}
 
 using namespace factorization;
 
@@ -198,8 +248,10 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
       command.add_flag("--joint", options->joint, "Refine all terms jointly after finding them one after the other"),
       command.add_flag("--compact", options->compact,
                        "Fewer nodes of theta_R and |phi|, 60 and 30 instead of 90 and 180: half the bytes per term"),
-      command.add_option("--decode", options->decode,
-                         outputHelp("Also write the material that the factors represent to this file")),
+      command
+          .add_option("--decode", options->decode,
+                      outputHelp("Also write the material that the factors represent to this file"))
+          ->group(outputGroup),
       command.add_option("--swap-f1", options->swapF1,
                          "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
       command.add_option("--swap-f2", options->swapF2,
@@ -223,9 +275,11 @@ void addFactor(CLI::App& app, Tool& tool) {
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--out", options->out,
-                      "File to write: factors (" + suffixOf(formats::pdvFormat) + "), or " +
-                          outputHelp("the material that they represent"));
+  command
+      ->add_option("--out", options->out,
+                   "File to write: factors (" + suffixOf(formats::pdvFormat) + "), or " +
+                       outputHelp("the material that they represent"))
+      ->group(outputGroup);
   const std::vector<CLI::Option*> pdvOptions = addPdvOptions(*command, options);
   command->callback([options, bytes, pdvOptions, &tool] {
     tool.run = [options, bytes, pdvOptions, &tool] {

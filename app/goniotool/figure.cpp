@@ -260,10 +260,12 @@ void addFigure(CLI::App& app, Tool& tool) {
   addContentOptions(*command, *options);
   addPictureOptions(*command, *options);
   addPageOptions(*command, *options);
-  command->add_option("--out", options->out, "Figures to write: .pdf, .svg or .png; one or several");
-  command->add_option("--csv", options->csv, "File for the numbers as CSV");
-  command->add_option("--latex", options->latex, "File for the numbers as a LaTeX table");
-  command->add_option("--save", options->save, "File for the description (.json), to create the figure again");
+  command->add_option("--out", options->out, "Figures to write: .pdf, .svg or .png; one or several")
+      ->group(outputGroup);
+  command->add_option("--csv", options->csv, "File for the numbers as CSV")->group(outputGroup);
+  command->add_option("--latex", options->latex, "File for the numbers as a LaTeX table")->group(outputGroup);
+  command->add_option("--save", options->save, "File for the description (.json), to create the figure again")
+      ->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return runFigure(*options, tool); }; });
 }
 

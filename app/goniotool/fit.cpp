@@ -169,7 +169,7 @@ void addFit(CLI::App& app, Tool& tool) {
       ->needs(command->get_option("--all"));
   command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
-  command->add_option("--out", options->out, outputHelp("File to write: the fitted model"));
+  command->add_option("--out", options->out, outputHelp("File to write: the fitted model"))->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return fit(*options, tool); }; });
 }
 

@@ -189,7 +189,7 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   preparation.pdv.terms = options.terms;
   const auto start = std::chrono::steady_clock::now();
   const auto interpolation = prepareInterpolation(options.spaceChosen(), ends, preparation, tool.control("preparing"));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = secondsSince(start);
   Json steps = Json::array();
   std::string text;
   const auto all = weightsOf(options);
@@ -249,6 +249,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
                    outputHelp("Material file to write") + "; for --space factors also the curves (" +
                        suffixOf(formats::pdvFormat) + "), for --space dictionary also the code (" +
                        suffixOf(formats::codeFormat) + ")")
+      ->group(outputGroup)
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

@@ -38,7 +38,9 @@ void addMerge(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", "Merges the shards of a study into the results of a single run");
   command->add_option("SHARD", options->shards, "Folders that goniotool study --shard wrote, in any order")->required();
-  command->add_option("--out", options->out, "Folder for the merged results, created if needed")->required();
+  command->add_option("--out", options->out, "Folder for the merged results, created if needed")
+      ->group(outputGroup)
+      ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return merge(*options, tool); }; });
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/goniotool/output_options.h"
+#include "app/goniotool/tool.h"
 #include "core/documents/open_material.h"
 #include "core/io/atomic_file.h"
 
@@ -14,11 +14,6 @@ namespace gonio::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isOutput(const CLI::Option& option) {
-  return option.get_name(true) == "OUT" ||
-         std::ranges::any_of(outputOptions, [&](const char* name) { return option.check_lname(name); });
-}
 
 }  // namespace
 
@@ -31,7 +26,7 @@ void checkOutputs(const CLI::App& command) {
   std::vector<fs::path> read, written;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& argument : option->results()) {
-      if (isOutput(*option))
+      if (option->get_group() == outputGroup)
         written.emplace_back(argument);
       else
         std::ranges::copy(editing::filesOf(argument), std::back_inserter(read));

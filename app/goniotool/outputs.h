@@ -11,7 +11,7 @@
 namespace gonio::tool {
 
 /// Checks that a parsed subcommand does not overwrite a file that it reads: one of its arguments, or a file used by a
-/// document among them. The outputs are `OUT` and outputOptions (output_options.h), without added suffixes.
+/// document among them. The outputs are the options and arguments of outputGroup, without added suffixes.
 /// @throws Error that names the file.
 void checkOutputs(const CLI::App& command);
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "app/goniotool/bases.h"
+#include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/usage.h"
 #include "core/acquisition/sample_selection.h"
@@ -108,10 +108,10 @@ int plan(const PlanArguments& options, const Tool& tool) {
   io::checkWritable(options.out);
   double trainingSeconds = 0;
   const int components = std::max({chosen.samples, usedComponents(chosen), options.basisComponents});
-  const auto basis = learnBasis(options.train, options.excluded, components, tool, trainingSeconds);
+  const auto basis = basisOfSources(options.train, options.excluded, components, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();
   const SampleSelection selection = selectSamples(basis->components, chosen, tool.control("choosing directions"));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = secondsSince(start);
   SamplingPlan plan = planFor(basis->components.mapping.grid, selection.cells);
   plan.method = options.method;
   const int learned = basis->components.count();
@@ -144,6 +144,7 @@ void addPlan(CLI::App& app, Tool& tool) {
                    "CSV file to write; the basis (principal components of the training set) is written to the same "
                    "path with the suffix " +
                        std::string(materials::basisSuffix))
+      ->group(outputGroup)
       ->required();
   command
       ->add_option(

@@ -2,20 +2,69 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <vector>
 
-#include "app/goniotool/bases.h"
 #include "app/goniotool/materials.h"
-#include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
+#include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/measured_values.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/brdf/data_transform.h"
+#include "core/materials/dictionary_file.h"
+#include "core/study/training_files.h"
 
 namespace gonio::tool {
 
 namespace {
+
+/// Name of this method, in addition to reconstructionMethodNames.
+constexpr const char* dictionariesMethod = "dictionaries";
+
+struct DictionaryReconstructionRequest {
+  std::string plan, values, out;
+  std::string dictionary;  ///< a .dictionary file; empty: the bundled one
+  std::vector<std::string> train, excluded;
+};
+
+/// `goniotool reconstruct --method dictionaries`: learns the prior, reconstructs, writes the material and reports.
+int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, const Tool& tool) {
+  if (request.train.empty()) throw UsageError("reconstruct: --method dictionaries needs a training set (--train)");
+  const acquisition::SamplingPlan plan = acquisition::readPlan(request.plan);
+  const acquisition::MeasuredValues values = acquisition::readValues(request.values, plan);
+  const auto dictionary =
+      request.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(request.dictionary);
+  const auto materials =
+      study::trainingMaterials(study::trainingFiles(request.train, request.excluded), dictionary->ensemble.grid);
+  auto start = std::chrono::steady_clock::now();
+  const auto prior = acquisition::learnDictionaryPrior(
+      dictionary->ensemble, materials, {},
+      tool.control("learning from " + std::to_string(materials.names.size()) + " materials"));
+  const double trainingSeconds = secondsSince(start);
+  start = std::chrono::steady_clock::now();
+  const auto found = acquisition::reconstructInDictionaries(dictionary->ensemble, prior, plan, values, {},
+                                                            tool.control("reconstructing"));
+  const double seconds = secondsSince(start);
+  const WrittenMaterial written = writeMaterial("reconstruction", found.table, request.out, tool);
+  const Json json{{"method", dictionariesMethod},
+                  {"samples", plan.samples.size()},
+                  {"dictionary", found.dictionary},
+                  {"noise", found.noise},
+                  {"logEvidence", found.logEvidence},
+                  {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
+                  {"seconds", seconds},
+                  {"trainingSeconds", trainingSeconds},
+                  {"written", written.json()},
+                  {"out", request.out}};
+  print(tool, json,
+        request.out + ": from " + std::to_string(plan.samples.size()) + " samples, dictionary " +
+            std::to_string(found.dictionary + 1) + " of " + std::to_string(dictionary->ensemble.dictionaries.size()) +
+            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n" + written.text);
+  return 0;
+}
 
 using namespace acquisition;
 
@@ -76,8 +125,8 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
     const int components = options.reconstruction.components;
-    return learnBasis(options.train, options.excluded, components > 0 ? components : int(plan.samples.size()), tool,
-                      trainingSeconds);
+    return basisOfSources(options.train, options.excluded, components > 0 ? components : int(plan.samples.size()), tool,
+                          trainingSeconds);
   }
   if (!std::filesystem::exists(beside))
     throw Error(beside.string() +
@@ -143,7 +192,7 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   const auto start = std::chrono::steady_clock::now();
   const Reconstruction found =
       acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = secondsSince(start);
   const WrittenMaterial written = writeMaterial("reconstruction", found.table, options.out, tool);
   if (!options.uncertainty.empty())
     writeMaterial("deviation", deviationTable(basis->components.mapping, found.standardDeviation), options.uncertainty,
@@ -161,7 +210,7 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       "reconstruct", "Reconstructs a whole material from values measured at the directions of a plan");
   command->add_option("--plan", options->plan, "CSV file of the plan")->required();
   command->add_option("--values", options->values, "CSV file of the measured values")->required();
-  command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
+  command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
   CLI::Option* basis = command->add_option("--basis", options->basis, "Basis file (the one beside the plan)");
   CLI::Option* train = command->add_option(
       "--train", options->train,
@@ -195,8 +244,10 @@ void addReconstruct(CLI::App& app, Tool& tool) {
                     "Give all samples the same weight even if their noise is known, as in the published method");
   command->add_flag("--as-published", options->asPublished,
                     "Published method: --method ridge --ridge 40 --equal-noise, with as many components as samples");
-  command->add_option("--uncertainty", options->uncertainty,
-                      outputHelp("File to write: standard deviations of the mapped values as a table"));
+  command
+      ->add_option("--uncertainty", options->uncertainty,
+                   outputHelp("File to write: standard deviations of the mapped values as a table"))
+      ->group(outputGroup);
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] {
       for (const char* of : {"--method", "--ridge", "--components", "--atoms", "--equal-noise"})

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <chrono>
 
-#include "app/goniotool/effects_report.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
+#include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/mesh_file.h"
 #include "core/rendering/scene_file.h"
@@ -68,7 +68,7 @@ Rendered renderPicture(const PathTracer& tracer, const RenderOptions& size, cons
   Rendered result{Film(size.width, size.height)};
   const auto start = std::chrono::steady_clock::now();
   tracer.accumulate(result.film, size.samples, tool.control("rendering"));
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = secondsSince(start);
   return result;
 }
 
@@ -177,7 +177,7 @@ void addRender(CLI::App& app, Tool& tool) {
                    "reflection (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
-  command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png");
+  command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png")->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }
 

@@ -9,11 +9,88 @@
 #include <string_view>
 
 #include "core/io/json_text.h"
+#include "core/metrics/brdf_metrics.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
+#include "core/rendering/render_picture.h"
+#include "core/study/evaluation_time.h"
 #include "core/support/text.h"
 
 namespace gonio::tool {
+
+BrdfQuality brdfQuality(const Brdf& measurement, const Brdf& test) {
+  return {metrics::brdfErrors(measurement, test), metrics::brdfSignalToNoiseRatio(measurement, test)};
+}
+
+std::string addTableQuality(Json& json, const Brdf& measurement, const TabulatedBrdf& table) {
+  if (formOf<TabulatedBrdf>(measurement) == &table) return {};
+  const BrdfQuality quality = brdfQuality(measurement, table);
+  json["table"] = {{"errors", errorsJson(quality.errors)}, {"brdfSnr", decibelsJson(quality.brdfSnr)}};
+  return "the table that the method works on: BRDF SNR " + number(quality.brdfSnr) + " dB against the material\n";
+}
+
+FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool) {
+  FactorQuality quality{brdfQuality(*material.brdf, factors)};
+  quality.evaluationNs = study::measureEvaluation(factors).median;
+  RenderOptions picture = smallComparisonPicture();
+  picture.samples = samples;
+  const RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));
+  quality.renderedSnr =
+      comparison.signalToNoiseRatio(comparison.render(factors, tool.control("rendering the factors")));
+  return quality;
+}
+
+void addQuality(Json& json, const FactorQuality& quality) {
+  json["errors"] = errorsJson(quality.errors);
+  json["brdfSnr"] = decibelsJson(quality.brdfSnr);
+  json["renderedSnr"] = decibelsJson(quality.renderedSnr);
+  json["evaluationNs"] = quality.evaluationNs;
+}
+
+std::string qualityText(const FactorQuality& quality, double seconds) {
+  return "BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) + " dB, " +
+         number(seconds) + " s, " + number(quality.evaluationNs) + " ns per evaluation\n" + errorsText(quality.errors);
+}
+
+Json planJson(const EffectPlan& plan, const EffectCosts* costs) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    const EffectDecision& decision = plan.decisions[i];
+    Json one{{"effect", effectId(Effect(i))},
+             {"simulated", decision.simulated},
+             {"calledFor", decision.calledFor},
+             {"reason", decision.reason}};
+    if (costs) {
+      const EffectCost& cost = costs->effects[i];
+      one["seconds"] = cost.seconds;
+      one["secondsNoise"] = cost.secondsNoise;
+      one["difference"] = cost.difference;
+      one["noise"] = cost.noise;
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+std::string timeText(const EffectCost& cost) {
+  const std::string time = number(cost.seconds) + " +- " + number(cost.secondsNoise) + " s";
+  return cost.isWithinNoise() ? time + " (within noise)" : time;
+}
+
+std::string planText(const EffectPlan& plan, const EffectCosts* costs) {
+  std::string text;
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    const EffectDecision& decision = plan.decisions[i];
+    text += std::string("  ") + effectId(Effect(i)) + ": " + (decision.simulated ? "yes" : "no");
+    if (decision.simulated != decision.calledFor) text += " (forced)";
+    text += ", " + decision.reason;
+    if (costs)
+      text += "; " + timeText(costs->effects[i]) + ", changes the image by " +
+              number(100 * costs->effects[i].difference) + " % (noise " + number(100 * costs->effects[i].noise) + " %)";
+    text += "\n";
+  }
+  return text;
+}
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/goniotool/effects_report.h"
 #include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/mesh_file.h"
 #include "core/rendering/scene_file.h"

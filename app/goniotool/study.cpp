@@ -3,7 +3,6 @@
 #include <chrono>
 #include <set>
 
-#include "app/goniotool/bases.h"
 #include "app/goniotool/material_study.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/study_output.h"
@@ -86,7 +85,9 @@ void addStudy(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("study", "Measures accuracy and cost of every representation of materials");
   command->add_option("MATERIAL", options->materials, std::string(materialHelp) + ", or a folder of measured files")
       ->required();
-  command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")->required();
+  command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")
+      ->group(outputGroup)
+      ->required();
   command
       ->add_option("--representations", options->representations,
                    "Kinds of representations: table, fits, factors, codes, components, patches, nonparametric, "

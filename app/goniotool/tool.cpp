@@ -13,6 +13,10 @@ void eraseProgress() {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
 }
 
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 TaskControl Tool::control(const std::string& what) const {
   const bool isTerminal = isatty(STDERR_FILENO) != 0;
   if (!showProgress && !isTerminal) return {stop, {}};

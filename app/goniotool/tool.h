@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <functional>
 #include <stop_token>
 #include <string>
@@ -33,6 +34,12 @@ struct Tool {
   /// For results that may be incomplete after a stop. @throws Cancelled if a stop was requested.
   void throwIfStopped() const { TaskControl{stop, {}}.throwIfStopped(); }
 };
+
+/// Group of the options and arguments that name files to write, as a heading of the help; all others are inputs.
+inline constexpr const char* outputGroup = "Outputs";
+
+/// Seconds since a time of the steady clock.
+double secondsSince(std::chrono::steady_clock::time_point start);
 
 /// Erases the line of progress on standard error if that is a terminal, so that a message can take its place.
 void eraseProgress();

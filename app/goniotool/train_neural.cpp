@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <optional>
 
-#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/baselines/neural_fit.h"
 #include "core/formats/formats.h"
@@ -90,9 +90,11 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")
       ->check(CLI::Range(1, 1 << 20));
-  command->add_option("--out", options->out,
-                      "File to write: the network (" + suffixOf(formats::neuralFormat) + "), or " +
-                          outputHelp("the material that it represents"));
+  command
+      ->add_option("--out", options->out,
+                   "File to write: the network (" + suffixOf(formats::neuralFormat) + "), or " +
+                       outputHelp("the material that it represents"))
+      ->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return trainNeural(*options, tool); }; });
 }
 

@@ -7,8 +7,28 @@
 #include <optional>
 #include <string>
 
-/// The checks of the command line that all subcommands share, and what is reported about a wrong one.
 namespace gonio::tool {
+
+/// "1 to 1e6" for "FLOAT in [1 - 1e+06]", CLI11's description of a range.
+std::string rangeWords(const std::string& check);
+
+/// What follows an option in its help: "N ... (1 to 20)", "{clamp, filmic}"; for an argument without a dash, "...".
+std::string valueText(const CLI::Option& option);
+
+/// The help of all commands. Values are named by words such as FILE instead of CLI11's types, and ranges are written as
+/// "(1 to 20)". Parentheses at the end of the description of an option contain its default, which is printed as
+/// "[default: 40]", unless the option is required or they start with a file suffix. Lines are broken at 120 columns.
+/// The footer explains MATERIAL if the command has such an argument.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_footer(const CLI::App* command) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_option_usage(const CLI::Option* option) const override;
+};
+
+/// The checks of the command line that all subcommands share, and what is reported about a wrong one.
 
 /// nullopt for NaN, infinities, numbers beyond double precision, and other text.
 std::optional<double> finiteNumber(const std::string& text);

@@ -8,7 +8,7 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/plot_test_support.h"
-#include "widgets/plots/plot_export.h"
+#include "widgets/plots/plot.h"
 
 namespace plot_export_test {
 using namespace gonio;

@@ -8,8 +8,7 @@
 
 #include "core/plots/plotted_values.h"
 #include "tests/support/function_brdf.h"
-#include "widgets/plots/albedo_plot.h"
-#include "widgets/plots/cartesian_plot.h"
+#include "widgets/plots/curve_chart.h"
 #include "widgets/plots/lobe_plot.h"
 #include "widgets/plots/polar_plot.h"
 #include "widgets/plots/slice_plot.h"

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/charts/custom_plot.h"
 #include "widgets/charts/custom_plot_style.h"
 #include "widgets/inputs/number_field.h"
 

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/charts/custom_plot.h"
 #include "widgets/charts/custom_plot_style.h"
 
 namespace gonio::widgets {

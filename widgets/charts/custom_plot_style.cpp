@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/plots/value_scale.h"
-#include "widgets/charts/custom_plot.h"
 
 namespace gonio::widgets {
 

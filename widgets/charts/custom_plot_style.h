@@ -5,11 +5,16 @@
 #include <QFont>
 #include <QSize>
 
-#include "widgets/charts/plot_style.h"
+// QCustomPlot's header is written with Qt's short keywords, which this project switches off.
+#define signals Q_SIGNALS
+#define slots Q_SLOTS
+#define foreach Q_FOREACH
+#include <qcustomplot.h>
+#undef signals
+#undef slots
+#undef foreach
 
-class QCustomPlot;
-class QCPAxis;
-class QPaintDevice;
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
 

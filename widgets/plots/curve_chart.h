@@ -71,4 +71,38 @@ class CurveChart : public Plot {
   bool m_draggingLine = false;
 };
 
+/// Values over theta_h, theta_d or theta_o. The other angles are fixed, and stated in the title of the axis.
+class CartesianPlot final : public CurveChart {
+  Q_OBJECT
+
+ public:
+  explicit CartesianPlot(QWidget* parent = nullptr);
+
+  /// @param section the section to which the curves belong.
+  void setSection(const plots::Section& section, PlotSeriesList<plots::Curve> series);
+
+ protected:
+  ChartAxes axes() const override;
+  std::optional<double> incidence() const override;
+  std::vector<std::string> fixedForCsv() const override;
+
+ private:
+  plots::Section m_section;
+};
+
+/// Directional albedo against the polar angle: the fraction of light from one direction that is reflected or, by
+/// reciprocity, the fraction of uniform light that reaches a viewer. Above the line at 1 a material would reflect more
+/// energy than it receives.
+class AlbedoPlot final : public CurveChart {
+  Q_OBJECT
+
+ public:
+  explicit AlbedoPlot(QWidget* parent = nullptr);
+
+ protected:
+  ChartAxes axes() const override;
+  std::optional<double> incidence() const override { return degrees(settings().thetaI); }
+  std::optional<double> limit() const override { return 1; }
+};
+
 }  // namespace gonio::widgets

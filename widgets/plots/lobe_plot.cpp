@@ -10,9 +10,168 @@
 #include <optional>
 
 #include "widgets/inputs/number_field.h"
-#include "widgets/plots/plot_text.h"
+#include "widgets/plots/plot_series.h"
 
 namespace gonio::widgets {
+
+namespace {
+
+struct Face {
+  double depth;
+  std::array<std::size_t, 4> corners;
+};
+
+/// Faces whose corners are all known, the farthest first.
+std::vector<Face> sortedFaces(const plots::LobeSurface& lobe, const std::vector<Direction>& points,
+                              const Direction& toEye) {
+  std::vector<Face> faces;
+  for (int ring = 0; ring + 1 < lobe.rings; ++ring)
+    for (int sector = 0; sector < lobe.sectors; ++sector) {
+      const std::array corners{lobe.index(ring, sector), lobe.index(ring + 1, sector), lobe.index(ring + 1, sector + 1),
+                               lobe.index(ring, sector + 1)};
+      double depth = 0;
+      bool known = true;
+      for (const std::size_t corner : corners) {
+        known = known && lobe.points.states[corner] == plots::PointState::known;
+        depth += glm::dot(points[corner], toEye);
+      }
+      if (known) faces.push_back({depth, corners});
+    }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth < b.depth; });
+  return faces;
+}
+
+QColor surfaceColour(SeriesRole role, const PlotStyle& style) {
+  // The colour of text has no shades; the measured surface is grey.
+  return role == SeriesRole::measured ? QColor(0xb4, 0xb4, 0xb4) : style.colour(role).lighter(style.dark ? 100 : 135);
+}
+
+void drawSurface(QPainter& painter, const LobePlace& place, const LobePicture& picture, const PlotStyle& style) {
+  const plots::LobeSurface& lobe = picture.series.data;
+  std::vector<Direction> points(lobe.directions.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = lobePoint(picture, i);
+  const Direction toEye = place.view.toEye();
+  const Direction toLamp = glm::normalize(toEye + 0.6 * place.view.up() - 0.5 * place.view.right());
+  const QColor colour = surfaceColour(picture.series.role, style);
+  for (const Face& face : sortedFaces(lobe, points, toEye)) {
+    const auto& [a, b, c, d] = face.corners;
+    const Direction normal = glm::cross(points[c] - points[a], points[d] - points[b]);
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    const double light = 0.35 + 0.65 * std::abs(glm::dot(normal, toLamp)) / length;
+    const QColor shade(int(colour.red() * light), int(colour.green() * light), int(colour.blue() * light));
+    const QPointF corners[] = {place.at(points[a]), place.at(points[b]), place.at(points[c]), place.at(points[d])};
+    painter.setPen(QPen(shade, 1));  // closes the seams that antialiasing leaves between neighbours
+    painter.setBrush(shade);
+    painter.drawConvexPolygon(corners, 4);
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void drawGround(QPainter& painter, const LobePlace& place, const PlotStyle& style) {
+  QPolygonF circle;
+  for (int i = 0; i < 96; ++i) circle << place.at(fromSpherical(halfPi, 2 * pi * i / 96));
+  QColor ground = style.grid;
+  ground.setAlpha(90);
+  painter.setPen(QPen(style.text, 1));
+  painter.setBrush(ground);
+  painter.drawPolygon(circle);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(style.gridPen());
+  painter.drawLine(place.at({-1, 0, 0}), place.at({1, 0, 0}));
+  painter.drawLine(place.at({0, -1, 0}), place.at({0, 1, 0}));
+}
+
+void drawArrowHead(QPainter& painter, const QPointF& from, const QPointF& to, double head) {
+  const QPointF along = from - to;
+  const double length = std::hypot(along.x(), along.y());
+  if (length < head) return;
+  const QPointF step = along / length * head, aside(-step.y() * 0.4, step.x() * 0.4);
+  painter.drawPolygon(QPolygonF{to, to + step + aside, to + step - aside});
+}
+
+/// How far the surface reaches along a direction, as a fraction of the unit hemisphere.
+double reachAlong(const LobePicture& picture, const Direction& direction) {
+  const std::vector<Direction>& directions = picture.series.data.directions;
+  const auto nearest = std::max_element(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
+    return glm::dot(a, direction) < glm::dot(b, direction);
+  });
+  return nearest == directions.end() ? 0 : glm::length(lobePoint(picture, std::size_t(nearest - directions.begin())));
+}
+
+/// Axes from the origin outwards. The surface hides what lies within it: all is drawn before the surface, and again
+/// after it those parts of axes toward the viewer that stand out of it.
+void drawAxes(QPainter& painter, const LobePlace& place, const LobePicture& picture, const PlotStyle& style,
+              bool afterSurface) {
+  const double em = painter.fontMetrics().height();
+  const Direction light = fromSpherical(picture.settings.thetaI, pi),
+                  mirror = fromSpherical(picture.settings.thetaI, 0);
+  const auto draw = [&](const Direction& axis, double length, const QPen& pen, bool arrow) {
+    if (afterSurface && glm::dot(axis, place.view.toEye()) < 0) return;
+    const double from = afterSurface ? reachAlong(picture, axis) : 0;
+    if (from >= length) return;
+    painter.setPen(pen);
+    painter.drawLine(place.at(length * axis), place.at(from * axis));
+    if (!arrow || from > 0.45) return;
+    painter.setBrush(pen.color());
+    drawArrowHead(painter, place.at(length * axis), place.at(0.45 * axis), 0.7 * em);
+    painter.setBrush(Qt::NoBrush);
+  };
+  draw(light, 1.12, style.accentPen(), true);
+  draw(mirror, 1, QPen(style.accent, 1, Qt::DotLine), false);
+  draw({0, 0, 1}, 1.08, QPen(style.text, 1), false);
+}
+
+void drawTexts(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
+               const PlotStyle& style) {
+  const double em = painter.fontMetrics().height();
+  painter.setPen(style.text);
+  painter.drawText(cell.adjusted(0, 0.3 * em, 0, 0), Qt::AlignTop | Qt::AlignHCenter, picture.series.name);
+  painter.drawText(place.at({0, 0, 1.08}) + QPointF(0.3 * em, 0), QObject::tr("n"));
+  painter.drawText(place.at(1.14 * fromSpherical(picture.settings.thetaI, pi)) + QPointF(-2 * em, -0.3 * em),
+                   QObject::tr("θi %1").arg(degreesText(picture.settings.thetaI)));
+  QString scale = QObject::tr("circle: %1 1/sr").arg(formatNumber(picture.scale.max));
+  if (picture.scale.logarithmic)
+    scale = QObject::tr("logarithmic, centre: %1 1/sr, %2").arg(formatNumber(picture.scale.min), scale);
+  painter.drawText(cell.adjusted(0, 0, 0, -0.3 * em), Qt::AlignBottom | Qt::AlignHCenter, scale);
+}
+
+}  // namespace
+
+Direction LobeView::toEye() const {
+  return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+Direction LobeView::right() const { return {-std::sin(yaw), std::cos(yaw), 0}; }
+Direction LobeView::up() const { return glm::cross(toEye(), right()); }
+
+LobePlace LobePlace::filling(const QRectF& cell, double fontHeight, const LobeView& view) {
+  const double above = std::max(1.15 * std::cos(view.pitch), std::abs(std::sin(view.pitch)));
+  const double below = std::abs(std::sin(view.pitch));
+  const double height = cell.height() - 3.6 * fontHeight;
+  const double radius = std::max(fontHeight, std::min(cell.width() / 2.5, height / (above + below)));
+  const double top = cell.top() + 1.8 * fontHeight + (height - radius * (above + below)) / 2;
+  return {view, {cell.center().x(), top + radius * above}, radius * view.zoom};
+}
+
+QPointF LobePlace::at(const Direction& point) const {
+  return centre + radius * QPointF(glm::dot(point, view.right()), -glm::dot(point, view.up()));
+}
+
+Direction lobePoint(const LobePicture& picture, std::size_t index) {
+  const plots::LobeSurface& lobe = picture.series.data;
+  const double value = lobe.points.at(index, picture.settings.channel);
+  return (std::isnan(value) ? 0.0 : picture.scale.fraction(value)) * lobe.directions[index];
+}
+
+void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
+              const PlotStyle& style) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGround(painter, place, style);
+  drawAxes(painter, place, picture, style, false);
+  drawSurface(painter, place, picture, style);
+  drawAxes(painter, place, picture, style, true);
+  drawTexts(painter, cell, place, picture, style);
+}
 
 namespace {
 constexpr double turnPerPixel = 0.008;  // rad, as the preview's

@@ -8,15 +8,52 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/charts/custom_plot.h"
+#include "core/plots/plotted_values.h"
+#include "core/rendering/error_maps.h"
 #include "widgets/charts/custom_plot_style.h"
 #include "widgets/inputs/number_field.h"
-#include "widgets/plots/plot_text.h"
-#include "widgets/plots/slice_chart.h"
+#include "widgets/plots/plot_series.h"
 
 namespace gonio::widgets {
 
 namespace {
+
+/// The colour map of core/rendering/error_maps.h for QCustomPlot; cells with NaN stay transparent.
+QCPColorGradient viridisGradient() {
+  constexpr int stops = 32;
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  for (int i = 0; i <= stops; ++i) {
+    const DisplayColour colour = viridis(double(i) / stops);
+    gradient.setColorStopAt(double(i) / stops, QColor(colour[0], colour[1], colour[2]));
+  }
+  gradient.setNanHandling(QCPColorGradient::nhTransparent);
+  return gradient;
+}
+
+/// One colour for all numbers.
+QCPColorGradient plainGradient(const QColor& colour) {
+  QCPColorGradient gradient;
+  gradient.setColorStops({{0, colour}, {1, colour}});
+  gradient.setNanHandling(QCPColorGradient::nhTransparent);
+  return gradient;
+}
+
+/// Labels in degrees of theta_h on an axis of fractions (plots::thetaHFraction()).
+QSharedPointer<QCPAxisTicker> thetaHTicker(plots::ThetaHSpacing spacing) {
+  const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  const QList<int> marks = spacing == plots::ThetaHSpacing::linear ? QList<int>{0, 15, 30, 45, 60, 75, 90}
+                                                                   : QList<int>{0, 1, 5, 10, 20, 30, 45, 60, 90};
+  for (const int mark : marks) ticker->addTick(plots::thetaHFraction(spacing, radians(mark)), QString::number(mark));
+  return ticker;
+}
+
+QSharedPointer<QCPAxisTicker> thetaDTicker() {
+  const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  for (int mark = 0; mark <= 90; mark += 15) ticker->addTick(mark, QString::number(mark));
+  return ticker;
+}
+
 /// Of a logarithmic colour scale: a few cells near 0 must not take the contrast from all others.
 constexpr int maxDecades = 5;
 /// Where the scale ends: the grazing peak of a few cells would leave the rest dark.

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <map>
 
-#include "widgets/charts/custom_plot.h"
 #include "widgets/charts/custom_plot_style.h"
 
 namespace gonio::widgets {

@@ -69,8 +69,8 @@ QStringList without(const QStringList& ids, const QString& id) {
   return kept;
 }
 
-std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, int components,
-                                                                  const TaskControl& control) {
+std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(const QStringList& ids, int components,
+                                                                              const TaskControl& control) {
   if (ids.size() < 2)
     throw Error("The training set has " + std::to_string(ids.size()) + (ids.size() == 1 ? " material" : " materials") +
                 "; it needs at least 2.");
@@ -129,7 +129,7 @@ void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   m_learned.clear();
   m_tasks.run<Basis>(
       {tr("Learning from %n materials", nullptr, int(ids.size())), m_taskKey},
-      [ids, components](const TaskControl& control) { return learnBasis(ids, components, control); },
+      [ids, components](const TaskControl& control) { return learnLibraryComponents(ids, components, control); },
       [this, ids, components](const Basis& basis) {
         m_basis = basis;
         m_learned = ids;

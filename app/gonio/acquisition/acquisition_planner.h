@@ -48,8 +48,8 @@ inline constexpr int maxComponents = 100;
 /// Reads the materials one after another and learns their first principal components. About a second per material that
 /// is not a table. Memory: see learnPrincipalComponents().
 /// @throws Error that names the file, or if there are fewer than two materials; Cancelled.
-std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, int components,
-                                                                  const TaskControl& control = {});
+std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(const QStringList& ids, int components,
+                                                                              const TaskControl& control = {});
 
 /// Settings for the selection of directions.
 struct PlanSettings {

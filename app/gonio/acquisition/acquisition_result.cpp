@@ -135,8 +135,8 @@ void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& 
   }
 }
 
-FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
-                               const TaskControl& control) {
+FactorResultPtr predictFromSimulation(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
+                                      const TaskControl& control) {
   acquisition::FactorReadings readings{.plan = acquisition::planFactors(settings.plan), .values = {}};
   readings.values = acquisition::measure(*reference->table, readings.plan.plan, settings.noise);
   return predictFromReadings(readings, settings.bound, reference, control);

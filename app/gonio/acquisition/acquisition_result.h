@@ -102,8 +102,8 @@ using FactorResultPtr = std::shared_ptr<const FactorResult>;
 
 /// Simulates the readings of both curves of a reference and predicts the material, in about a second. @param reference
 /// not null. @throws Error, Cancelled.
-FactorResultPtr measureFactors(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
-                               const TaskControl& control = {});
+FactorResultPtr predictFromSimulation(const FactorSettings& settings, const AcquisitionReferencePtr& reference,
+                                      const TaskControl& control = {});
 /// The same for given readings. @param reference may be null. @throws Error, Cancelled.
 FactorResultPtr predictFromReadings(const acquisition::FactorReadings& readings, acquisition::FactorBound bound,
                                     const AcquisitionReferencePtr& reference, const TaskControl& control = {});

@@ -232,7 +232,7 @@ void FactorPage::measure() {
         {m_opened ? tr("Predicting from two curves") : tr("Measuring two curves"), factorKey},
         [settings = settings(), opened = m_opened, reference](const TaskControl& control) {
           return opened ? predictFromReadings(opened->readings, settings.bound, reference, control)
-                        : measureFactors(settings, reference, control);
+                        : predictFromSimulation(settings, reference, control);
         },
         [this, name](const FactorResultPtr& result) {
           m_result = result;

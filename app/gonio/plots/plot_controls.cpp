@@ -16,7 +16,7 @@
 #include "widgets/inputs/flow_layout.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
-#include "widgets/plots/plot_text.h"
+#include "widgets/plots/plot_series.h"
 
 namespace gonio::app {
 

@@ -6,8 +6,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "widgets/plots/albedo_plot.h"
-#include "widgets/plots/cartesian_plot.h"
+#include "widgets/plots/curve_chart.h"
 #include "widgets/plots/lobe_plot.h"
 #include "widgets/plots/polar_plot.h"
 #include "widgets/plots/slice_plot.h"

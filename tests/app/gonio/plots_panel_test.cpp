@@ -16,7 +16,7 @@
 #include "core/models/model.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
-#include "widgets/plots/cartesian_plot.h"
+#include "widgets/plots/curve_chart.h"
 #include "widgets/plots/polar_plot.h"
 
 namespace plots_panel_test {
