@@ -12,7 +12,7 @@
 #include "app/goniotool/tool.h"
 #include "core/documents/open_material.h"
 #include "core/figures/figure_formats.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "core/figures/figure_tables.h"
 #include "core/io/atomic_file.h"
 #include "core/rendering/environment.h"

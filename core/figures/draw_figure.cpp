@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "core/rendering/error_maps.h"
 #include "core/support/text.h"
 

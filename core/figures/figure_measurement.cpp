@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/documents/open_material.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "core/rendering/error_maps.h"
 #include "core/study/accuracy_study.h"
 #include "core/support/text.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/figures/draw_figure.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "core/rendering/render_picture.h"
 #include "core/support/text.h"
 

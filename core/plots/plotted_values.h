@@ -10,10 +10,9 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/support/task_control.h"
 
-namespace gonio::plots {
-
 /// Data of plots of a BRDF, without drawing. Angles are in rad; values are linear RGB, 1/sr (conventions of
 /// core/math/types.h), times the chosen CosineFactor.
+namespace gonio::plots {
 
 /// The factor of plotted values, which plots state in the title of the axis.
 enum class CosineFactor {

@@ -11,7 +11,6 @@
 #include <algorithm>
 
 #include "core/figures/figure_description.h"
-#include "core/figures/figure_number.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/metrics/image_errors.h"
 #include "widgets/inputs/plain_text_style.h"

@@ -19,7 +19,7 @@
 #include "app/gonio/figures/figure_numbers.h"
 #include "app/gonio/figures/figure_page_settings.h"
 #include "app/gonio/figures/figure_view.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "tests/app/gonio/figure_test_support.h"
 #include "tests/support/test_program.h"
 #include "widgets/figures/entry_list.h"

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/documents/edit_document.h"
-#include "core/figures/figure_number.h"
 #include "core/io/atomic_file.h"
 #include "core/support/error.h"
 #include "tests/core/figures/small_figure.h"

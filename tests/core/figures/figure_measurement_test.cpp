@@ -10,7 +10,7 @@
 
 #include "core/documents/edit_document.h"
 #include "core/figures/draw_figure.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 #include "core/materials/material.h"
 #include "core/metrics/image_errors.h"
 #include "core/rendering/error_maps.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/figures/figure_measurement.h"
-#include "core/figures/figure_number.h"
+#include "core/figures/figure_description.h"
 
 namespace gonio::test {
 
