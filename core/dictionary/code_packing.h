@@ -29,7 +29,7 @@ SparseCode quantised(SparseCode code);
 
 /// The bytes of a quantised code, compressed by range coding: coefficients concentrate at low indices, and the channels
 /// of a material resemble each other, so that a coefficient, index and value together, needs about 6 bits. (zstd at its
-/// highest level needs 55 to 84 % more bytes for the indices and values.) Per channel: uint8 dictionary, float32 step,
+/// highest level needs 40 to 85 % more bytes for the indices and values.) Per channel: uint8 dictionary, float32 step,
 /// float32 ChannelCode::highest, little-endian; then the range coder's bytes (docs/formats.md). @throws Error for more
 /// than 256 dictionaries or 65535 coefficients, or an index outside the grid.
 std::vector<std::byte> compressChannels(const SparseCode& code);
