@@ -67,7 +67,7 @@ class Watcher final : public ceres::IterationCallback {
 /// Levenberg-Marquardt method. The result is problem.bestParameters(), never worse than the start. A stop request ends
 /// it early. @param iterationDone called after each iteration.
 void minimise(ProjectedProblem& problem, std::vector<double> start, const SolveOptions& options,
-              const std::stop_token& stop, const std::function<void()>& iterationDone = {}) {
+              const std::stop_token& stop, const std::function<void()>& iterationDone) {
   if (problem.unknownCount() == 0) {
     problem.cost({});
     return;
