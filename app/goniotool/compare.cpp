@@ -166,6 +166,7 @@ void addCompare(CLI::App& app, Tool& tool) {
   command->add_option("--image", options->image, "PNG file to write: both images side by side and the error map")
       ->group(outputGroup);
   command->add_option("--size", options->picture.size, "Size of the images, pixels (256)")
+      ->type_name("N|WIDTHxHEIGHT")
       ->check(parsedBy(pictureSize));
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });

@@ -140,7 +140,9 @@ void addTrain(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
   command->add_option("SOURCE", options->sources, study::trainingHelp())->required();
   command->add_option("--out", options->out, "File to write (.dictionary)")->group(outputGroup)->required();
-  command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude")
+      ->type_name("NAME")
+      ->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Dictionaries for each number of coefficients (8)")
       ->check(CLI::Range(1, 64));
   command
@@ -164,8 +166,10 @@ void addTrain(CLI::App& app, Tool& tool) {
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
       "Learn from transformed values without cell scaling");
   command->add_option("--seed", training.seed, "Seed of the initial assignment of signals to dictionaries (1)");
-  command->add_option("--checkpoint", options->checkpoint,
-                      "File for the training state; if it exists, training resumes from it");
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "File for the training state; if it exists, training resumes from it")
+      ->type_name("FILE");
   command->add_flag("--only-complete", options->onlyComplete,
                     "After an interrupt, write nothing instead of the best dictionary so far");
   command->callback([options, &tool] {

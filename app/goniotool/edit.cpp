@@ -205,11 +205,13 @@ void addEdit(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "Model to fit and edit")->check(CLI::IsMember(modelIds()));
   command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable")
+      ->type_name("NAME=VALUE")
       ->check(parsedBy(checkAssignment));
   command
       ->add_option(
           "--control", options->controls,
           "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()))
+      ->type_name("NAME=VALUE")
       ->check(parsedBy(checkAssignment));
   command
       ->add_option(

@@ -250,7 +250,7 @@ void addEncode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("encode", "Encodes a material as a sparse code over a dictionary");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--dictionary", options->dictionary, "Dictionary file (bundled dictionary)");
+  command->add_option("--dictionary", options->dictionary, "Dictionary file (bundled dictionary)")->type_name("FILE");
   command
       ->add_option("--coefficients", options->coefficients,
                    "Max. coefficients per channel (1024; 4096 with --bytes, 262 with --as-published)")
@@ -285,10 +285,13 @@ void addEncode(CLI::App& app, Tool& tool) {
           "--basis; k-svd: small blocks of the table (patches), each as atoms of a dictionary learned from --train "
           "(omp)")
       ->check(CLI::IsMember(methods));
-  command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan");
-  command->add_option("--train", options->train,
-                      trainingSetHelp("Training set of --method k-svd") + " (bundled library)");
-  command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set");
+  command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan")
+      ->type_name("FILE");
+  command
+      ->add_option("--train", options->train, trainingSetHelp("Training set of --method k-svd") + " (bundled library)")
+      ->type_name("FILE|FOLDER");
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
+      ->type_name("NAME");
   command->add_flag("--as-published", options->asPublished,
                     "Published method: without cell scaling, invalid cells filled once before the projection, "
                     "unweighted gamma error");
@@ -306,8 +309,10 @@ void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "Decodes a sparse code to a material");
   command->add_option("CODE", options->material, "A " + suffixOf(formats::codeFormat) + " file")->required();
-  command->add_option("--dictionary", options->dictionary,
-                      "Dictionary with which the code was encoded (bundled dictionary)");
+  command
+      ->add_option("--dictionary", options->dictionary,
+                   "Dictionary with which the code was encoded (bundled dictionary)")
+      ->type_name("FILE");
   command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }

@@ -98,6 +98,7 @@ void addEvaluate(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("evaluate", "Evaluates the BRDF at given directions");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--directions", options->directions, "CSV file with theta_i, phi_i, theta_o, phi_o in degrees")
+      ->type_name("FILE")
       ->required();
   command->add_option("--out", options->out, "CSV file to write: the directions, then the BRDF values r, g, b in 1/sr")
       ->group(outputGroup)

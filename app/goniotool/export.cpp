@@ -147,11 +147,14 @@ void addExport(CLI::App& app, Tool& tool) {
       ->add_option("--scene", options->scene,
                    "Also write a scene with the material, for " + sceneTargetList() +
                        ": a bundled scene, a scene file or a mesh; without a value, sphere")
+      ->type_name("NAME|FILE")
       ->expected(0, 1)
       ->default_str(sphereName);
-  command->add_option(
-      "--environment", options->environment,
-      "Environment of the written scene: a bundled one or an image; implies --scene (environment of the scene)");
+  command
+      ->add_option(
+          "--environment", options->environment,
+          "Environment of the written scene: a bundled one or an image; implies --scene (environment of the scene)")
+      ->type_name("NAME|FILE");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

@@ -252,10 +252,14 @@ std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr
           .add_option("--decode", options->decode,
                       outputHelp("Also write the material that the factors represent to this file"))
           ->group(outputGroup),
-      command.add_option("--swap-f1", options->swapF1,
-                         "Replace F1 of the first term (specular strength vs. angle) with that of this material"),
-      command.add_option("--swap-f2", options->swapF2,
-                         "Replace F2 of the first term (highlight profile) with that of this material"),
+      command
+          .add_option("--swap-f1", options->swapF1,
+                      "Replace F1 of the first term (specular strength vs. angle) with that of this material")
+          ->type_name("MATERIAL"),
+      command
+          .add_option("--swap-f2", options->swapF2,
+                      "Replace F2 of the first term (highlight profile) with that of this material")
+          ->type_name("MATERIAL"),
       command.add_flag("--keep-terms", options->keepFurther,
                        "Retain the other terms when F1 or F2 is replaced (otherwise they are dropped)")};
 }

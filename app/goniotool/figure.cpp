@@ -11,8 +11,8 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/documents/open_material.h"
-#include "core/figures/figure_formats.h"
 #include "core/figures/figure_description.h"
+#include "core/figures/figure_formats.h"
 #include "core/figures/figure_tables.h"
 #include "core/io/atomic_file.h"
 #include "core/rendering/environment.h"
@@ -205,15 +205,19 @@ int runFigure(const FigureArguments& options, const Tool& tool) {
 }
 
 void addContentOptions(CLI::App& command, FigureArguments& options) {
-  command.add_option("--materials", options.materials,
-                     "Materials, one per row: files, documents or library:SOURCE/NAME");
-  command.add_option("--representations", options.representations,
-                     "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256");
+  command
+      .add_option("--materials", options.materials, "Materials, one per row: files, documents or library:SOURCE/NAME")
+      ->type_name("MATERIAL");
+  command
+      .add_option("--representations", options.representations,
+                  "Representations, one per column: ID or ID:BUDGET, such as ggx factors-3d:10 code:256")
+      ->type_name("ID");
   command
       .add_option(
           "--numbers", options.numbers,
           "Numbers under the images: rendered-snr, an image metric (listed by goniotool compare), a metric of BRDF "
           "values (see goniotool fit --sort), bytes, encoding-time, evaluation-time, frame-time (rendered-snr,bytes)")
+      ->type_name("ID")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");
   command
@@ -231,16 +235,18 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
       .add_option("--columns", options.columns,
                   "Width of the figure: one column (84 mm) or two columns (177 mm) of a page (two)")
       ->check(CLI::IsMember({"one", "two"}));
-  command.add_option("--font", options.font, "Font family (Helvetica)");
+  command.add_option("--font", options.font, "Font family (Helvetica)")->type_name("NAME");
   command.add_option("--font-size", options.fontSize, "Font size, pt (7 in one column, 8 in two)");
   command.add_option("--dpi", options.dotsPerInch, "Resolution of PNG files, dots per inch (300)")
       ->check(CLI::Range(36.0, 2400.0));
 }
 
 void addPictureOptions(CLI::App& command, FigureArguments& options) {
-  command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere)");
-  command.add_option("--environment", options.environment,
-                     "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
+  command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere)")->type_name("NAME|FILE");
+  command
+      .add_option("--environment", options.environment,
+                  "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)")
+      ->type_name("NAME|FILE");
   command.add_option("--size", options.size, "Size of the images, pixels (256)");
   command.add_option("--samples", options.samples, "Samples per pixel (64)");
   command.add_option("--exposure", options.exposure, "Exposure of the images, stops (0)");

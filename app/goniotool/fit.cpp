@@ -157,6 +157,7 @@ void addFit(CLI::App& app, Tool& tool) {
       ->add_option(
           "--gamma", options->gamma,
           "Gamma of the metric gamma (values are raised to 1/gamma): 1 to 3, or auto for the highest rendered SNR (2)")
+      ->type_name("NUMBER|auto")
       ->check(parsedBy(checkGammaText));
   command
       ->add_option("--sort", options->sort,

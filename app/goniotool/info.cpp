@@ -94,6 +94,7 @@ void addInfo(CLI::App& app, Tool& tool) {
       command->add_flag("--table-error", options->tableError,
                         "Also measure the rendered SNR of the material's table, which takes a few seconds");
   command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")
+      ->type_name("N|WIDTHxHEIGHT")
       ->check(parsedBy(pictureSize))
       ->needs(tableError);
   command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")

@@ -238,8 +238,9 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Number of terms for --space factors (10)")
       ->check(CLI::Range(1, factorization::maxPdvTerms));
-  command->add_option("--dictionary", options->dictionary,
-                      "Dictionary file for --space dictionary (bundled dictionary)");
+  command
+      ->add_option("--dictionary", options->dictionary, "Dictionary file for --space dictionary (bundled dictionary)")
+      ->type_name("FILE");
   command
       ->add_option("--coefficients", options->coefficients,
                    "Max. coefficients per channel for --space dictionary (1024)")

@@ -205,7 +205,8 @@ void addFactorsOptions(CLI::App& command, const std::shared_ptr<MeasureFactorsAr
       ->check(CLI::Range(0.1, 89.9));
   command.add_option("--min-separation", options->minSeparationDegrees, "Min. angle between the arms, degrees (2)")
       ->check(CLI::Range(0.0, 180.0));
-  command.add_option("--values", options->values, "CSV file of the readings of both curves, instead of a simulation");
+  command.add_option("--values", options->values, "CSV file of the readings of both curves, instead of a simulation")
+      ->type_name("FILE");
   command
       .add_option("--predict", options->predict,
                   outputHelp("File to write: the predicted material") + ", or its factors (.pdv)")
@@ -244,7 +245,7 @@ void addMeasure(CLI::App& app, Tool& tool) {
       "measure",
       "Simulates the measurement of a material with a goniometer, at the directions of a plan or along two curves");
   command->add_option("MATERIAL", options->material, materialHelp);
-  command->add_option("--plan", options->plan, "CSV file of a plan, see goniotool plan");
+  command->add_option("--plan", options->plan, "CSV file of a plan, see goniotool plan")->type_name("FILE");
   command
       ->add_option("--out", options->out,
                    "CSV file to write: index and r, g, b in 1/sr; with --factors also the directions; with noise "

@@ -66,8 +66,10 @@ RenderOptions PictureOptions::renderOptions() const {
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
   auto* environment =
-      command.add_option("--environment", options->environment,
-                         "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)");
+      command
+          .add_option("--environment", options->environment,
+                      "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)")
+          ->type_name("NAME|FILE");
   command
       .add_option("--light", options->light,
                   "Replace all lights with a distant light; X Y Z points towards the light, y up, z towards the camera")
@@ -78,6 +80,7 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
   command.add_flag("--show-environment", options->showEnvironment, "Show the environment behind the objects");
   command.add_flag("--blur-background", options->blurBackground, "Blur the environment behind the objects");
   command.add_option("--size", options->size, "Size of the image, pixels: a number or WIDTHxHEIGHT (256)")
+      ->type_name("N|WIDTHxHEIGHT")
       ->check(parsedBy(pictureSize));
   command.add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command.add_option("--seed", options->seed, "Seed of the random numbers (1)");

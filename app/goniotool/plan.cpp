@@ -134,8 +134,11 @@ void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<PlanArguments>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "Chooses the directions at which to measure a material");
-  command->add_option("--train", options->train, trainingSetHelp("Training set") + " (bundled library)");
-  command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
+  command->add_option("--train", options->train, trainingSetHelp("Training set") + " (bundled library)")
+      ->type_name("FILE|FOLDER");
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude")
+      ->type_name("NAME")
+      ->delimiter(',');
   command->add_option("--samples", selection.samples, "Number of direction pairs")
       ->required()
       ->check(CLI::Range(1, 4096));
@@ -172,6 +175,7 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->add_option("--forbid", options->forbidden,
                    "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees "
                    "(phi: difference of the azimuths); repeatable")
+      ->type_name("RANGES")
       ->allow_extra_args(false)
       ->check(parsedBy(forbiddenRegion));
   command->add_option("--seed", selection.seed, "Seed of the methods condition-number and random (1)");

@@ -208,15 +208,19 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   ReconstructionOptions& reconstruction = options->reconstruction;
   CLI::App* command = app.add_subcommand(
       "reconstruct", "Reconstructs a whole material from values measured at the directions of a plan");
-  command->add_option("--plan", options->plan, "CSV file of the plan")->required();
-  command->add_option("--values", options->values, "CSV file of the measured values")->required();
+  command->add_option("--plan", options->plan, "CSV file of the plan")->type_name("FILE")->required();
+  command->add_option("--values", options->values, "CSV file of the measured values")->type_name("FILE")->required();
   command->add_option("--out", options->out, outputHelp("Material file to write"))->group(outputGroup)->required();
-  CLI::Option* basis = command->add_option("--basis", options->basis, "Basis file (the one beside the plan)");
-  CLI::Option* train = command->add_option(
-      "--train", options->train,
-      trainingSetHelp("Training set instead of the basis") + "; required by the method dictionaries");
+  CLI::Option* basis =
+      command->add_option("--basis", options->basis, "Basis file (the one beside the plan)")->type_name("FILE");
+  CLI::Option* train =
+      command
+          ->add_option("--train", options->train,
+                       trainingSetHelp("Training set instead of the basis") + "; required by the method dictionaries")
+          ->type_name("FILE|FOLDER");
   train->excludes(basis);
   command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
+      ->type_name("NAME")
       ->delimiter(',')
       ->needs(train);
   command
@@ -225,12 +229,15 @@ void addReconstruct(CLI::App& app, Tool& tool) {
           "Method: local-ridge, ridge or sparse, over the principal components of the basis; or dictionaries, over the "
           "atoms of --dictionary (needs --train) (local-ridge; ridge with --ridge or --equal-noise)")
       ->check(CLI::IsMember(reconstructionMethods()));
-  command->add_option("--dictionary", options->dictionary,
-                      "Dictionary file of the method dictionaries (bundled dictionary)");
+  command
+      ->add_option("--dictionary", options->dictionary,
+                   "Dictionary file of the method dictionaries (bundled dictionary)")
+      ->type_name("FILE");
   command
       ->add_option("--ridge", options->ridge,
                    "Weight of the regularisation of --method ridge: a number (40 in Tongbuasirilai 2023, eq. 5.14) "
                    "or auto, chosen by leave-one-out (auto)")
+      ->type_name("NUMBER|auto")
       ->check(parsedBy(ridgeOf));
   command
       ->add_option("--components", reconstruction.components,

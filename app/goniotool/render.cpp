@@ -156,9 +156,11 @@ void addRender(CLI::App& app, Tool& tool) {
       ->add_option("MATERIAL", options->materials,
                    std::string(materialHelp) + "; several for scenes with several materials")
       ->required();
-  command->add_option(
-      "--scene", options->scene,
-      "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ") (sphere)");
+  command
+      ->add_option(
+          "--scene", options->scene,
+          "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ") (sphere)")
+      ->type_name("NAME|FILE");
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Show which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure the time and contribution of each effect");

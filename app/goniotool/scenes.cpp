@@ -43,7 +43,8 @@ void addScenes(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("scenes", "Lists scenes with their effect plans");
   command->add_option("SCENE", options->scenes,
                       "Scenes, scene files (.json) or meshes (" + io::meshSuffixList() + ") (all bundled scenes)");
-  command->add_option("--material", options->materials, "Material of the scenes (a grey Lambertian surface)");
+  command->add_option("--material", options->materials, "Material of the scenes (a grey Lambertian surface)")
+      ->type_name("MATERIAL");
   command->callback([options, &tool] { tool.run = [options, &tool] { return scenes(*options, tool); }; });
 }
 

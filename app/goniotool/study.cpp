@@ -93,9 +93,10 @@ void addStudy(CLI::App& app, Tool& tool) {
                    "Kinds of representations: table, fits, factors, codes, components, patches, nonparametric, "
                    "published-nonparametric, baselines, published, alternatives, neural (table, fits, factors, "
                    "codes and nonparametric)")
+      ->type_name("ID")
       ->delimiter(',');
-  command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
-  command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->delimiter(',');
+  command->add_option("--models", options->models, "Models of the fits (all)")->type_name("ID")->delimiter(',');
+  command->add_option("--baselines", options->baselines, "Baselines to measure (all)")->type_name("ID")->delimiter(',');
   command
       ->add_option("--terms", options->choice.terms,
                    "Numbers of terms of the factors; the resulting file sizes are the budgets of the baselines "
@@ -113,16 +114,19 @@ void addStudy(CLI::App& app, Tool& tool) {
                    "Dictionary file of the codes, repeatable. One file is used for all materials, even those that it "
                    "was trained on. With several files, each material is encoded with the first one that was not "
                    "trained on it (bundled dictionary)")
+      ->type_name("FILE")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--components-from", options->componentsFrom,
                    trainingSetHelp("Training set of the principal components") + " (none)")
+      ->type_name("FILE|FOLDER")
       ->delimiter(',');
   command
       ->add_option(
           "--patches-from", options->patchesFrom,
           trainingSetHelp("Training set of a dictionary of patches (blocks of cells of the table, K-SVD)") + " (none)")
+      ->type_name("FILE|FOLDER")
       ->delimiter(',');
   command->add_flag("--separate", options->choice.separatedComponents,
                     "Also measure components of the separated diffuse and specular parts (Sun et al. 2018)");
@@ -131,15 +135,18 @@ void addStudy(CLI::App& app, Tool& tool) {
                    "Numbers of principal components (powers of two from 4 to 128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  command->add_option("--npf", options->npf,
-                      "Table of published non-parametric factors (npf.bin of Bagher et al. 2016); also measure the "
-                      "published factors of each material that has a row with its name (none)");
+  command
+      ->add_option("--npf", options->npf,
+                   "Table of published non-parametric factors (npf.bin of Bagher et al. 2016); also measure the "
+                   "published factors of each material that has a row with its name (none)")
+      ->type_name("FILE");
   command->add_option("--size", options->size, "Size of the images, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_flag("--no-times", options->withoutTimes, "Omit times, so that every run writes identical files");
   command
       ->add_option("--shard", options->shard,
                    "I/N: measure only every Nth material, starting with the Ith; goniotool merge merges the shards")
+      ->type_name("I/N")
       ->check(parsedBy(parseShard));
   command->add_flag("--resume", options->resume, "Reuse results in the folder that belong to the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,

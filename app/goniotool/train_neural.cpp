@@ -83,9 +83,10 @@ void addTrainNeural(CLI::App& app, Tool& tool) {
   rate->check(CLI::Range(1e-6, 1.0));
   auto* seed =
       command->add_option("--seed", options->training.seed, "Seed of the initial weights and of the batches (1)");
-  auto* weights =
-      command->add_option("--weights", options->weights,
-                          "File of published weights to use instead of training: rows of 675 float32 values");
+  auto* weights = command
+                      ->add_option("--weights", options->weights,
+                                   "File of published weights to use instead of training: rows of 675 float32 values")
+                      ->type_name("FILE");
   for (CLI::Option* option : {steps, rate, seed}) weights->excludes(option);
   command->add_option("--row", options->row, "Row of the material in --weights, from 0 (0)")->needs(weights);
   command->add_option("--samples", options->samples, "Samples per pixel of the images for the rendered SNR (32)")

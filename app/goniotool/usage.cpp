@@ -25,28 +25,6 @@ namespace {
 
 constexpr std::size_t helpColumns = 120, maxSetColumns = 100;
 
-struct ValueWord {
-  std::string_view option, word;
-};
-
-/// Words for texts and for lists of fixed length, by the names of their options in all commands.
-constexpr ValueWord valueWords[] = {{"baselines", "ID"},        {"basis", "FILE"},
-                                    {"checkpoint", "FILE"},     {"components-from", "FILE|FOLDER"},
-                                    {"control", "NAME=VALUE"},  {"dictionary", "FILE"},
-                                    {"directions", "FILE"},     {"environment", "NAME|FILE"},
-                                    {"exclude", "NAME"},        {"font", "NAME"},
-                                    {"forbid", "RANGES"},       {"gamma", "NUMBER|auto"},
-                                    {"inset", "X Y SIZE"},      {"light", "X Y Z"},
-                                    {"material", "MATERIAL"},   {"materials", "MATERIAL"},
-                                    {"models", "ID"},           {"npf", "FILE"},
-                                    {"numbers", "ID"},          {"patches-from", "FILE|FOLDER"},
-                                    {"plan", "FILE"},           {"representations", "ID"},
-                                    {"ridge", "NUMBER|auto"},   {"scene", "NAME|FILE"},
-                                    {"set", "NAME=VALUE"},      {"shard", "I/N"},
-                                    {"size", "N|WIDTHxHEIGHT"}, {"swap-f1", "MATERIAL"},
-                                    {"swap-f2", "MATERIAL"},    {"train", "FILE|FOLDER"},
-                                    {"values", "FILE"},         {"weights", "FILE"}};
-
 /// Breaks lines at spaces; only a longer word exceeds `columns`.
 std::string filledLines(const std::string& text, std::size_t columns, const std::string& indent = {}) {
   std::string result;
@@ -65,15 +43,15 @@ std::string filledLines(const std::string& text, std::size_t columns, const std:
   return result;
 }
 
-/// The word for one value of an option. @param type CLI11's name of its type.
+/// The word for one value of an option, or for all of a fixed number, which its description names: "X Y Z". @param type
+/// type_name() of the option, or CLI11's name of its type.
 std::string valueWord(const CLI::Option& option, const std::string& type) {
   if (option.get_description().starts_with("Folder")) return "FOLDER";
   if (option.get_group() == outputGroup) return "FILE";
-  if (type == "TEXT" || option.get_expected_min() > 1) {
-    const auto known = std::ranges::find_if(
-        valueWords, [&](const ValueWord& one) { return option.check_lname(std::string(one.option)); });
-    if (known != std::end(valueWords)) return std::string(known->word);
-  }
+  static const std::regex namedValues("X Y [A-Z]+");
+  std::smatch names;
+  if (option.get_expected_min() > 1 && std::regex_search(option.get_description(), names, namedValues))
+    return names.str();
   return type == "INT" || type == "UINT" ? "N" : type == "FLOAT" ? "NUMBER" : type;
 }
 
@@ -114,8 +92,7 @@ std::string materialFooter() {
          "library:rgl/paper_blue\n";
 }
 
-}  // namespace
-
+/// "1 to 1e6" for "FLOAT in [1 - 1e+06]", CLI11's description of a range.
 std::string rangeWords(const std::string& check) {
   static const std::regex range(R"(.* in \[(.+) - (.+)\])"), exponent("e\\+?(-?)0*");
   if (check == "POSITIVE") return "above 0";
@@ -124,6 +101,7 @@ std::string rangeWords(const std::string& check) {
   return std::regex_replace(limits[1].str() + " to " + limits[2].str(), exponent, "e$1");
 }
 
+/// What follows an option in its help: "N ... (1 to 20)", "{clamp, filmic}"; for an argument without a dash, "...".
 std::string valueText(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t colon = type.find(':');
@@ -141,6 +119,8 @@ std::string valueText(const CLI::Option& option) {
   if (!check.empty() && !isSet) text += " (" + rangeWords(check) + ")";
   return text;
 }
+
+}  // namespace
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;

@@ -7,13 +7,8 @@
 #include <optional>
 #include <string>
 
+/// What all subcommands share: the help, the checks of values, and what is reported about a wrong command line.
 namespace gonio::tool {
-
-/// "1 to 1e6" for "FLOAT in [1 - 1e+06]", CLI11's description of a range.
-std::string rangeWords(const std::string& check);
-
-/// What follows an option in its help: "N ... (1 to 20)", "{clamp, filmic}"; for an argument without a dash, "...".
-std::string valueText(const CLI::Option& option);
 
 /// The help of all commands. Values are named by words such as FILE instead of CLI11's types, and ranges are written as
 /// "(1 to 20)". Parentheses at the end of the description of an option contain its default, which is printed as
@@ -27,8 +22,6 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_option_desc(const CLI::Option* option) const override;
   std::string make_option_usage(const CLI::Option* option) const override;
 };
-
-/// The checks of the command line that all subcommands share, and what is reported about a wrong one.
 
 /// nullopt for NaN, infinities, numbers beyond double precision, and other text.
 std::optional<double> finiteNumber(const std::string& text);

@@ -12,14 +12,13 @@
 #include "core/coordinates/half_difference_grid.h"
 #include "core/dictionary/largest_projections.h"
 
-namespace gonio::dictionary {
-
 /// Sparse codes over an ensemble of small orthonormal dictionaries: Miandji et al., "Compressive Image Reconstruction
 /// in Reduced Union of Subspaces" (2015), "A Unified Framework for Compression and Compressed Sensing of Light Fields
 /// and Light Field Videos" (2019); for measured BRDFs Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
 /// Reflectance Modeling and Acquisition", section 4.3.2.
 ///
 /// Modes are the axes of a table in the order of memory: 0 phi_d (fastest), 1 theta_d, 2 theta_h.
+namespace gonio::dictionary {
 
 /// Three square orthonormal matrices. A table Y with coefficients S is the sum over l of S(l0, l1, l2) u0_l0 o u1_l1 o
 /// u2_l2, where o is the outer product.

@@ -8,15 +8,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace gonio::dictionary {
-
-/// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A
-/// generalized solution of the orthogonal Procrustes problem"). Orthonormal up to rounding for any rank of Z, also for
-/// Z = 0.
-Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z);
-
 /// Products of three-mode blocks (third-order tensors) with matrices, in the precision of the block; training and
 /// encoding spend most of their time here. As in Tensor, the first index of a block runs fastest.
+namespace gonio::dictionary {
 
 template <typename Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -97,5 +91,10 @@ void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd&
 /// The smallest number of leading eigenvectors, at least 1, that loses at most the fraction `maxLoss` of the energy.
 /// @param eigenvalues of a Gram matrix, descending.
 int rankFor(const Eigen::VectorXd& eigenvalues, double maxLoss);
+
+/// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A
+/// generalized solution of the orthogonal Procrustes problem"). Orthonormal up to rounding for any rank of Z, also for
+/// Z = 0.
+Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z);
 
 }  // namespace gonio::dictionary

@@ -236,7 +236,7 @@ models::ParameterValues ProjectedProblem::bestParameters() const {
   return values;
 }
 
-/// The Jacobian of ProjectedProblem.
+// The Jacobian.
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include "core/math/matching_pursuit.h"
 #include "core/support/task_control.h"
 
-namespace gonio::dictionary {
-
 /// Sparse codes of patches: a signal is cut into blocks of cells, each of which is a sum of few atoms of one
-/// dictionary.
+/// unstructured dictionary, which K-SVD learned (Aharon, Elad and Bruckstein 2006); the classical alternative to the
+/// ensemble of orthonormal dictionaries.
+namespace gonio::dictionary {
 
 /// Patches of a signal of `sizes` (phi_d, theta_d, theta_h), one per column; phi_d is fastest within a patch and among
 /// patches. @throws Error if the sizes are not multiples of the patch's.
@@ -36,9 +36,6 @@ struct PatchCode {
 /// orthogonalMatchingPursuit(); Cancelled.
 PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
                         int maxPerPatch = 32, const TaskControl& control = {});
-
-/// Codes over one unstructured dictionary of patches that K-SVD learned (Aharon, Elad and Bruckstein 2006), the
-/// classical alternative to the ensemble of orthonormal dictionaries.
 
 /// Atoms for patches of signals (patch_code.h). The signals are the log-plus signals of an ensemble, with cell scaling.
 struct PatchDictionary {
