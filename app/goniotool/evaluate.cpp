@@ -11,7 +11,6 @@
 #include "app/goniotool/tool.h"
 #include "core/brdf/brdf.h"
 #include "core/io/atomic_file.h"
-#include "core/io/csv_table.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
 

@@ -11,7 +11,6 @@
 
 #include "core/acquisition/sample_rows.h"
 #include "core/io/atomic_file.h"
-#include "core/io/csv_table.h"
 #include "core/io/csv_text.h"
 #include "core/support/error.h"
 #include "core/support/text.h"

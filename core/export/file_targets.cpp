@@ -6,7 +6,7 @@
 #include "core/export/target_table.h"
 #include "core/formats/formats.h"
 #include "core/formats/rgl.h"
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "core/io/exr_codec.h"
 #include "core/plots/plotted_values.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/figures/figure_measurement.h"
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 
 namespace gonio::figures {
 

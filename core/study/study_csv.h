@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "core/study/machine.h"
 #include "core/study/study_record.h"
 #include "core/study/study_summary.h"

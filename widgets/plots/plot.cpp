@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "core/io/atomic_file.h"
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "core/support/error.h"
 #include "widgets/inputs/dialogs.h"
 #include "widgets/plots/plot_series.h"

@@ -7,7 +7,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "widgets/charts/plot_style.h"
 #include "widgets/plots/plot_series.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "core/plots/plotted_values.h"
 #include "widgets/charts/plot_style.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "core/metrics/brdf_metrics.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"

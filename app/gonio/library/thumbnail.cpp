@@ -9,7 +9,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <atomic>
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include <condition_variable>
 #include <map>
 #include <mutex>

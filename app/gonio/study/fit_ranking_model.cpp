@@ -9,7 +9,7 @@
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/thumbnail.h"
-#include "core/io/csv_table.h"
+#include "core/io/csv_text.h"
 #include "widgets/inputs/plain_text_style.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/formula_text.h"

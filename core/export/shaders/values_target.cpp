@@ -10,7 +10,6 @@
 #include "core/export/target_table.h"
 #include "core/io/csv_text.h"
 #include "core/math/colour.h"
-#include "core/io/csv_table.h"
 
 namespace gonio::exports {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/csv_text.h"
-#include "core/io/csv_table.h"
 
 #include <QTest>
 #include <array>
