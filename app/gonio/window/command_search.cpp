@@ -6,35 +6,29 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMainWindow>
-#include <QMenu>
-#include <QMenuBar>
 #include <QPointer>
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <iterator>
 
-#include "widgets/inputs/menu_text.h"
+#include "app/gonio/document/document_controller.h"
+#include "app/gonio/inspector/inspector.h"
+#include "app/gonio/scene/environment_controller.h"
+#include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/window/action_table.h"
+#include "app/gonio/window/document_files.h"
+#include "app/gonio/window/help.h"
+#include "core/rendering/environment.h"
+#include "core/rendering/scene_file.h"
+#include "widgets/library/library_model.h"
+#include "widgets/parameters/control_panel.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_row.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
-
-QString plainText(const QAction* action) {
-  return widgets::withoutKeyMarks(action->text()).remove(QStringLiteral("..."));
-}
-
-void collect(const QMenu* menu, const QString& prefix, QList<NamedAction>& found) {
-  for (QAction* action : menu->actions()) {
-    if (action->isSeparator() || action->text().isEmpty()) continue;
-    const QString path = prefix + plainText(action);
-    if (action->menu())
-      collect(action->menu(), path + QStringLiteral(" > "), found);
-    else
-      found.append({path, action});
-  }
-}
 
 /// How well an entry matches: each word begins one of its text, or of its text and keywords, or stands anywhere in
 /// them.
@@ -58,35 +52,104 @@ Match matchOf(const SearchEntry& entry, const QStringList& words) {
   return isThere ? Match::anywhere : Match::none;
 }
 
-SearchEntry entryOf(const NamedAction& named) {
-  const QPointer<QAction> action = named.action;
-  // A tooltip that only repeats the text adds nothing.
-  return {.text = named.path,
-          .keywords = named.action->toolTip(),
-          .run =
-              [action] {
-                if (action) action->trigger();
-              },
-          .shortcut = named.action->shortcut().toString(QKeySequence::NativeText),
-          .enabled = named.action->isEnabled(),
-          .isCommand = true};
+void addCommands(std::vector<SearchEntry>& entries, ActionTable& actions) {
+  for (const NamedAction& named : actions.all())
+    entries.push_back({.text = named.path,
+                       .keywords = named.action->toolTip(),
+                       .run =
+                           [action = QPointer(named.action)] {
+                             if (action) action->trigger();
+                           },
+                       .shortcut = named.action->shortcut().toString(QKeySequence::NativeText),
+                       .enabled = named.action->isEnabled(),
+                       .isCommand = true});
+}
+
+void addMaterials(std::vector<SearchEntry>& entries, const widgets::LibraryModel& model, DocumentFiles& files) {
+  for (int row = 0; row < model.rowCount(); ++row) {
+    if (model.headingOf(row) != widgets::LibraryGrouping::none) continue;
+    const QModelIndex index = model.index(row);
+    const QString id = index.data(widgets::LibraryModel::IdRole).toString();
+    const QString badge = index.data(widgets::LibraryModel::BadgeRole).toString();
+    const QString name = index.data().toString();
+    entries.push_back({.text = (badge.isEmpty() ? CommandSearch::tr("Library > %1").arg(name)
+                                                : CommandSearch::tr("Library > %1 (%2)").arg(name, badge)),
+                       .keywords = QString(name).replace('-', ' ') + ' ' +
+                                   model.group(row, widgets::LibraryGrouping::kind) + ' ' +
+                                   model.group(row, widgets::LibraryGrouping::source) + CommandSearch::tr(" material"),
+                       .run = [&files, id] { files.open(id); }});
+  }
+}
+
+void addRow(std::vector<SearchEntry>& entries, Inspector& inspector, const QString& group,
+            const models::ParameterSpec& spec, QWidget* row) {
+  if (!row) return;
+  const QPointer<QWidget> found = row;
+  entries.push_back({.text = QStringLiteral("%1 > %2").arg(group, widgets::toQString(spec.label)),
+                     .keywords = widgets::toQString(spec.id) + ' ' + widgets::toQString(spec.description) + ' ' +
+                                 CommandSearch::tr("slider parameter"),
+                     .run =
+                         [&inspector, found] {
+                           if (found) inspector.reveal(*found);
+                         },
+                     .enabled = row->isEnabled()});
+}
+
+void addSliders(std::vector<SearchEntry>& entries, const Document& document, Inspector& inspector) {
+  const auto* edit = document.active<editing::DifferentialEdit>();
+  if (!edit) return;
+  const auto& controls = editing::artistControls().parameters;
+  for (std::size_t i = 0; i < controls.size(); ++i)
+    addRow(entries, inspector, CommandSearch::tr("Controls"), controls[i],
+           inspector.controls()->row(editing::ArtistControl(i)));
+  const models::ModelSpec& spec = edit->model->spec();
+  for (std::size_t i = 0; i < std::min(spec.parameters.size(), inspector.parameters()->rowCount()); ++i)
+    addRow(entries, inspector, widgets::toQString(spec.name), spec.parameters[i], inspector.parameters()->row(i));
+}
+
+void addModels(std::vector<SearchEntry>& entries, bool isOpen, DocumentController& controller) {
+  for (const models::Model* model : models::allModels())
+    entries.push_back({.text = CommandSearch::tr("Model > %1").arg(widgets::toQString(model->spec().name)),
+                       .keywords = widgets::toQString(model->spec().id) + ' ' + CommandSearch::tr("choose fit"),
+                       .run = [&controller, model] { controller.chooseModel(*model); },
+                       .enabled = isOpen});
+}
+
+void addScenes(std::vector<SearchEntry>& entries, ScenePanel& scene, EnvironmentController& environment) {
+  for (const std::string& name : bundledSceneNames())
+    entries.push_back({.text = CommandSearch::tr("Scene > %1").arg(sceneTitle(name)),
+                       .keywords = CommandSearch::tr("shape mesh object show on"),
+                       .run = [&scene, name] { scene.open(QString::fromStdString(name)); }});
+  QStringList lights;
+  for (const std::string& name : bundledEnvironmentNames()) lights << QString::fromStdString(name);
+  for (const QString& light : lights + environment.recent())
+    entries.push_back({.text = CommandSearch::tr("Light > %1")
+                                   .arg(light.contains('/') ? light.section('/', -1) : sceneTitle(light.toStdString())),
+                       .keywords = CommandSearch::tr("environment hdri hdr lighting illumination"),
+                       .run = [&environment, light] { environment.open(light); }});
+}
+
+void addGuide(std::vector<SearchEntry>& entries, QWidget* window) {
+  QString page;
+  for (const GuidePage& one : guidePages()) {
+    if (one.level == 1) page = one.title;
+    entries.push_back({.text = one.level == 1 ? CommandSearch::tr("Guide > %1").arg(page)
+                                              : CommandSearch::tr("Guide > %1 > %2").arg(page, one.title),
+                       .keywords = CommandSearch::tr("help documentation manual"),
+                       .run = [window, one] { openGuide(window, one.file, one.level == 1 ? QString() : one.title); }});
+  }
 }
 
 }  // namespace
 
-QList<NamedAction> allActions(const QWidget* window) {
-  QList<NamedAction> found;
-  const auto* mainWindow = qobject_cast<const QMainWindow*>(window);
-  if (!mainWindow || !mainWindow->menuWidget()) return found;
-  for (const QAction* top : qobject_cast<QMenuBar*>(mainWindow->menuWidget())->actions())
-    if (top->menu()) collect(top->menu(), plainText(top) + QStringLiteral(" > "), found);
-  return found;
-}
-
-CommandSearch::CommandSearch(QWidget* window, std::vector<SearchEntry> others)
+CommandSearch::CommandSearch(const Parts& parts, QWidget* window)
     : QDialog(window, Qt::Popup), m_text(new QLineEdit(this)), m_list(new QListWidget(this)) {
-  for (const NamedAction& named : allActions(window)) m_entries.push_back(entryOf(named));
-  std::ranges::move(others, std::back_inserter(m_entries));
+  addCommands(m_entries, parts.actions);
+  addSliders(m_entries, parts.document, parts.inspector);
+  addModels(m_entries, parts.document.material() != nullptr, parts.controller);
+  addScenes(m_entries, parts.scene, parts.environment);
+  addMaterials(m_entries, parts.library, parts.files);
+  addGuide(m_entries, window);
   m_text->setPlaceholderText(tr("Search commands, materials, parameters, scenes"));
   m_text->setAccessibleName(tr("Search commands, materials, parameters, scenes"));
   m_list->setAccessibleName(tr("Search results"));

@@ -6,18 +6,22 @@
 #include <functional>
 #include <vector>
 
-class QAction;
 class QLineEdit;
 class QListWidget;
 
+namespace gonio::widgets {
+class LibraryModel;
+}
+
 namespace gonio::app {
 
-/// An action of a window's menus, with its path, e.g. "File > Open Recent > a.binary".
-struct NamedAction {
-  QString path;
-  QAction* action;
-};
-QList<NamedAction> allActions(const QWidget* window);
+class ActionTable;
+class Document;
+class DocumentController;
+class DocumentFiles;
+class EnvironmentController;
+class Inspector;
+class ScenePanel;
 
 /// A result of the search that can be run.
 struct SearchEntry {
@@ -29,16 +33,25 @@ struct SearchEntry {
   bool isCommand = false;  ///< also listed for an empty search text
 };
 
-/// Search for commands and other entries by words in any order. Entries are listed in this order: each word begins a
-/// word of the text; each begins a word of the text or the keywords; each stands anywhere in them.
+/// Search for actions, sliders, models, scenes, lights, the current materials of the library and pages of the guide, by
+/// words in any order. Entries are listed in this order: each word begins a word of the text; each begins a word of the
+/// text or the keywords; each stands anywhere in them.
 class CommandSearch : public QDialog {
   Q_OBJECT
 
  public:
-  /// @param others entries in addition to the window's actions.
-  explicit CommandSearch(QWidget* window, std::vector<SearchEntry> others = {});
-
-  QListWidget* list() const { return m_list; }
+  /// What is searched, and what shows or opens the results.
+  struct Parts {
+    ActionTable& actions;
+    const Document& document;
+    DocumentController& controller;
+    DocumentFiles& files;
+    Inspector& inspector;
+    ScenePanel& scene;
+    EnvironmentController& environment;
+    const widgets::LibraryModel& library;
+  };
+  CommandSearch(const Parts& parts, QWidget* window);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -11,21 +11,77 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
+#include "app/gonio/export/export_dialog.h"
 #include "app/gonio/export/image_dialog.h"
 #include "app/gonio/library/library_controller.h"
-#include "app/gonio/window/view_state.h"
+#include "app/gonio/scene/environment_controller.h"
+#include "app/gonio/scene/scene_panel.h"
 #include "core/editing/edit_list.h"
 #include "core/materials/encode.h"
+#include "core/materials/material.h"
+#include "core/rendering/scene_file.h"
 #include "widgets/inputs/dialogs.h"
+#include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
 
 namespace {
+
+/// The finite number under a key, in a range, else `fallback`.
+double number(const nlohmann::json& json, const char* key, double fallback, double min, double max) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_number()) return fallback;
+  const double value = json[key].get<double>();
+  return std::isfinite(value) ? std::clamp(value, min, max) : fallback;
+}
+
+Direction lightOf(const Scene& scene) {
+  return scene.directionalLights.empty() ? DirectionalLight{}.toLight : scene.directionalLights.front().toLight;
+}
+
+/// Restores everything except the scene and the environment, which must be read first. Missing keys and keys of the
+/// wrong type are ignored.
+void restoreCamera(widgets::PreviewWidget& preview, const nlohmann::json& view) {
+  constexpr double steepest = 1.5, farthest = 1000;
+  Scene scene = preview.content().scene();
+  scene.camera.yaw = number(view, "yaw", scene.camera.yaw, -100, 100);
+  scene.camera.pitch = number(view, "pitch", scene.camera.pitch, -steepest, steepest);
+  scene.camera.distance = number(view, "distance", scene.camera.distance, 1.05, farthest);
+  scene.camera.fieldOfView = number(view, "fieldOfView", scene.camera.fieldOfView, 0, 2.5);
+  OrbitCamera& camera = scene.camera;
+  camera.target = {number(view, "targetX", camera.target.x, -farthest, farthest),
+                   number(view, "targetY", camera.target.y, -farthest, farthest),
+                   number(view, "targetZ", camera.target.z, -farthest, farthest)};
+  scene.environmentRotation = number(view, "environmentRotation", scene.environmentRotation, -100, 100);
+  const Direction before = lightOf(scene);
+  const Direction toLight(number(view, "lightX", before.x, -1, 1), number(view, "lightY", before.y, -1, 1),
+                          number(view, "lightZ", before.z, -1, 1));
+  if (glm::length(toLight) > 1e-3 && !scene.directionalLights.empty())
+    scene.directionalLights.front().toLight = glm::normalize(toLight);
+  preview.content().setScene(scene);
+  if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
+    preview.content().setBackground(view["showEnvironment"].get<bool>(),
+                                    view.contains("blurBackground") && view["blurBackground"] == true);
+  widgets::DisplaySettings display = preview.display();
+  display.exposure = number(view, "exposure", display.exposure, -20, 20);
+  if (view.is_object() && view.contains("toneMap"))
+    for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})
+      if (view["toneMap"] == std::string(toneMapName(toneMap))) display.toneMap = toneMap;
+  preview.setDisplay(display);
+}
+
+/// The environment of a view: a bundled name, a path, or empty for the distant light; nullopt if the view does not
+/// contain it.
+std::optional<QString> environmentOf(const nlohmann::json& view) {
+  if (!view.is_object() || !view.contains("environment") || !view["environment"].is_string()) return std::nullopt;
+  return QString::fromStdString(view["environment"].get<std::string>());
+}
 
 const QString openPurpose = QStringLiteral("open"), exportPurpose = QStringLiteral("export");
 
@@ -62,6 +118,34 @@ QString nameOfWork(const RecoverableWork& work) {
 
 }  // namespace
 
+nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
+  const Scene& scene = preview.content().scene();
+  const Direction toLight = lightOf(scene);
+  return {{"scene", scene.source},
+          {"yaw", scene.camera.yaw},
+          {"pitch", scene.camera.pitch},
+          {"distance", scene.camera.distance},
+          {"fieldOfView", scene.camera.fieldOfView},
+          {"targetX", scene.camera.target.x},
+          {"targetY", scene.camera.target.y},
+          {"targetZ", scene.camera.target.z},
+          {"lightX", toLight.x},
+          {"lightY", toLight.y},
+          {"lightZ", toLight.z},
+          {"environment", scene.environment ? scene.environment->name() : std::string()},
+          {"environmentRotation", scene.environmentRotation},
+          {"showEnvironment", scene.showEnvironment},
+          {"blurBackground", scene.blurBackground},
+          {"exposure", preview.display().exposure},
+          {"toneMap", std::string(toneMapName(preview.display().toneMap))}};
+}
+
+QString sceneNameOf(const nlohmann::json& view) {
+  const bool hasScene = view.is_object() && view.contains("scene") && view["scene"].is_string();
+  const std::string scene = hasScene ? view["scene"].get<std::string>() : "";
+  return QString::fromStdString(scene.empty() ? bundledSceneNames().front() : scene);
+}
+
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
     : m_parts(parts),
       m_window(window),
@@ -92,8 +176,17 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
     m_autosave.setDocumentPath(path);
     m_parts.recent.add(path);
   });
+  connect(controller, &DocumentController::viewRestored, this, &DocumentFiles::restoreView);
   connect(controller, &DocumentController::unsavedChanges, this, &DocumentFiles::askAboutUnsavedChanges);
   connect(controller, &DocumentController::sourceChanged, this, &DocumentFiles::askAboutChangedSource);
+}
+
+void DocumentFiles::restoreView(const nlohmann::json& view) {
+  m_parts.scene.open(sceneNameOf(view), [this, view] {
+    restoreCamera(m_parts.preview, view);
+    const auto stored = environmentOf(view);
+    if (stored && *stored != m_parts.environment.name()) m_parts.environment.open(*stored);
+  });
 }
 
 bool DocumentFiles::updateAutosave() { return m_autosave.setDocumentPath(m_parts.document.path()); }
@@ -254,12 +347,32 @@ void DocumentFiles::exportBrdf() {
   m_parts.exports.writeMaterial(target, *format);
 }
 
+void DocumentFiles::exportForRenderer() {
+  auto* dialog = new ExportDialog(m_parts.exporter, m_parts.settings, m_parts.preview.content().scene(), m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
 void DocumentFiles::exportImage() {
   auto* dialog = new ImageDialog(
       {m_parts.document, m_parts.exports, m_parts.tasks, m_parts.comparison, m_parts.preview, m_parts.settings},
       proposedName(m_parts.document), m_window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
+}
+
+void DocumentFiles::saveFit() {
+  const auto* edit = m_parts.document.active<editing::DifferentialEdit>();
+  if (!edit) return;
+  const models::Model* model = edit->model;
+  const QString& name = m_parts.document.name();
+  const QString suffix = tableSuffix();
+  askAndSave({tr("Save Fit"), tr("%1, %2 fit").arg(name, widgets::toQString(model->spec().name)),
+              tr("MERL file (*%1)").arg(suffix), suffix,
+              [model, fitted = edit->fitted, name = name.toStdString()](const std::filesystem::path& path,
+                                                                        const TaskControl& control) {
+                materials::writeMaterial(materials::unedited(name, model->instantiate(fitted)), path, {}, control);
+              }});
 }
 
 void DocumentFiles::askAndSave(const FileSave& save) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
+#include <nlohmann/json.hpp>
 
 #include "app/gonio/document/autosave.h"
 
@@ -15,14 +17,23 @@ class PreviewWidget;
 
 namespace gonio::app {
 
-class Document;
 class BackgroundTasks;
-class DocumentController;
 class ComparisonController;
-struct FileSave;
+class Document;
+class DocumentController;
+class EnvironmentController;
+class ExportController;
 class FileExports;
 class LibraryController;
 class RecentFiles;
+class ScenePanel;
+struct FileSave;
+
+/// Scene, camera, light, exposure and tone map of a preview, in the format of .gonio files. Scene and environment are
+/// stored by bundled name or file path.
+nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
+/// The scene of a view; the single sphere if it does not name one.
+QString sceneNameOf(const nlohmann::json& view);
 
 /// The user interface for files: opening, saving and exporting with their dialogs, recent files, and copies of unsaved
 /// work.
@@ -35,9 +46,12 @@ class DocumentFiles : public QObject {
     Document& document;
     DocumentController& controller;
     FileExports& exports;
+    ExportController& exporter;
     BackgroundTasks& tasks;
     RecentFiles& recent;
-    widgets::PreviewWidget& preview;  ///< its view is saved with the document
+    widgets::PreviewWidget& preview;  ///< its view is saved with the document, and restored
+    ScenePanel& scene;
+    EnvironmentController& environment;
     const ComparisonController& comparison;
     LibraryController& library;
     QSettings& settings;
@@ -58,7 +72,10 @@ class DocumentFiles : public QObject {
   /// Asks for a name and saves the document among the user's own materials.
   void saveInLibrary();
   void exportBrdf();
+  void exportForRenderer();
   void exportImage();
+  /// Asks for a name and saves the fitted model, without the measurement, as a table.
+  void saveFit();
   /// Asks for the name of a file that a panel saves (factors, a code, a fit, a figure) and writes it in the background.
   void askAndSave(const FileSave& save);
   /// Asks which unsaved work of earlier runs is to be recovered. @return what the user wants back, newest first.
@@ -74,6 +91,7 @@ class DocumentFiles : public QObject {
   void setDiscarding(bool discarding) { m_discarding = discarding; }
 
  private:
+  void restoreView(const nlohmann::json& view);
   bool saveTo(const QString& path);
   /// Saves to the document's own path; asks first if another program has written to the file.
   bool saveAgain(const QString& path);

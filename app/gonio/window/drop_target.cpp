@@ -2,14 +2,41 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/drop_target.h"
 
+#include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QString>
 
-#include "app/gonio/window/dropped_files.h"
+#include "core/io/mesh_file.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/panels/drop_overlay.h"
 
 namespace gonio::app {
+
+namespace {
+
+/// Whether a file is an environment image, by its suffix.
+bool isEnvironmentFile(const QString& path) {
+  return path.endsWith(QStringLiteral(".hdr"), Qt::CaseInsensitive) ||
+         path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive);
+}
+
+/// Whether a file is a scene or a mesh, by its suffix.
+bool isScene(const QString& path) {
+  return io::isMeshFile(path.toStdString()) || path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+}
+
+/// Describes the effect of dropping a file. @param asReference whether a material becomes the reference of comparisons.
+QString dropDescription(const QString& path, bool asReference = false) {
+  const QString text =
+      isEnvironmentFile(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
+      : isScene(path)         ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
+      : asReference           ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
+                              : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
+  return text.arg(path.section('/', -1));
+}
+
+}  // namespace
 
 DropTarget::DropTarget(QWidget& window, Actions actions)
     : QObject(&window), m_actions(std::move(actions)), m_overlay(new widgets::DropOverlay(&window)) {

@@ -20,7 +20,6 @@
 #include "app/gonio/scene/view_strip.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
-#include "app/gonio/window/view_state.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
 #include "widgets/library/quick_look.h"
@@ -72,8 +71,6 @@ EditorParts::EditorParts()
   connectLibrary();
   connectPlots();
   connectFirstPicture();
-  QObject::connect(&controller, &DocumentController::viewRestored, &controller,
-                   [this](const nlohmann::json& view) { restoreSavedView(view); });
 }
 
 EditorParts::~EditorParts() = default;
@@ -169,14 +166,6 @@ void EditorParts::connectFirstPicture() {
   });
   QObject::connect(&preview, &widgets::PreviewWidget::frameRendered, &controller, [this] {
     if (preview.shownRequest() > m_requestsBefore) tasks.release();
-  });
-}
-
-void EditorParts::restoreSavedView(const nlohmann::json& view) {
-  scene.open(sceneNameOf(view), [this, view] {
-    restoreView(preview, view);
-    const auto stored = environmentOf(view);
-    if (stored && *stored != environment.name()) environment.open(*stored);
   });
 }
 

@@ -79,7 +79,6 @@ struct EditorParts {
   void takeOldFavourites();
   /// Delays fits and checks of a material until its first picture, so that the processors are free for the preview.
   void connectFirstPicture();
-  void restoreSavedView(const nlohmann::json& view);
   void use(const gonio::study::Representation& representation);
 
   int m_requestsBefore = 0;  ///< the preview's last request for the previous material

@@ -20,7 +20,6 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
-#include "app/gonio/comparison/flicker_key.h"
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/export/batch_dialog.h"
@@ -35,19 +34,15 @@
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/study/study_summary_window.h"
-#include "app/gonio/window/analyse_menu.h"
+#include "app/gonio/window/action_table.h"
+#include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/drop_target.h"
-#include "app/gonio/window/edit_menu.h"
-#include "app/gonio/window/file_menu.h"
-#include "app/gonio/window/help_menu.h"
-#include "app/gonio/window/light_menu.h"
-#include "app/gonio/window/material_menu.h"
-#include "app/gonio/window/search_entries.h"
+#include "app/gonio/window/editor_actions.h"
+#include "app/gonio/window/help.h"
+#include "app/gonio/window/preferences.h"
 #include "app/gonio/window/status_line.h"
-#include "app/gonio/window/tab_keys.h"
-#include "app/gonio/window/undo_keys.h"
-#include "app/gonio/window/view_menu.h"
+#include "app/gonio/window/window_keys.h"
 #include "widgets/inputs/menu_text.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
@@ -64,9 +59,10 @@ constexpr int libraryLines = 27, inspectorLines = 28;
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      m_files({m_parts.document, m_parts.controller, m_parts.exports, m_parts.tasks, m_parts.recentFiles,
-               m_parts.preview, m_parts.comparison, m_parts.library, m_parts.settings},
-              this),
+      m_files(
+          {m_parts.document, m_parts.controller, m_parts.exports, m_parts.exporter, m_parts.tasks, m_parts.recentFiles,
+           m_parts.preview, m_parts.scene, m_parts.environment, m_parts.comparison, m_parts.library, m_parts.settings},
+          this),
       m_docks(new DockLayout(*this)),
       m_messages(new widgets::MessageBar) {
   setAttribute(Qt::WA_DeleteOnClose);
@@ -81,15 +77,14 @@ MainWindow::MainWindow(QWidget* parent)
   connectDocument();
   connectMessages();
   connectRequests();
-  new FlickerKey(this, [this](bool held) { m_parts.preview.setFlickering(held); });
-  new UndoKeys(this);
-  new TabKeys(this);
+  new WindowKeys(this, [this](bool held) { m_parts.preview.setFlickering(held); });
   new DropTarget(m_parts.preview, {[this](const QString& path) { m_files.open(path); },
                                    [this](const QString& path) { m_parts.comparison.openReference(path); },
                                    [this](const QString& path) { m_parts.environment.open(path); },
                                    [this](const QString& path) { m_parts.scene.open(path); }});
   m_docks->setDefault();
   m_docks->restore(m_parts.settings);
+  applyPreferences(m_parts.settings, m_parts.document.history());
   m_parts.restoreSettings();
   connectNotes();
   showTitle();
@@ -98,6 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow() {
   // Widgets use the document, the controllers and the tasks until they are gone, so they go first.
   hide();
+  delete m_actions;
   qDeleteAll(findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly));
   m_parts.tasks.stopAll();
   qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
@@ -140,35 +136,50 @@ void MainWindow::addDocks() {
 
 void MainWindow::addMenus() {
   EditorParts& p = m_parts;
-  menuBar()->addMenu(new FileMenu(m_files, p.exporter, p.preview.content(), p.library, *m_docks, p.settings,
-                                  {[] { (new MainWindow)->show(); }, &MainWindow::quit}, this));
-  menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.preview, p.settings,
-                                  m_docks->dock("history")->toggleViewAction(), this));
-  auto* light = new LightMenu(p.environment, p.preview.content(), this);
-  auto* view = new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this);
-  menuBar()->addMenu(view);
-  auto* material = new MaterialMenu(
-      {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this);
-  menuBar()->addMenu(material);
-  menuBar()->addMenu(new AnalyseMenu(p.figureParts(), p.comparison, *m_docks, p.study, this));
-  menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files, *this); }));
-  connect(material, &MaterialMenu::saveRequested, &m_files, &DocumentFiles::askAndSave);
-  connect(&p.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::askAndSave);
-  connect(p.inspector.representation(), &RepresentationPanel::saveRequested, &m_files, &DocumentFiles::askAndSave);
-  connect(&p.viewStrip, &ViewStrip::sceneFileRequested, &p.scene, &ScenePanel::askForFile);
-  connect(&p.viewStrip, &ViewStrip::environmentFileRequested, light, &LightMenu::askForFile);
-  connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    view->addPictureActionsTo(*menu);
-    menu->addSeparator();
-    menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
-    menu->addAction(tr("Copy Image"), this,
-                    [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
-    menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
-        ->setEnabled(m_parts.document.material() != nullptr);
-    menu->popup(place);
-  });
+  const auto search = [this] {
+    auto* dialog = new CommandSearch({*m_actions, m_parts.document, m_parts.controller, m_files, m_parts.inspector,
+                                      m_parts.scene, m_parts.environment, m_parts.library.model()},
+                                     this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  };
+  m_actions = new ActionTable(
+      *this, {EditorActions::file(
+                  m_files, p.exporter, p.library, *m_docks, [] { (new MainWindow)->show(); }, &MainWindow::quit, this),
+              EditorActions::edit(p.document, p.controller, p.inspector, p.preview, p.settings,
+                                  m_docks->dock("history")->toggleViewAction(), this),
+              EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.settings, this),
+              EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.ranking,
+                                      p.interpolation, p.acquisition),
+              EditorActions::analyse(p.figureParts(), p.comparison, *m_docks, p.study, this),
+              EditorActions::help(
+                  search, [this] { return shortcutsPage(m_actions->all()); }, this)});
+  // What the states of the actions depend on.
+  const auto follow = [this](auto* sender, auto... signal) {
+    (connect(sender, signal, m_actions, &ActionTable::update), ...);
+  };
+  follow(&p.document, &Document::materialChanged, &Document::stateChanged, &Document::selectionChanged,
+         &Document::editChanged);
+  follow(&p.document.history(), &QUndoStack::canUndoChanged, &QUndoStack::canRedoChanged, &QUndoStack::undoTextChanged,
+         &QUndoStack::redoTextChanged);
+  follow(&p.exporter, &ExportController::lastChanged);
+  follow(&p.tasks, &BackgroundTasks::changed);
+  follow(&p.comparison, &ComparisonController::comparisonChanged, &ComparisonController::subjectsChanged);
+  follow(QApplication::clipboard(), &QClipboard::dataChanged);
+}
+
+void MainWindow::showPictureMenu(const QPoint& place) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  m_actions->update();
+  for (const char* id : {"frame", "reset-view", "overlay", "noise", "light"}) menu->addAction(m_actions->action(id));
+  menu->addSeparator();
+  menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
+  menu->addAction(tr("Copy Image"), this,
+                  [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
+  menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
+      ->setEnabled(m_parts.document.material() != nullptr);
+  menu->popup(place);
 }
 
 void MainWindow::connectDocument() {
@@ -180,13 +191,12 @@ void MainWindow::connectDocument() {
   const auto cancelled = [this](const QString& path) {
     m_status->showNotice(tr("Cancelled: %1 was not written").arg(path));
   };
-  connect(&m_parts.exports, &FileExports::exported, this, written);
+  const auto follow = [this, written]<class... Part>(Part&... part) {
+    (connect(&part, &Part::exported, this, written), ...);
+  };
+  follow(m_parts.exports, m_parts.exporter, m_parts.plots, m_parts.study, m_parts.acquisition);
   connect(&m_parts.exports, &FileExports::cancelled, this, cancelled);
-  connect(&m_parts.exporter, &ExportController::exported, this, written);
   connect(&m_parts.exporter, &ExportController::cancelled, this, cancelled);
-  connect(&m_parts.plots, &PlotsPanel::exported, this, written);
-  connect(&m_parts.study, &StudyPanel::exported, this, written);
-  connect(&m_parts.acquisition, &AcquisitionPanel::exported, this, written);
 }
 
 /// Notes of the library that could not be read or saved are tried again, and the user is informed.
@@ -213,20 +223,13 @@ void MainWindow::showLostNotes() {
 }
 
 void MainWindow::connectMessages() {
-  connect(&m_parts.tasks, &BackgroundTasks::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.controller, &DocumentController::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.exports, &FileExports::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.exporter, &ExportController::failed, this, &MainWindow::showFailure);
+  const auto follow = [this]<class... Part>(Part&... part) {
+    (connect(&part, &Part::failed, this, &MainWindow::showFailure), ...);
+  };
+  follow(m_parts.tasks, m_parts.controller, m_parts.exports, m_parts.exporter, m_parts.environment, m_parts.comparison,
+         m_parts.plots, m_parts.factors, m_parts.ranking, m_parts.interpolation, m_parts.study, m_parts.scene,
+         m_parts.acquisition);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
-  connect(&m_parts.environment, &EnvironmentController::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.plots, &PlotsPanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.factors, &FactorCurvesPanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.interpolation, &InterpolationPanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.study, &StudyPanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.scene, &ScenePanel::failed, this, &MainWindow::showFailure);
-  connect(&m_parts.acquisition, &AcquisitionPanel::failed, this, &MainWindow::showFailure);
   connect(&m_parts.preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.document, &Document::refused, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
@@ -262,6 +265,13 @@ void MainWindow::comparePair(const QString& first, const QString& second) {
 
 /// What a part wants of the window: another file, a dock, a dialog.
 void MainWindow::connectRequests() {
+  connect(&m_parts.preview.input(), &widgets::PreviewInput::menuRequested, this, &MainWindow::showPictureMenu);
+  connect(&m_parts.viewStrip, &ViewStrip::sceneFileRequested, &m_parts.scene, &ScenePanel::askForFile);
+  connect(&m_parts.viewStrip, &ViewStrip::environmentFileRequested, m_actions->action("open-environment"),
+          &QAction::trigger);
+  connect(&m_parts.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::askAndSave);
+  connect(m_parts.inspector.representation(), &RepresentationPanel::saveRequested, &m_files,
+          &DocumentFiles::askAndSave);
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::openRequested, &m_files, &DocumentFiles::open);
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::interpolationRequested, this,
           [this](const QStringList& ids) {

@@ -13,6 +13,7 @@ class MessageBar;
 
 namespace gonio::app {
 
+class ActionTable;
 class DockLayout;
 class StatusLine;
 struct SheetSource;
@@ -30,7 +31,7 @@ class MainWindow : public QMainWindow {
   EditorParts& parts() { return m_parts; }
   DocumentFiles& files() { return m_files; }
   DockLayout& docks() { return *m_docks; }
-  StatusLine& status() { return *m_status; }
+  ActionTable& actionTable() { return *m_actions; }
 
   /// Closes all windows, after one question that names every document with unsaved changes. Nothing is closed if the
   /// user cancels, or if a document could not be saved.
@@ -52,12 +53,14 @@ class MainWindow : public QMainWindow {
   void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();
+  void showPictureMenu(const QPoint& place);
   void chooseMaterial(const QString& title, const std::function<void(const QString& path)>& chosen);
 
   EditorParts m_parts;
   DocumentFiles m_files;
   DockLayout* m_docks;
   StatusLine* m_status = nullptr;
+  ActionTable* m_actions = nullptr;
   widgets::MessageBar* m_messages;
   QString m_lostNotes;  ///< last message about notes that cannot be read or saved
 };

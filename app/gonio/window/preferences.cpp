@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/preferences.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -23,6 +24,7 @@
 #include "app/gonio/library/thumbnail.h"
 #include "core/math/parallel.h"
 #include "widgets/panels/elided_label.h"
+#include "widgets/parameters/parameter_panel.h"
 
 namespace gonio::app {
 
@@ -65,6 +67,29 @@ void limitThreads(int threads) {
   static std::unique_ptr<ThreadLimit> limit;
   limit.reset();
   if (threads > 0) limit = std::make_unique<ThreadLimit>(threads);
+}
+
+void applyPreferences(const QSettings& settings, History& history) {
+  const Preferences preferences = Preferences::read(settings);
+  history.setByteLimit(std::size_t(preferences.historyMegabytes) << 20);
+  limitThreads(preferences.threads);
+  widgets::setRoughnessDisplay(preferences.roughness);
+}
+
+void showPreferences(QSettings& settings, History& history, const QString& graphics, QWidget* window) {
+  const Preferences before = Preferences::read(settings);
+  auto* dialog = new PreferencesDialog(before, graphics, window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(dialog, &QDialog::accepted, window, [&settings, &history, dialog, before] {
+    const Preferences chosen = dialog->preferences();
+    chosen.write(settings);
+    applyPreferences(settings, history);
+    if (chosen.theme != before.theme) applyTheme(*qApp, chosen.theme);
+    if (chosen.roughness == before.roughness) return;
+    for (const QWidget* one : QApplication::topLevelWidgets())
+      for (auto* panel : one->findChildren<widgets::ParameterPanel*>()) panel->showUnits();
+  });
+  dialog->open();
 }
 
 PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QString& graphics, QWidget* parent)

@@ -14,6 +14,8 @@ class QSpinBox;
 
 namespace gonio::app {
 
+class History;
+
 /// Settings for all documents.
 struct Preferences {
   Theme theme = Theme::system;
@@ -28,6 +30,11 @@ struct Preferences {
 
 /// Limits the threads of all parallel loops of the program; 0: all cores.
 void limitThreads(int threads);
+
+/// Applies the stored preferences, except the theme, which main() applies, to the program and a window's history.
+void applyPreferences(const QSettings& settings, History& history);
+/// Opens the dialog of the preferences; stores and applies what is chosen. @param graphics as for PreferencesDialog.
+void showPreferences(QSettings& settings, History& history, const QString& graphics, QWidget* window);
 
 /// Edit > Preferences.
 class PreferencesDialog : public QDialog {

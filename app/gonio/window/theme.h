@@ -2,11 +2,39 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QList>
+#include <QPalette>
 #include <QString>
+#include <QStyleFactory>
+
+#include "widgets/inputs/plain_text_style.h"
 
 class QApplication;
 
 namespace gonio::app {
+
+/// The style Fusion, drawn with one palette object for all widgets of the same colours.
+///
+/// Qt gives each widget a palette object of its own once the application has set a palette, and Fusion caches what it
+/// draws by palette object. Without this style, each widget of each dialog has images of its own in the cache, whose
+/// names Qt 6.4 keeps forever.
+class SharedPaletteStyle : public widgets::PlainTextStyle {
+ public:
+  /// @param base drawn with; owned
+  explicit SharedPaletteStyle(QStyle* base = QStyleFactory::create(QStringLiteral("Fusion"))) : PlainTextStyle(base) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget = nullptr) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget = nullptr) const override;
+
+ private:
+  void sharePalette(const QStyleOption* option) const;
+
+  mutable QList<QPalette> m_palettes;  ///< no two are equal
+};
 
 enum class Theme { system, light, dark };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/window/guide.h"
+#include "app/gonio/window/help.h"
 
 #include <QDir>
 #include <QFile>

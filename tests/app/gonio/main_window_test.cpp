@@ -12,10 +12,10 @@
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/inspector.h"
+#include "app/gonio/window/action_table.h"
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
-#include "app/gonio/window/help_pages.h"
-#include "app/gonio/window/search_entries.h"
+#include "app/gonio/window/help.h"
 #include "core/models/model.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
@@ -51,6 +51,30 @@ void adoptDefaultFit(Document& document) {
   document.adoptFit(fit);
 }
 
+/// Runs an action of the menus, e.g. "File > New Window".
+void run(MainWindow& window, const QString& path) {
+  for (const NamedAction& named : window.actionTable().all())
+    if (named.path == path) return named.action->trigger();
+  QFAIL(qPrintable(path));
+}
+
+/// The command search that Ctrl+K opens.
+CommandSearch& openSearch(MainWindow& window) {
+  run(window, "Help > Search");
+  return *window.findChildren<CommandSearch*>().back();
+}
+
+/// What the command search lists for a text.
+QStringList found(MainWindow& window, const QString& text) {
+  CommandSearch& search = openSearch(window);
+  search.findChild<QLineEdit*>()->setText(text);
+  const auto* list = search.findChild<QListWidget*>();
+  QStringList texts;
+  for (int i = 0; i < list->count(); ++i) texts << list->item(i)->text();
+  delete &search;
+  return texts;
+}
+
 class MainWindowTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -63,7 +87,7 @@ class MainWindowTest : public QObject {
   void everyActionHasATextAndShortcutsAreUnique() {
     auto* window = new MainWindow;
     QMap<QString, QAction*> byKey;
-    for (const NamedAction& named : allActions(window))
+    for (const NamedAction& named : window->actionTable().all())
       for (const QKeySequence& key : named.action->shortcuts()) {
         const QString text = key.toString();
         QVERIFY2(!byKey.contains(text) || byKey[text] == named.action, qPrintable(named.path + " " + text));
@@ -71,7 +95,7 @@ class MainWindowTest : public QObject {
       }
     QVERIFY(byKey.contains("Ctrl+Z") && byKey.contains("Ctrl+K") && byKey.contains("F11"));
     // The help is made from the same actions.
-    const QString page = shortcutsPage(window);
+    const QString page = shortcutsPage(window->actionTable().all());
     for (const QString& key : byKey.keys())
       QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
     for (const models::Model* model : models::allModels())
@@ -83,20 +107,44 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// The menus, the search and the shortcuts show which actions are possible now, and which modes are on.
+  void actionsShowTheState() {
+    auto* window = new MainWindow;
+    Document& document = window->parts().document;
+    const auto action = [&](const QString& path) {
+      for (const NamedAction& named : window->actionTable().all())
+        if (named.path == path) return named.action;
+      return static_cast<QAction*>(nullptr);
+    };
+    QAction *save = action("File > Save"), *undo = action("Edit > Undo"), *compare = action("Analyse > Compare");
+    QVERIFY(!save->isEnabled() && !undo->isEnabled() && !compare->isChecked());
+    document.setMaterial(greyMaterial());
+    adoptDefaultFit(document);
+    QVERIFY(save->isEnabled() && action("File > Export for Renderer")->isEnabled());
+    setParameter(document, 0, Rgb(0.5));
+    QVERIFY(undo->isEnabled() && undo->text().size() > QString("&Undo").size());
+    compare->trigger();
+    QVERIFY(compare->isChecked() && action("Analyse > Comparison Mode > Split")->isChecked());
+    QAction* flicker = action("Analyse > Comparison Mode > Flicker");
+    for (int times = 0; times < 2; ++times) flicker->trigger();  // a choice stays checked
+    QVERIFY(flicker->isChecked() && !action("Analyse > Comparison Mode > Split")->isChecked());
+    // Recent files follow the list.
+    window->files().recent().clear();
+    QVERIFY(action("File > Open Recent > Nothing opened yet") && !action("File > Open Recent > a.binary"));
+    window->files().recent().add("/nowhere/a.binary");
+    QVERIFY(!action("File > Open Recent > Nothing opened yet"));
+    QVERIFY(!action("File > Open Recent > a.binary")->isEnabled() && action("File > Open Recent > Clear"));
+    delete window;
+  }
+
   /// At most one figure dialog; the search also finds it by its purpose.
   void figuresFromTheMenu() {
     auto* window = new MainWindow;
     window->show();
     window->parts().document.setMaterial(greyMaterial());
-    {
-      const CommandSearch search(window);
-      search.findChild<QLineEdit*>()->setText("figure paper");
-      QCOMPARE(search.list()->count(), 1);
-      QVERIFY(search.list()->item(0)->text().startsWith("Analyse > Figure "));
-    }
-    for (const NamedAction& named : allActions(window))
-      if (named.path == "Analyse > Figure")
-        for (int times = 0; times < 2; ++times) named.action->trigger();
+    const QStringList figures = found(*window, "figure paper").filter("Analyse > ");
+    QVERIFY(figures.size() == 1 && figures[0].startsWith("Analyse > Figure "));
+    for (int times = 0; times < 2; ++times) run(*window, "Analyse > Figure");
     const auto dialogs = window->findChildren<FigureDialog*>();
     QCOMPARE(dialogs.size(), qsizetype(1));
     QVERIFY(dialogs[0]->isVisible());
@@ -200,8 +248,7 @@ class MainWindowTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     const bool before = window->parts().preview.overlay()->statusWanted();
-    auto& search = *new CommandSearch(window);
-    search.show();
+    CommandSearch& search = openSearch(*window);
     auto* text = search.findChild<QLineEdit*>();
     QTest::keyClicks(text, "view overl");
     QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
@@ -217,26 +264,19 @@ class MainWindowTest : public QObject {
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
     adoptDefaultFit(document);
-    const auto found = [&](const QString& text) {
-      CommandSearch search(window, searchEntries(window->parts(), window->files(), *window));
-      search.findChild<QLineEdit*>()->setText(text);
-      QStringList texts;
-      for (int i = 0; i < search.list()->count(); ++i) texts << search.list()->item(i)->text();
-      return texts;
-    };
-    QVERIFY(found("rough").contains("Controls > Roughness") && found("rough").contains("GGX > Roughness"));
-    QVERIFY(found("gold paint").contains("Library > gold-paint (near-measured)"));
-    QVERIFY(found("shader ball").contains("Scene > Shader ball"));
-    QVERIFY(found("hdri").contains("Light > Sunset"));
-    QCOMPARE(found("model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
-    QVERIFY(found("undo").first().startsWith("Edit > "));
+    QVERIFY(found(*window, "rough").contains("Controls > Roughness") &&
+            found(*window, "rough").contains("GGX > Roughness"));
+    QVERIFY(found(*window, "gold paint").contains("Library > gold-paint (near-measured)"));
+    QVERIFY(found(*window, "shader ball").contains("Scene > Shader ball"));
+    QVERIFY(found(*window, "hdri").contains("Light > Sunset"));
+    QCOMPARE(found(*window, "model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
+    QVERIFY(found(*window, "undo").first().startsWith("Edit > "));
     // Words begin words: "red" is no part of "near-measured" here.
-    QVERIFY(found("red metallic").first().startsWith("Library > red-metallic-paint"));
-    QVERIFY(found("contact sheet").first().startsWith("Analyse > Contact Sheet"));
-    QCOMPARE(found("xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
+    QVERIFY(found(*window, "red metallic").first().startsWith("Library > red-metallic-paint"));
+    QVERIFY(found(*window, "contact sheet").first().startsWith("Analyse > Contact Sheet"));
+    QCOMPARE(found(*window, "xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
-    auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files(), *window));
-    auto* text = search.findChild<QLineEdit*>();
+    auto* text = openSearch(*window).findChild<QLineEdit*>();
     QTest::keyClicks(text, "shape cylinder");
     QTest::keyClick(text, Qt::Key_Return);
     QTRY_COMPARE(window->parts().preview.content().scene().name, std::string("cylinder"));
@@ -247,20 +287,15 @@ class MainWindowTest : public QObject {
   void layouts() {
     auto* window = new MainWindow;
     window->show();
-    const auto run = [&](const QString& path) {
-      for (const NamedAction& named : allActions(window))
-        if (named.path == path) return named.action->trigger();
-      QFAIL(qPrintable(path));
-    };
     const auto isShown = [&](const char* name) { return !window->docks().dock(name)->isHidden(); };
-    run("View > Layouts > Compare");
+    run(*window, "View > Layouts > Compare");
     QVERIFY(isShown("comparison") && !isShown("library"));
     QVERIFY(window->parts().comparison.comparison().mode != widgets::CompareMode::off);
-    run("View > Layouts > Analyse");
+    run(*window, "View > Layouts > Analyse");
     QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
-    run("View > Layouts > Acquire");
+    run(*window, "View > Layouts > Acquire");
     QVERIFY(isShown("acquisition") && !isShown("library") && !isShown("inspector") && !isShown("plots"));
-    run("View > Layouts > Edit");
+    run(*window, "View > Layouts > Edit");
     QVERIFY(!isShown("acquisition"));
     QVERIFY(isShown("library") && isShown("inspector") && !isShown("plots") && !isShown("comparison"));
     delete window;
@@ -303,8 +338,7 @@ class MainWindowTest : public QObject {
 
   void newWindowsAreWindowsOfTheirOwn() {
     auto* window = new MainWindow;
-    for (const NamedAction& named : allActions(window))
-      if (named.path == "File > New Window") named.action->trigger();
+    run(*window, "File > New Window");
     MainWindow* second = nullptr;
     for (QWidget* widget : QApplication::topLevelWidgets())
       if (auto* other = qobject_cast<MainWindow*>(widget); other && other != window) second = other;

@@ -15,7 +15,7 @@
 #include <optional>
 #include <random>
 
-#include "app/gonio/window/command_search.h"
+#include "app/gonio/window/action_table.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
 #include "core/documents/blend_source.h"
@@ -32,7 +32,7 @@ class Monkey : public QObject {
   Monkey(MainWindow& window, unsigned seed, std::optional<DockLayout::Workspace> workspace = {})
       : m_window(window), m_random(seed), m_workspace(workspace) {
     if (workspace) window.docks().showWorkspace(*workspace);
-    for (const NamedAction& named : allActions(&window)) {
+    for (const NamedAction& named : window.actionTable().all()) {
       static const QStringList excluded{"Quit", "New Window", "Close", "Full Screen"};
       const QString text = named.action->text().remove('&');
       if (std::ranges::any_of(excluded, [&](const QString& one) { return text.contains(one); }))
@@ -194,7 +194,7 @@ class Monkey : public QObject {
 
   void command() {
     QList<NamedAction> actions;
-    for (const NamedAction& named : allActions(&m_window))
+    for (const NamedAction& named : m_window.actionTable().all())
       if (named.action->isEnabled() && !named.action->menu()) actions << named;
     const NamedAction& chosen = actions[below(int(actions.size()))];
     note(chosen.path);

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gonio/window/view_state.h"
+#include "app/gonio/window/document_files.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"

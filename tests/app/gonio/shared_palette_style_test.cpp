@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/window/shared_palette_style.h"
+#include "app/gonio/window/theme.h"
 
 #include <QApplication>
 #include <QCommonStyle>
@@ -8,7 +8,6 @@
 #include <QStyleOption>
 #include <QTest>
 
-#include "app/gonio/window/theme.h"
 #include "tests/support/test_program.h"
 
 namespace shared_palette_style_test {

@@ -10,6 +10,8 @@ class QTextBrowser;
 
 namespace gonio::app {
 
+struct NamedAction;
+
 /// A page of the built-in documentation: a file of docs/, or a heading in it.
 struct GuidePage {
   QString file;   ///< e.g. "editor.md", "results/exports.md"
@@ -51,5 +53,15 @@ void openGuide(QWidget* window, const QString& file, const QString& heading = {}
 
 /// Anchor of a heading in links: lower case, hyphens for spaces, no punctuation.
 QString anchorOf(const QString& heading);
+
+/// Table of all shortcuts, generated from the actions.
+QString shortcutsPage(const QList<NamedAction>& actions);
+/// All models with their parameters, formulae and sources, generated from their specs.
+QString formulaePage();
+/// Description, version and licence of Gonio, and the licences of its dependencies.
+QString aboutPage();
+
+/// Shows a page in a separate, non-modal window.
+void showPage(const QString& title, const QString& html, QWidget* parent);
 
 }  // namespace gonio::app
