@@ -1,46 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QApplication>
+#include <QCommandLineParser>
 #include <QFileInfo>
 #include <QSettings>
 #include <csignal>
 #include <utility>
 
-#include "app/gonio/library/thumbnail.h"
-#include "app/gonio/window/event_times.h"
-#include "app/gonio/window/figure_screenshot.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/window/main_window.h"
-#include "app/gonio/window/opening_times.h"
-#include "app/gonio/window/screenshot.h"
-#include "app/gonio/window/start_options.h"
 #include "app/gonio/window/theme.h"
+#ifdef GONIO_DEVELOPMENT
+#include "app/gonio/development.h"
+#endif
 
 namespace {
 
 using namespace gonio::app;
 
+#ifdef GONIO_DEVELOPMENT
+using Application = DevelopmentApplication;
+#else
+/// Without the tools of development.h.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  static void addOptions(QCommandLineParser&) {}
+  template <class OpenFiles>
+  static std::optional<int> run(const QCommandLineParser&, const OpenFiles&) {
+    return std::nullopt;
+  }
+};
+#endif
+
 QString asGiven(const QString& file) {
   return file.startsWith(QStringLiteral("library:")) ? file : QFileInfo(file).absoluteFilePath();
-}
-
-/// Saves a picture of the window, or of the dialog of the figure, and ends the program.
-void takeScreenshot(MainWindow& window, const StartOptions& options) {
-  if (options.figure.isEmpty())
-    new Screenshot(
-        window, [&window] { return window.parts().isSettled(); }, options.screenshot, options.waitSeconds);
-  else
-    takeFigureScreenshot(window.parts().figureParts(), window, options.figure, options.screenshot, options.waitSeconds);
-}
-
-/// Renders the pictures of the library into a folder. @return the program's exit code.
-int writeThumbnails(const QString& folder) {
-  try {
-    writeBundledThumbnails(folder);
-    return 0;
-  } catch (const gonio::Error& error) {
-    std::fprintf(stderr, "gonio: %s\n", error.what());
-    return 1;
-  }
 }
 
 /// Help and version need no display; Qt would end the program where there is none.
@@ -50,6 +44,19 @@ void printWithoutDisplay([[maybe_unused]] int argc, [[maybe_unused]] char** argv
     for (const char* text : {"-h", "--help", "--help-all", "-v", "--version"})
       if (qstrcmp(argv[i], text) == 0) qputenv("QT_QPA_PLATFORM", "offscreen");
 #endif
+}
+
+/// Ends the program after help, the version or an error, with a message.
+void readCommandLine(QCommandLineParser& parser, const QApplication& application) {
+  parser.setApplicationDescription(QObject::tr("An editor for measured materials (BRDFs)."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(
+      "file",
+      QObject::tr("Materials (%1) or documents (*%2) to open.").arg(materialFilePatterns().join(' '), documentSuffix()),
+      "[FILE ...]");
+  Application::addOptions(parser);
+  parser.process(application);
 }
 
 /// Opens recovered work and the given files, each in a window of its own. A file whose unsaved work is recovered is not
@@ -81,26 +88,16 @@ int main(int argc, char** argv) {
   QApplication::setApplicationDisplayName(QStringLiteral("Gonio"));
   QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("gonio"));
-  TimedApplication application(argc, argv);
+  Application application(argc, argv);
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gonio.svg")));
-  const StartOptions options = readOptions(application);
-  if (!options.thumbnails.isEmpty()) return writeThumbnails(options.thumbnails);
-  applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));
-
+  QCommandLineParser parser;
+  readCommandLine(parser, application);
+  const QStringList files = parser.positionalArguments();
+  applyTheme(application, themeByName(QSettings().value("theme").toString()));
+  if (const auto result = application.run(parser, [&](MainWindow& first) { openFiles(first, files, {}); }))
+    return *result;
   auto* window = new MainWindow;
-  if (options.size.isValid()) window->resize(options.size);
   window->show();
-  prepare(window->parts(), window->docks(), options.view);
-  if (options.openingTimes) {
-    new OpeningTimes(window->parts(), options.files, window);
-    return QApplication::exec();
-  }
-  if (!options.screenshot.isEmpty()) takeScreenshot(*window, options);
-  openFiles(*window, options.files,
-            options.screenshot.isEmpty() ? window->files().askForRecovery() : QList<RecoverableWork>());
-  if (!options.eventTimes) return QApplication::exec();
-  application.startTiming();
-  const int result = QApplication::exec();
-  std::fputs(qPrintable(application.eventTimes()), stdout);
-  return result;
+  openFiles(*window, files, window->files().askForRecovery());
+  return QApplication::exec();
 }

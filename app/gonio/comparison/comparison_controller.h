@@ -80,7 +80,6 @@ class ComparisonController : public QObject {
   /// Compares any two subjects, in place of the edited material and the reference, until dismissStandIn(), another
   /// choice of sides, the end of the comparison or any change of the document.
   void setPair(const std::array<Named, 2>& pair);
-  bool hasPair() const { return m_pair.has_value(); }
   /// Whether something other than the document's material is shown, so that dismissStandIn() has an effect.
   bool isReplaced() const { return m_pair || standIn(); }
 

@@ -86,8 +86,6 @@ void BatchDialog::chooseTarget(std::string_view id) {
     if (targets[i].id == id) m_targets->setCurrentIndex(int(i));
 }
 
-void BatchDialog::setReplacing(bool replacing) { m_replace->setChecked(replacing); }
-
 void BatchDialog::browse() {
   auto* dialog = new QFileDialog(this, tr("Export folder"), m_folder->text());
   dialog->setFileMode(QFileDialog::Directory);

@@ -28,7 +28,6 @@ class BatchDialog : public QDialog {
   const exports::ExportTarget& target() const;
   void chooseTarget(std::string_view id);
   QLineEdit& folder() { return *m_folder; }
-  void setReplacing(bool replacing);
 
   void accept() override;
 

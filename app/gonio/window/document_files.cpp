@@ -34,6 +34,23 @@ namespace gonio::app {
 
 namespace {
 
+/// A number of a view, with its range in files.
+struct ViewNumber {
+  const char* key;
+  double& (*in)(Scene& scene);
+  double min, max;
+};
+constexpr double farthest = 1000;
+constexpr ViewNumber viewNumbers[]{
+    {"yaw", [](Scene& scene) -> double& { return scene.camera.yaw; }, -100, 100},
+    {"pitch", [](Scene& scene) -> double& { return scene.camera.pitch; }, -1.5, 1.5},
+    {"distance", [](Scene& scene) -> double& { return scene.camera.distance; }, 1.05, farthest},
+    {"fieldOfView", [](Scene& scene) -> double& { return scene.camera.fieldOfView; }, 0, 2.5},
+    {"targetX", [](Scene& scene) -> double& { return scene.camera.target.x; }, -farthest, farthest},
+    {"targetY", [](Scene& scene) -> double& { return scene.camera.target.y; }, -farthest, farthest},
+    {"targetZ", [](Scene& scene) -> double& { return scene.camera.target.z; }, -farthest, farthest},
+    {"environmentRotation", [](Scene& scene) -> double& { return scene.environmentRotation; }, -100, 100}};
+
 /// The finite number under a key, in a range, else `fallback`.
 double number(const nlohmann::json& json, const char* key, double fallback, double min, double max) {
   if (!json.is_object() || !json.contains(key) || !json[key].is_number()) return fallback;
@@ -48,17 +65,8 @@ Direction lightOf(const Scene& scene) {
 /// Restores everything except the scene and the environment, which must be read first. Missing keys and keys of the
 /// wrong type are ignored.
 void restoreCamera(widgets::PreviewWidget& preview, const nlohmann::json& view) {
-  constexpr double steepest = 1.5, farthest = 1000;
   Scene scene = preview.content().scene();
-  scene.camera.yaw = number(view, "yaw", scene.camera.yaw, -100, 100);
-  scene.camera.pitch = number(view, "pitch", scene.camera.pitch, -steepest, steepest);
-  scene.camera.distance = number(view, "distance", scene.camera.distance, 1.05, farthest);
-  scene.camera.fieldOfView = number(view, "fieldOfView", scene.camera.fieldOfView, 0, 2.5);
-  OrbitCamera& camera = scene.camera;
-  camera.target = {number(view, "targetX", camera.target.x, -farthest, farthest),
-                   number(view, "targetY", camera.target.y, -farthest, farthest),
-                   number(view, "targetZ", camera.target.z, -farthest, farthest)};
-  scene.environmentRotation = number(view, "environmentRotation", scene.environmentRotation, -100, 100);
+  for (const ViewNumber& one : viewNumbers) one.in(scene) = number(view, one.key, one.in(scene), one.min, one.max);
   const Direction before = lightOf(scene);
   const Direction toLight(number(view, "lightX", before.x, -1, 1), number(view, "lightY", before.y, -1, 1),
                           number(view, "lightZ", before.z, -1, 1));
@@ -119,25 +127,19 @@ QString nameOfWork(const RecoverableWork& work) {
 }  // namespace
 
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
-  const Scene& scene = preview.content().scene();
+  Scene scene = preview.content().scene();
   const Direction toLight = lightOf(scene);
-  return {{"scene", scene.source},
-          {"yaw", scene.camera.yaw},
-          {"pitch", scene.camera.pitch},
-          {"distance", scene.camera.distance},
-          {"fieldOfView", scene.camera.fieldOfView},
-          {"targetX", scene.camera.target.x},
-          {"targetY", scene.camera.target.y},
-          {"targetZ", scene.camera.target.z},
-          {"lightX", toLight.x},
-          {"lightY", toLight.y},
-          {"lightZ", toLight.z},
-          {"environment", scene.environment ? scene.environment->name() : std::string()},
-          {"environmentRotation", scene.environmentRotation},
-          {"showEnvironment", scene.showEnvironment},
-          {"blurBackground", scene.blurBackground},
-          {"exposure", preview.display().exposure},
-          {"toneMap", std::string(toneMapName(preview.display().toneMap))}};
+  nlohmann::json view{{"scene", scene.source},
+                      {"lightX", toLight.x},
+                      {"lightY", toLight.y},
+                      {"lightZ", toLight.z},
+                      {"environment", scene.environment ? scene.environment->name() : std::string()},
+                      {"showEnvironment", scene.showEnvironment},
+                      {"blurBackground", scene.blurBackground},
+                      {"exposure", preview.display().exposure},
+                      {"toneMap", std::string(toneMapName(preview.display().toneMap))}};
+  for (const ViewNumber& one : viewNumbers) view[one.key] = one.in(scene);
+  return view;
 }
 
 QString sceneNameOf(const nlohmann::json& view) {

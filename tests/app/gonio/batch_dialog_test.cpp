@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/batch_dialog.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
@@ -69,7 +70,7 @@ class BatchDialogTest : public QObject {
     BatchDialog dialog(editor.controller, editor.settings, editor.ids, nullptr);
     dialog.accept();
     QVERIFY(editor.tasks.isIdle() && editor.written().size() == 1);
-    dialog.setReplacing(true);
+    dialog.findChild<QCheckBox*>()->setChecked(true);
     dialog.accept();
     QVERIFY(editor.finish());
     QVERIFY(editor.exported.count() == 3 && QFileInfo(old).size() > 0);
@@ -90,7 +91,7 @@ class BatchDialogTest : public QObject {
     BatchDialog over(editor.controller, editor.settings, {editor.ids[1]}, nullptr);
     over.chooseTarget("merl");
     over.folder().setText(editor.library.path());
-    over.setReplacing(true);
+    over.findChild<QCheckBox*>()->setChecked(true);
     const qint64 size = QFileInfo(editor.ids[1]).size();
     over.accept();
     QVERIFY(editor.finish());

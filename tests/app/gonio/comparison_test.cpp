@@ -177,7 +177,7 @@ class ComparisonTest : public QObject {
     editing::EditList edits = editor.document.edits();
     std::get<editing::DifferentialEdit>(edits[0].content).edited.values[0] = Rgb(0.9);
     editor.document.replaceEdits(std::move(edits), "Lighter");
-    QVERIFY(!editor.comparison.hasPair());
+    QVERIFY(!editor.comparison.isReplaced());
     QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == editor.document.material()->base);
   }
 
