@@ -20,7 +20,35 @@ enum class Composition {
   lobes      ///< each lobe carries the ratio q = (m + eps) / (M + eps) along as it widens (LobeChange); only for models
              ///< that are sums of lobes (models::Model::hasLobes())
 };
-inline constexpr std::array<std::string_view, 3> compositionIds{"additive", "log-plus", "lobes"};
+
+/// What is shown and stored of a composition.
+struct CompositionRecord {
+  std::string_view id;           ///< in documents, on the command line and in Python
+  std::string_view name;         ///< for display, e.g. "Log-plus"
+  std::string_view description;  ///< one or two sentences
+  std::string_view formula;      ///< of the edited value, one per line; m, M, M' as above
+  std::string_view reference;
+};
+/// Indexed by Composition.
+inline constexpr std::array<CompositionRecord, 3> compositionRecords{
+    {{"additive", "Additive", "Adds the change of the model.", "m + M' - M",
+      "Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, eq. 4.40"},
+     {"log-plus", "Log-plus", "Close to a ratio where values are large, to a difference where they are small.",
+      "(1 + m) (1 + M') / (1 + M) - 1", ""},
+     {"lobes", "Lobes",
+      "Multiplies each edited lobe k by the ratio q of measurement to fit. The ratio moves with a highlight as it "
+      "widens: it is taken at the directions w, which have the same position in the profile of the fitted lobe as the "
+      "evaluated directions have in the profile of the edited lobe. The factor of the diffuse term is near 1 where "
+      "this "
+      "term is only a small part of the model.",
+      "m + sum_k (M'_k q(w_k) - M_k q), q = (m + 0.001) / (M + 0.001)\n"
+      "diffuse term: 1 + (M_k / M)^4 (q - 1) instead of q",
+      ""}}};
+inline constexpr auto compositionIds = [] {
+  std::array<std::string_view, compositionRecords.size()> ids;
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = compositionRecords[i].id;
+  return ids;
+}();
 
 /// rho_0 of Composition::logPlus, 1/sr.
 inline constexpr double logPlusOffset = 1;

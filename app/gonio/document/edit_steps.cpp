@@ -117,14 +117,7 @@ void resetControl(Document& document, editing::ArtistControl control) {
 }
 
 QString compositionName(editing::Composition composition) {
-  switch (composition) {
-    case editing::Composition::additive:
-      return EditStepText::tr("Additive");
-    case editing::Composition::logPlus:
-      return EditStepText::tr("Log-plus");
-    default:
-      return EditStepText::tr("Lobes");
-  }
+  return widgets::toQString(editing::compositionRecords[std::size_t(composition)].name);
 }
 
 void setComposition(Document& document, editing::Composition composition) {

@@ -7,6 +7,9 @@
 #include <QStandardItemModel>
 
 #include "app/gonio/document/edit_steps.h"
+#include "widgets/inputs/plain_text_style.h"
+#include "widgets/parameters/formula_text.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
@@ -14,19 +17,14 @@ using editing::Composition;
 
 CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
     : QWidget(parent), m_document(document), m_choice(new QComboBox) {
-  for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
-    m_choice->addItem(compositionName(composition));
-  m_choice->setItemData(int(Composition::additive),
-                        tr("measured + model(edited) − model(fitted) (Tongbuasirilai 2023, eq. 4.40)"),
-                        Qt::ToolTipRole);
-  m_choice->setItemData(int(Composition::logPlus),
-                        tr("(1 + measured) (1 + model(edited)) / (1 + model(fitted)) − 1: nearly a ratio where values "
-                           "are large, a difference where they are small"),
-                        Qt::ToolTipRole);
-  m_choice->setItemData(int(Composition::lobes),
-                        tr("The ratio of measurement to fit moves with each lobe as it widens; for the models GGX and "
-                           "Layered lobes, and for the anisotropic models except Ashikhmin-Premoze"),
-                        Qt::ToolTipRole);
+  for (const editing::CompositionRecord& record : editing::compositionRecords) {
+    m_choice->addItem(widgets::toQString(record.name));
+    m_choice->setItemData(m_choice->count() - 1,
+                          QStringLiteral("<p>%1</p><p>%2</p>")
+                              .arg(widgets::toQString(record.description).toHtmlEscaped(),
+                                   widgets::formulaHtml(record.formula).replace('\n', QStringLiteral("<br>"))),
+                          widgets::richToolTipRole);
+  }
   m_choice->setToolTip(
       tr("Method that applies the change of the model to the measurement.\n\"Lobes\" preserves the measured "
          "shape of a highlight as it widens; \"Additive\" is the published method."));

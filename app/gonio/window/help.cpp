@@ -20,8 +20,8 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
-#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/window/action_table.h"
+#include "core/editing/differential_edit.h"
 #include "core/models/model.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
@@ -30,13 +30,25 @@ namespace gonio::app {
 
 namespace {
 
-const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("editor.md"),
-              resultsFolder = QStringLiteral("results/");
+const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("editor.md");
 constexpr int lastListedLevel = 2;
 
 QString read(const QString& file) {
   QFile source(root + file);
   return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
+}
+
+/// The text of a page without comments, which are for the source, and pictures, which are not built in. The laboratory
+/// notes are not built in either: a link to one becomes its place in the source repository.
+QString shownText(const QString& file) {
+  static const QRegularExpression leftOut(QStringLiteral("<!--.*?-->|!\\[[^\\]]*\\]\\([^)]*\\)"));
+  static const QString target = QStringLiteral("\\((results/[^)#]*)(?:#[^)]*)?\\)");
+  static const QRegularExpression path(QStringLiteral("\\[results/[^\\]]*\\]") + target),
+      name(QStringLiteral("\\[([^\\]]*)\\]") + target);
+  return read(file)
+      .remove(leftOut)
+      .replace(path, QStringLiteral("docs/\\1"))
+      .replace(name, QStringLiteral("\\1 [docs/\\2]"));
 }
 
 std::vector<GuidePage> headingsOf(const QString& file) {
@@ -59,18 +71,12 @@ const std::vector<GuidePage>& guidePages() {
     QStringList files = QDir(root).entryList(QDir::Files, QDir::Name);
     files.removeAll(firstPage);
     files.prepend(firstPage);
-    for (const QString& file : QDir(root + resultsFolder).entryList(QDir::Files, QDir::Name))
-      files << resultsFolder + file;
     std::vector<GuidePage> all;
     for (const QString& file : files)
       for (const GuidePage& page : headingsOf(file)) all.push_back(page);
     return all;
   }();
   return pages;
-}
-
-QString linkedPage(const QString& file, const QString& path) {
-  return path.isEmpty() ? file : QDir::cleanPath(file.left(file.lastIndexOf('/') + 1) + path);
 }
 
 QString anchorOf(const QString& heading) {
@@ -112,9 +118,7 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), m_pages(new QListWi
 void GuideWindow::showPage(const QString& file, const QString& heading) {
   if (file != m_file) {
     m_file = file;
-    // Comments are for the source, and pictures are not built in.
-    static const QRegularExpression leftOut(QStringLiteral("<!--.*?-->|!\\[[^\\]]*\\]\\([^)]*\\)"));
-    setMarkdown(read(file).remove(leftOut));
+    setMarkdown(shownText(file));
     for (int row = 0; row < m_pages->count(); ++row)
       if (m_pages->item(row)->data(Qt::UserRole) == file) m_pages->setCurrentRow(row);
   }
@@ -142,7 +146,7 @@ void GuideWindow::scrollTo(const std::function<bool(const QString&)>& fits) {
 }
 
 void GuideWindow::follow(const QUrl& link) {
-  const QString file = linkedPage(m_file, link.path());
+  const QString file = link.path().isEmpty() ? m_file : link.path();
   if (!link.isRelative()) {
     QDesktopServices::openUrl(link);
     return;
@@ -199,35 +203,21 @@ QString gestures() {
 
 QString formulaLine(const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); }
 
-/// The compositions of edits (core/editing/composition.h), each a row.
 QString editFormulae() {
-  const auto composition = [](const QString& name, const QString& text, const QString& formula) {
-    return QStringLiteral("<p>%1: %2</p>").arg(name, text) + formulaLine(formula);
-  };
-  return QStringLiteral("<h3>%1</h3><p>%2</p>")
-             .arg(HelpPagesText::tr("Edits of a model"),
-                  HelpPagesText::tr(
-                      "An edit changes the parameters of a model from their fitted to their edited values. "
-                      "Its composition applies this change to the measurement:")) +
-         composition(compositionName(editing::Composition::additive),
-                     HelpPagesText::tr("adds the change (Tongbuasirilai 2023, Data-Driven Approaches for Sparse "
-                                       "Reflectance Modeling and Acquisition, eq. 4.40)"),
-                     HelpPagesText::tr("edited = max(0, measured + strength (model(edited) − model(fitted)))")) +
-         composition(compositionName(editing::Composition::logPlus),
-                     HelpPagesText::tr("close to a ratio where values are large, to a difference where they are small"),
-                     HelpPagesText::tr("edited = max(0, measured + strength (1 + measured) (model(edited) − "
-                                       "model(fitted)) / (1 + model(fitted)))")) +
-         composition(compositionName(editing::Composition::lobes),
-                     HelpPagesText::tr(
-                         "multiplies each edited lobe k by the ratio q of measurement to fit. The ratio moves with a "
-                         "highlight: it is taken at the directions w<sub>k</sub>, which have the same position in the "
-                         "profile of the fitted lobe as the evaluated directions have in the profile of the edited "
-                         "lobe. For the diffuse term, 1 + (lobe<sub>k</sub>(fitted) / model(fitted))<sup>4</sup> "
-                         "(q − 1) is used instead of q; it is near 1 where this term is only a small part of the "
-                         "model"),
-                     HelpPagesText::tr("edited = max(0, measured + strength Σ<sub>k</sub> (lobe<sub>k</sub>(edited) "
-                                       "q(w<sub>k</sub>) − lobe<sub>k</sub>(fitted) q)), q = (measured + 0.001) / "
-                                       "(model(fitted) + 0.001)"));
+  QString page =
+      QStringLiteral("<h3>%1</h3><p>%2</p>%3<p>%4</p>")
+          .arg(
+              HelpPagesText::tr("Edits of a model"),
+              HelpPagesText::tr("An edit changes the parameters of a model from their fitted to their edited values. "
+                                "It applies this change to the measurement:"),
+              formulaLine(HelpPagesText::tr("edited = max(0, m + strength (composition − m))")),
+              HelpPagesText::tr("m is the measurement, M the fitted model and M′ the edited model. The compositions:"));
+  for (const editing::CompositionRecord& record : editing::compositionRecords) {
+    page += QStringLiteral("<p><b>%1</b>: %2</p>").arg(escaped(record.name), escaped(record.description)) +
+            formulaLine(widgets::formulaHtml(record.formula).replace('\n', QStringLiteral("<br>")));
+    if (!record.reference.empty()) page += QStringLiteral("<p><i>%1</i></p>").arg(escaped(record.reference));
+  }
+  return page;
 }
 
 /// The model under the Factor curves dock (core/factorization/pdv_factors.h).

@@ -12,18 +12,16 @@ namespace gonio::app {
 
 struct NamedAction;
 
-/// A page of the built-in documentation: a file of docs/, or a heading in it.
+/// A page of the built-in documentation: a file of docs/, or a heading in it. The laboratory notes (docs/results) are
+/// not built in.
 struct GuidePage {
-  QString file;   ///< e.g. "editor.md", "results/exports.md"
+  QString file;   ///< e.g. "editor.md"
   QString title;  ///< e.g. "The editor", "Export Image"
   int level = 1;  ///< 1: the page itself
 };
 
-/// All pages, each followed by its second-level headings; the editor's page first, measured results last.
+/// All pages, each followed by its second-level headings; the editor's page first.
 const std::vector<GuidePage>& guidePages();
-
-/// Target of a link on a page, as GuidePage::file: "../study.md" in "results/factors.md" is "study.md".
-QString linkedPage(const QString& file, const QString& path);
 
 /// Help > Guide: the documentation, with links between its pages.
 class GuideWindow : public QDialog {

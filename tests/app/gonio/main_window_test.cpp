@@ -24,8 +24,10 @@
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/library/library_view.h"
 #include "widgets/parameters/control_panel.h"
+#include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_row.h"
+#include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -100,8 +102,12 @@ class MainWindowTest : public QObject {
       QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
     for (const models::Model* model : models::allModels())
       QVERIFY(formulaePage().contains(QString::fromUtf8(model->spec().name.data())));
-    for (const char* part :
-         {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai", "(1 + measured) (model(edited)", "Additive"})
+    for (const editing::CompositionRecord& record : editing::compositionRecords) {
+      QVERIFY(formulaePage().contains(widgets::toQString(record.name)));
+      const std::string_view formula = record.formula.substr(0, record.formula.find('\n'));
+      QVERIFY(formulaePage().contains(widgets::formulaHtml(formula)));
+    }
+    for (const char* part : {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai"})
       QVERIFY2(formulaePage().contains(QString::fromUtf8(part)), part);
     QVERIFY(!formulaePage().contains("%1"));
     delete window;
@@ -273,6 +279,8 @@ class MainWindowTest : public QObject {
     QVERIFY(found(*window, "undo").first().startsWith("Edit > "));
     // Words begin words: "red" is no part of "near-measured" here.
     QVERIFY(found(*window, "red metallic").first().startsWith("Library > red-metallic-paint"));
+    // The laboratory notes are not part of the guide.
+    QCOMPARE(found(*window, "guide hostile lost work"), QStringList{"No entry matches \"guide hostile lost work\"."});
     QVERIFY(found(*window, "contact sheet").first().startsWith("Analyse > Contact Sheet"));
     QCOMPARE(found(*window, "xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
