@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/brdf/weighted_sum.h"
+#include "core/dictionary/code_brdf.h"
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/edit.h"

@@ -173,9 +173,9 @@ auto lewisArguments(const ParameterValues& p) {
 /// The factors of Neumann's lobes that bound their albedo by k_s, 1/sr.
 double neumannPhongBound(double n) { return (n + 1) / (2 * pi); }
 double neumannBlinnBound(double n) { return (n + 1) / (8 * pi); }
-template <double (*bound)(double)>
+template <double (*boundOf)(double)>
 auto neumannArguments(const ParameterValues& p) {
-  return argumentsOf(p, chosen(p.values[choice].x) == 0 ? bound(p.values[exponent].x) : 1);
+  return argumentsOf(p, chosen(p.values[choice].x) == 0 ? boundOf(p.values[exponent].x) : 1);
 }
 
 /// @param albedo of the highlight for k_s = 1, to sample it.
