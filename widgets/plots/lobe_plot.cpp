@@ -175,9 +175,9 @@ void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, con
 
 namespace {
 constexpr double turnPerPixel = 0.008;  // rad, as the preview's
-constexpr double maxPitch = radians(89);
+constexpr double maxLobePitch = radians(89);
 constexpr double zoomPerNotch = 1.15, minZoom = 0.3, maxZoom = 40;
-constexpr double keyPixels = 20;
+constexpr double lobePixelsPerKey = 20;
 }  // namespace
 
 LobePlot::LobePlot(QWidget* parent) : Plot(tr("3-D lobe"), parent) {
@@ -256,7 +256,7 @@ io::CsvTable LobePlot::table() const {
 
 void LobePlot::turn(double dx, double dy) {
   m_view.yaw = std::remainder(m_view.yaw - turnPerPixel * dx, 2 * pi);
-  m_view.pitch = std::clamp(m_view.pitch + turnPerPixel * dy, -maxPitch, maxPitch);
+  m_view.pitch = std::clamp(m_view.pitch + turnPerPixel * dy, -maxLobePitch, maxLobePitch);
   update();
 }
 
@@ -310,7 +310,7 @@ void LobePlot::wheelEvent(QWheelEvent* event) {
 
 void LobePlot::keyPressEvent(QKeyEvent* event) {
   const bool turning = event->modifiers() & Qt::ControlModifier;
-  const double step = event->modifiers() & Qt::ShiftModifier ? keyPixels / 10 : keyPixels;
+  const double step = event->modifiers() & Qt::ShiftModifier ? lobePixelsPerKey / 10 : lobePixelsPerKey;
   if (turning && event->key() == Qt::Key_Left) return turn(-step, 0);
   if (turning && event->key() == Qt::Key_Right) return turn(step, 0);
   if (event->key() == Qt::Key_Up) return turn(0, -step);
