@@ -14,16 +14,6 @@ def plan_of(wildcards):
     return {"plan": plan + ".csv", "basis": plan + ".basis"}
 
 
-def file_of(wildcards):
-    """Bundled materials are no files."""
-    path = MATERIALS[wildcards.name]
-    return [] if path.startswith("library:") else [path]
-
-
-def material_of(wildcards):
-    return MATERIALS[wildcards.name]
-
-
 rule plan_fold:
     input: MATERIAL_FILES
     output:

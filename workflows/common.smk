@@ -61,13 +61,14 @@ def listed(values):
     return ",".join(str(value) for value in values)
 
 
-def shard_files(folder, count):
-    return [f"{folder}/shards/{i}-of-{count}/shard.json" for i in range(1, count + 1)]
+def file_of(wildcards):
+    """Bundled materials are no files."""
+    path = MATERIALS[wildcards.name]
+    return [] if path.startswith("library:") else [path]
 
 
-def shard_of(wildcards):
-    """1-of-4 as goniotool expects it."""
-    return wildcards.shard.replace("-of-", "/")
+def material_of(wildcards):
+    return MATERIALS[wildcards.name]
 
 
 def folder_of_output(wildcards, output):
@@ -76,7 +77,6 @@ def folder_of_output(wildcards, output):
 
 wildcard_constraints:
     fold="[0-9]+",
-    shard="[0-9]+-of-[0-9]+",
     name="[^/]+",
     samples="[0-9]+",
     seed="[0-9]+",

@@ -1,38 +1,43 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# Each material as codes over the dictionary that has not learned from it.
+# Each material as codes over the dictionary that has not learned from it: a job each, then the medians.
 JUDGING = config["judging"]
+JUDGING_OPTIONS = (f"--representations codes --coefficients {listed(JUDGING['coefficients'])} --size {JUDGING['size']} "
+                   f"--samples {JUDGING['samples']} --no-times")
 
-rule judge_shard:
+rule judge_material:
     input:
-        materials=MATERIAL_FILES,
+        material=file_of,
         dictionaries=rules.train_folds.input,
-    output: OUT + "/judged/shards/{shard}/shard.json"
-    log: OUT + "/log/judge-{shard}.log"
+    output: multiext(OUT + "/judged/{name}", ".json", ".csv", ".svg")
+    log: OUT + "/log/judge-{name}.log"
     threads: threads_of("judge")
     resources:
         mem_mb=need("judge", "mem_mb"),
         runtime=need("judge", "runtime"),
     params:
-        shard=shard_of,
+        material=material_of,
         folder=folder_of_output,
         dictionaries=listed(rules.train_folds.input),
-        options=f"--representations codes --coefficients {listed(JUDGING['coefficients'])} "
-            f"--size {JUDGING['size']} --samples {JUDGING['samples']} --no-times",
+        options=JUDGING_OPTIONS,
     shell:
-        "{GONIOTOOL} study {SOURCE_ARGUMENTS} --dictionary {params.dictionaries:q} {params.options} --resume "
-        "--shard {params.shard} --threads {threads} --progress --out {params.folder:q} > {log:q} 2>&1"
+        "{GONIOTOOL} study {params.material:q} --dictionary {params.dictionaries:q} {params.options} --resume "
+        "--threads {threads} --progress --out {params.folder:q} > {log:q} 2>&1"
 
 rule judge_folds:
-    input: shard_files(OUT + "/judged", JUDGING["shards"])
-    output: multiext(OUT + "/judged/joined/summary", ".json", ".csv", ".svg")
-    log: OUT + "/log/judge-merge.log"
-    threads: threads_of("merge")
+    input: [f"{OUT}/judged/{name}.json" for name in MATERIALS]
+    output: multiext(OUT + "/judged/summary", ".json", ".csv", ".svg")
+    log: OUT + "/log/judge-summary.log"
+    threads: threads_of("summary")
     resources:
-        mem_mb=need("merge", "mem_mb"),
-        runtime=need("merge", "runtime"),
+        mem_mb=need("summary", "mem_mb"),
+        runtime=need("summary", "runtime"),
     params:
-        shards=lambda wildcards, input: [str(Path(shard).parent) for shard in input],
         folder=folder_of_output,
+        dictionaries=listed(rules.train_folds.input),
+        options=JUDGING_OPTIONS,
     shell:
-        "{GONIOTOOL} merge {params.shards:q} --threads {threads} --out {params.folder:q} > {log:q} 2>&1"
+        "{GONIOTOOL} study {SOURCE_ARGUMENTS} --dictionary {params.dictionaries:q} {params.options} --resume "
+        "--threads {threads} --out {params.folder:q} > {log:q} 2>&1"
+
+ruleorder: judge_folds > judge_material

@@ -1,35 +1,39 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# Accuracy (and cost, with times) of every representation of each material.
+# Accuracy (and cost, with times) of every representation of each material: a job each, then the medians.
 STUDY = config["study"]
+STUDY_OPTIONS = (f"--representations {listed(STUDY['representations'])} {STUDY['options']} --size {STUDY['size']} "
+                 f"--samples {STUDY['samples']}" + ("" if STUDY["times"] else " --no-times"))
 
-rule study_shard:
-    input: MATERIAL_FILES
-    output: OUT + "/study/shards/{shard}/shard.json"
-    log: OUT + "/log/study-{shard}.log"
+rule study_material:
+    input: file_of
+    output: multiext(OUT + "/study/{name}", ".json", ".csv", ".svg")
+    log: OUT + "/log/study-{name}.log"
     threads: threads_of("study")
     resources:
         mem_mb=need("study", "mem_mb"),
         runtime=need("study", "runtime"),
     params:
-        shard=shard_of,
+        material=material_of,
         folder=folder_of_output,
-        options=f"--representations {listed(STUDY['representations'])} {STUDY['options']} --size {STUDY['size']} "
-            f"--samples {STUDY['samples']}" + ("" if STUDY["times"] else " --no-times"),
+        options=STUDY_OPTIONS,
     shell:
-        "{GONIOTOOL} study {SOURCE_ARGUMENTS} {params.options} --resume --shard {params.shard} --threads {threads} "
-        "--progress --out {params.folder:q} > {log:q} 2>&1"
+        "{GONIOTOOL} study {params.material:q} {params.options} --resume --threads {threads} --progress "
+        "--out {params.folder:q} > {log:q} 2>&1"
 
 rule study:
-    input: shard_files(OUT + "/study", STUDY["shards"])
-    output: multiext(OUT + "/study/joined/summary", ".json", ".csv", ".svg")
-    log: OUT + "/log/study-merge.log"
-    threads: threads_of("merge")
+    input: [f"{OUT}/study/{name}.json" for name in MATERIALS]
+    output: multiext(OUT + "/study/summary", ".json", ".csv", ".svg")
+    log: OUT + "/log/study-summary.log"
+    threads: threads_of("summary")
     resources:
-        mem_mb=need("merge", "mem_mb"),
-        runtime=need("merge", "runtime"),
+        mem_mb=need("summary", "mem_mb"),
+        runtime=need("summary", "runtime"),
     params:
-        shards=lambda wildcards, input: [str(Path(shard).parent) for shard in input],
         folder=folder_of_output,
+        options=STUDY_OPTIONS,
     shell:
-        "{GONIOTOOL} merge {params.shards:q} --threads {threads} --out {params.folder:q} > {log:q} 2>&1"
+        "{GONIOTOOL} study {SOURCE_ARGUMENTS} {params.options} --resume --threads {threads} --out {params.folder:q} "
+        "> {log:q} 2>&1"
+
+ruleorder: study > study_material

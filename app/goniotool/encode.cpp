@@ -18,7 +18,7 @@
 #include "core/formats/formats.h"
 #include "core/materials/basis_file.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/study/picture_encoding.h"
+#include "core/study/picture_search.h"
 #include "core/study/training_files.h"
 
 namespace gonio::tool {

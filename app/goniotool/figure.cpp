@@ -142,7 +142,7 @@ Json recordsJson(const FigureDescription& figure, const FigureMeasurement& measu
         numbers[id] = decibelsJson(measurement.rows[row].cells[cell]->value(id));
       const FigureRepresentation& shown = figure.representations[cell];
       records.push_back({{"material", rowLabel(figure, measurement, row)},
-                         {"representation", shown.representation.id},
+                         {"representation", shown.representation.kind->id},
                          {"label", shown.shownLabel()},
                          {"budget", shown.representation.budget},
                          {"numbers", numbers}});

@@ -7,8 +7,8 @@
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
 #include "core/editing/edit.h"
-#include "core/study/fit_ranking.h"
-#include "core/study/gamma_selection.h"
+#include "core/study/accuracy_study.h"
+#include "core/study/picture_search.h"
 
 namespace gonio::tool {
 

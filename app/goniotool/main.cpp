@@ -160,11 +160,11 @@ int parseAndWork(tool::Tool& tool, int argc, char** argv) {
   app.formatter(std::make_shared<tool::HelpFormatter>());
   app.footer("Exit code: 0 success, 1 failure or failed check, 2 wrong usage.");
   for (const auto add :
-       {tool::addInfo,        tool::addEvaluate,   tool::addCheck,      tool::addConvert,     tool::addFit,
-        tool::addEdit,        tool::addFactor,     tool::addDictionary, tool::addEncode,      tool::addDecode,
-        tool::addInterpolate, tool::addPlan,       tool::addMeasure,    tool::addReconstruct, tool::addExport,
-        tool::addRender,      tool::addScenes,     tool::addCompare,    tool::addStudy,       tool::addMerge,
-        tool::addFigure,      tool::addTrainNeural})
+       {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
+        tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
+        tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
+        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure,
+        tool::addTrainNeural})
     add(app, tool);
   tool::checkValues(app);
   try {

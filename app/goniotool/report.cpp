@@ -13,7 +13,7 @@
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
 #include "core/rendering/render_picture.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "core/support/text.h"
 
 namespace gonio::tool {

@@ -10,7 +10,7 @@
 #include "core/materials/material.h"
 #include "core/math/types.h"
 #include "core/rendering/effect_costs.h"
-#include "core/study/fit_ranking.h"
+#include "core/study/accuracy_study.h"
 
 /// Output of the subcommands. JSON keys have the documented order (docs/command-line.md).
 namespace gonio::tool {

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "app/goniotool/report.h"
-#include "core/study/machine.h"
-#include "core/study/study_record.h"
+#include "core/study/study_plot.h"
 
-/// The files in the folder of a study: STEM.json, STEM.csv and STEM.svg for each material and for the summary; one
-/// additional file per shard.
+/// The results of goniotool study: STEM.json, STEM.csv and STEM.svg in its folder for each material and for the
+/// summary, and the report.
 namespace gonio::tool {
 
 /// Facts stated in every file of a study.
@@ -50,24 +49,32 @@ struct StudiedMaterial {
 void writeMaterialStudy(const std::filesystem::path& folder, const StudiedMaterial& material, const StudyFacts& facts);
 /// Whether STEM.json exists.
 bool hasMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
-/// Writes the three files of the summary. @param records the medians as JSON.
-void writeSummary(const std::filesystem::path& folder, const std::string& title,
-                  std::span<const study::StudyRecord> medians, const Json& records, const StudyFacts& facts);
-
-/// Reads JSON with its members in the order of the file. @throws Error without the file name if it is invalid or nested
-/// too deeply.
-Json readOrderedJson(const std::filesystem::path& path);
-
-/// The content of the files of writeMaterialStudy().
-struct StoredStudy {
-  StudiedMaterial material;
-  StudyFacts facts;
-};
-/// Reads STEM.json. @throws Error that names the file.
-StoredStudy readMaterialStudy(const std::filesystem::path& folder, const std::string& stem);
 /// The stored results of a material if the settings and the material's hash are equal and all records exist; else
-/// nullopt. @param records the number of records of the material.
+/// nullopt. Ids of representations may be those of older files. @param records the number of records of the material.
 std::optional<StudiedMaterial> finishedStudy(const std::filesystem::path& folder, const std::string& stem,
                                              const std::string& source, const StudyFacts& facts, std::size_t records);
+
+/// Collects the results of a study, material by material, for the summary and the final report.
+class StudyOutput {
+ public:
+  StudyOutput(std::string folder, StudyFacts facts, const study::Budget& budget)
+      : folder_(std::move(folder)), facts_(std::move(facts)), budget_(budget) {}
+
+  void add(const StudiedMaterial& material);
+  /// Writes the files of the medians if there are several materials.
+  void writeSummary();
+  void print(const Tool& tool, bool complete, double seconds);
+
+ private:
+  /// Records the best representation within the limits, if there are limits. Precondition: the material is complete.
+  void choose(const StudiedMaterial& material);
+
+  std::string folder_;
+  StudyFacts facts_;
+  study::Budget budget_;
+  std::string text_;
+  std::vector<std::vector<study::StudyRecord>> all_;
+  Json records_ = Json::array(), chosen_ = Json::array();
+};
 
 }  // namespace gonio::tool

@@ -65,7 +65,6 @@ void addMeasure(CLI::App& app, Tool& tool);
 void addReconstruct(CLI::App& app, Tool& tool);
 void addStudy(CLI::App& app, Tool& tool);
 void addFigure(CLI::App& app, Tool& tool);
-void addMerge(CLI::App& app, Tool& tool);
 void addTrainNeural(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

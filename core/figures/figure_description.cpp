@@ -245,7 +245,7 @@ void eachPath(FigureDescription& description, const Change& change) {
 
 std::string FigureRepresentation::shownLabel() const {
   if (!label.empty()) return plainText(label);
-  return representation.family == study::RepresentationFamily::fit ? representation.label : representation.fullLabel();
+  return representation.shortLabel();
 }
 
 std::string_view figureWidthId(FigureWidth width) { return width == FigureWidth::oneColumn ? "one" : "two"; }
@@ -263,8 +263,8 @@ nlohmann::ordered_json toJson(const FigureDescription& description) {
   }
   for (const FigureRepresentation& representation : description.representations) {
     nlohmann::ordered_json& one = json["representations"].emplace_back();
-    one["id"] = representation.representation.id;
-    if (study::needsBudget(representation.representation.id)) one["budget"] = int(representation.representation.budget);
+    one["id"] = representation.representation.kind->id;
+    if (representation.representation.kind->hasBudget()) one["budget"] = int(representation.representation.budget);
     if (!representation.label.empty()) one["label"] = representation.label;
   }
   json["pictures"] = toJson(description.pictures);

@@ -52,7 +52,7 @@ io::CsvTable figureCsv(const FigureDescription& description, const FigureMeasure
     for (std::size_t cell = 0; cell < measurement.rows[row].cells.size(); ++cell) {
       const FigureRepresentation& shown = description.representations[cell];
       materials.texts.push_back(rowLabel(description, measurement, row));
-      ids.texts.push_back(shown.representation.id);
+      ids.texts.push_back(shown.representation.id());
       labels.texts.push_back(shown.shownLabel());
       budgets.values.push_back(shown.representation.budget);
       for (std::size_t i = 0; i < numbers.size(); ++i)

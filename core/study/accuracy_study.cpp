@@ -2,9 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/study/accuracy_study.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
+#include "core/fitting/fit_parameters.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/models/registry.h"
 #include "core/rendering/render_picture.h"
 
 namespace gonio::study {
@@ -83,6 +88,34 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
   } catch (const Cancelled&) {
   }
   return records;
+}
+
+std::vector<RankedFit> rankFits(const StudySubject& subject, const RankingOptions& options,
+                                const TaskControl& control) {
+  std::vector<RankedFit> ranking;
+  const auto symmetry =
+      subject.reference->isIsotropic() ? fitting::DataSymmetry::isotropic : fitting::DataSymmetry::anisotropic;
+  const auto add = [&](const MeasuredRepresentation& studied) {
+    ranking.push_back({*studied.fit, studied.record.renderedSnr, studied.picture,
+                       fitting::fittedParameterCount(studied.fit->model->spec(), symmetry)});
+    if (options.modelDone) options.modelDone(ranking.back());
+  };
+  const StudyOptions study{
+      .build = {.fit = options.fit, .dictionary = {}}, .picture = options.picture, .timed = false, .measured = add};
+  std::vector<const models::Model*> models = options.models;
+  if (models.empty()) models.assign(models::allModels().begin(), models::allModels().end());
+  std::vector<Representation> fits;
+  for (const models::Model* model : models) fits.push_back(representationById(model->spec().id));
+  runStudy(subject, fits, study, control);
+  return ranking;
+}
+
+void sortRanking(std::vector<RankedFit>& ranking, std::optional<metrics::BrdfMetric> metric) {
+  const auto key = [&](const RankedFit& row) {
+    const double value = metric ? row.fit.errors[static_cast<std::size_t>(*metric)] : -row.renderedSnr;
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  std::ranges::stable_sort(ranking, {}, key);
 }
 
 }  // namespace gonio::study

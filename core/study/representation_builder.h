@@ -32,7 +32,7 @@ struct BuildOptions {
   fitting::FitOptions fit;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< basis of components; null: none
-  std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of separatedComponentsId; null: none
+  std::shared_ptr<const dictionary::SeparatedComponents> separated = {};   ///< of "components-separated"; null: none
   std::shared_ptr<const dictionary::PatchDictionary> patches = {};         ///< null: none
   /// Of the material in the published table (materials/npf_file.h); null: none.
   std::shared_ptr<const factorization::NonparametricFactors> publishedNonparametric = {};
@@ -51,9 +51,23 @@ struct BuiltRepresentation {
   std::optional<fitting::FitResult> fit = {};  ///< for a fit
 };
 
-/// Builds representations of one material. Common work is done once: factors with fewer terms are prefixes of one
-/// factorisation, except joint ones; fits share their data. Each code is encoded separately, because the best
-/// dictionary depends on the number of coefficients.
+/// What the build functions of one material read and share. A build function that makes something that several
+/// representations need keeps it here.
+struct BuildContext {
+  StudySubject subject;
+  BuildOptions options;
+  std::map<const RepresentationKind*, double> maxBudgets;  ///< of the planned representations
+
+  fitting::FitBase fitBase;  ///< of fitData
+  std::optional<fitting::FitData> fitData;
+  std::map<const RepresentationKind*, factorization::PdvFactorization> factorizations;
+  std::shared_ptr<const TabulatedBrdf> codedTable;  ///< the table on the dictionary's grid
+  std::optional<dictionary::Encoder> encoder;
+};
+
+/// Builds representations of one material by the functions of their rows. Common work is done once: factors with fewer
+/// terms are prefixes of one factorisation, except joint ones; fits share their data. Each code is encoded separately,
+/// because the best dictionary depends on the number of coefficients.
 class RepresentationBuilder {
  public:
   /// @param planned all representations that will be built.
@@ -62,31 +76,11 @@ class RepresentationBuilder {
   /// Deterministic except for times. Fits, factors and most baselines take about a second, codes two, joint factors,
   /// the Gaussian process and non-parametric factors a few seconds, neural BRDFs 12 s. @throws Error for a
   /// representation that was not planned, more components than the basis has, a table with another grid than the
-  /// basis, or publishedNonparametric without BuildOptions::publishedNonparametric; Cancelled.
+  /// basis, or published factors without BuildOptions::publishedNonparametric; Cancelled.
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
-  BuiltRepresentation make(const Representation& representation, const TaskControl& control);
-  BuiltRepresentation table(const Representation& representation) const;
-  BuiltRepresentation fit(const Representation& representation, const TaskControl& control);
-  BuiltRepresentation factors(const Representation& representation, const TaskControl& control);
-  BuiltRepresentation code(const Representation& representation, const TaskControl& control);
-  BuiltRepresentation components(const Representation& representation, const TaskControl& control) const;
-  BuiltRepresentation separated(const Representation& representation, const TaskControl& control) const;
-  BuiltRepresentation patches(const Representation& representation, const TaskControl& control) const;
-  BuiltRepresentation nonparametric(const TaskControl& control) const;
-  BuiltRepresentation publishedNonparametric() const;
-  BuiltRepresentation neuralBrdf(const TaskControl& control) const;
-  BuiltRepresentation baseline(const Representation& representation, const TaskControl& control) const;
-
-  StudySubject subject_;
-  BuildOptions options_;
-  std::map<std::string, int> maxTerms_;  ///< per form, by the id
-  fitting::FitBase fitBase_;             ///< of fitData_
-  std::optional<fitting::FitData> fitData_;
-  std::map<std::string, factorization::PdvFactorization> factorizations_;
-  std::shared_ptr<const TabulatedBrdf> codedTable_;  ///< the table on the dictionary's grid
-  std::optional<dictionary::Encoder> encoder_;
+  BuildContext context_;
 };
 
 }  // namespace gonio::study

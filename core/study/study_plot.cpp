@@ -4,11 +4,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <tuple>
 
 namespace gonio::study {
 
 namespace {
+
+/// Fraction of an axis that an end takes.
+constexpr double endShare = 0.07;
+constexpr int mostDecades = 12;
+constexpr double decibelStep = 10;
+
+struct Prefix {
+  double size;
+  const char* symbol;
+};
+constexpr Prefix prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}};
+
+/// Three significant digits, with the largest prefix that fits: `separator` before it, and none below `smallest`.
+std::string prefixed(double value, double smallest, const char* separator) {
+  // What three digits round up to the next thousand has its prefix.
+  const Prefix& prefix = *std::ranges::find_if(
+      prefixes, [&](const Prefix& one) { return one.size <= smallest || std::abs(value) >= 0.9995 * one.size; });
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g%s%s", value / prefix.size, separator, prefix.symbol);
+  return text;
+}
+
+/// Without both ends, so that a scale of whole decades or tens shows all.
+StudyAxis logarithmicAxis(const std::vector<double>& values) {
+  return {.scale = plots::scaleFor(values, true, mostDecades),
+          .zeroEnd = std::ranges::any_of(values, [](double value) { return value <= 0; })};
+}
+
+StudyAxis decibelAxis(const std::vector<double>& values) {
+  StudyAxis axis{.scale = {false, 0, decibelStep}};
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      axis.scale.min = std::min(axis.scale.min, decibelStep * std::floor(value / decibelStep));
+      axis.scale.max = std::max(axis.scale.max, decibelStep * std::ceil(value / decibelStep));
+    } else if (value > 0) {
+      axis.infiniteEnd = true;
+    } else if (value < 0) {
+      axis.zeroEnd = true;
+    }
+  }
+  return axis;
+}
+
+template <typename Value>
+std::vector<double> valuesOf(std::span<const StudyRecord> records, const Value& value) {
+  std::vector<double> values;
+  for (const StudyRecord& record : records) values.push_back(value(record));
+  return values;
+}
 
 using plots::Marker;
 using plots::SvgDrawing;
@@ -19,33 +72,6 @@ constexpr double left = 64, right = 20, top = 14, bottom = 52;
 constexpr double markerSize = 4.6, labelSize = 10.5;
 constexpr std::string_view gridColour = "#dddddd", frontColour = "#888888";
 constexpr plots::SvgStroke frontStroke{.colour = frontColour, .width = 2.5, .dashes = "7 3"};
-
-struct FamilyStyle {
-  Marker marker;
-  std::string_view colour;
-};
-/// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
-constexpr FamilyStyle styles[representationFamilyCount] = {
-    {Marker::square, "#000000"},   {Marker::circle, "#0072b2"},        {Marker::triangle, "#d55e00"},
-    {Marker::diamond, "#009e73"},  {Marker::cross, "#cc79a7"},         {Marker::hourglass, "#44aa99"},
-    {Marker::star, "#e69f00"},     {Marker::hourglass, "#999933"},     {Marker::triangleDown, "#56b4e9"},
-    {Marker::pentagon, "#882255"}, {Marker::triangleRight, "#117733"}, {Marker::fourStar, "#332288"}};
-
-struct Shape {
-  Marker marker;
-  bool hollow;
-};
-/// Shapes of the baselines in their order; no family has them.
-constexpr Shape baselineShapes[] = {
-    {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
-    {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::threeStar, true},
-    {Marker::saltire, true},      {Marker::fourStar, true}};
-
-Shape baselineShape(std::string_view id) {
-  const auto all = studiedBaselines();
-  const auto found = std::ranges::find(all, id, &factorization::Baseline::id);
-  return baselineShapes[std::size_t(found - all.begin()) % std::size(baselineShapes)];
-}
 
 /// A rectangle that a label takes.
 struct Box {
@@ -64,13 +90,7 @@ std::string numbersText(const StudyRecord& record) {
 }
 
 /// Short, beside a point: the budget where its shape shows the rest.
-std::string labelOf(const Representation& r) {
-  return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::published ||
-                 r.family == RepresentationFamily::alternatives || r.family == RepresentationFamily::code ||
-                 r.family == RepresentationFamily::components || r.family == RepresentationFamily::patches
-             ? r.budgetText
-             : r.label;
-}
+std::string labelOf(const Representation& r) { return r.kind->hasCountedBudget() ? r.budgetText() : r.label(); }
 
 class PanelPainter {
  public:
@@ -90,8 +110,9 @@ class PanelPainter {
     paintLines();
     for (std::size_t i = 0; i < records_.size(); ++i) {
       if (!places_[i]) continue;
-      const SeriesStyle style = styleOf(records_[i].representation);
-      svg_.marker(style.marker, *places_[i], markerSize, style.colour, style.hollow, numbersText(records_[i]));
+      const RepresentationKind& kind = *records_[i].representation.kind;
+      svg_.marker(kind.style.marker, *places_[i], markerSize, kind.family->colour, kind.style.hollow,
+                  numbersText(records_[i]));
       taken_.push_back({*places_[i] - markerSize, *places_[i] + markerSize});
     }
     for (const std::size_t i : front_) paintLabel(i);
@@ -124,16 +145,11 @@ class PanelPainter {
 
   /// Budgets of one representation, and the front over all.
   void paintLines() {
-    std::map<std::string, std::vector<glm::dvec2>> lines;
-    std::map<std::string, std::string_view> colours;
-    for (std::size_t i = 0; i < records_.size(); ++i) {
-      const Representation& r = records_[i].representation;
-      if (!places_[i]) continue;
-      lines[r.id].push_back(*places_[i]);
-      colours[r.id] = styleOf(r).colour;
-    }
-    for (const auto& [id, points] : lines)
-      if (points.size() > 1) svg_.polyline(points, {colours[id], 0.8});
+    std::map<const RepresentationKind*, std::vector<glm::dvec2>> lines;
+    for (std::size_t i = 0; i < records_.size(); ++i)
+      if (places_[i]) lines[records_[i].representation.kind].push_back(*places_[i]);
+    for (const auto& [kind, points] : lines)
+      if (points.size() > 1) svg_.polyline(points, {kind->family->colour, 0.8});
     front_ = paretoFront(costsAndErrors(records_, panel_.cost, panel_.quality));
     // Steps: between two points there is nothing to be had but the cheaper one.
     std::vector<glm::dvec2> steps;
@@ -182,21 +198,22 @@ class PanelPainter {
 };
 
 struct LegendEntry {
-  SeriesStyle style;
+  const RepresentationKind* kind;  ///< null: the front
   glm::dvec2 at;
+  std::string_view name() const { return kind ? kind->legendName() : "Pareto front"; }
 };
 
-/// The series of the records and, without a marker, the front; in lines of a width, from (0, 0).
+/// The series of the records and the front, in lines of a width, from (0, 0).
 std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double width) {
   std::vector<LegendEntry> legend;
   for (const StudyRecord& record : records)
-    if (const SeriesStyle style = styleOf(record.representation);
-        std::ranges::none_of(legend, [&](const LegendEntry& entry) { return entry.style.name == style.name; }))
-      legend.push_back({style, {}});
-  legend.push_back({{.marker = {}, .colour = frontColour, .hollow = false, .name = "Pareto front"}, {}});
+    if (std::ranges::none_of(
+            legend, [&](const LegendEntry& entry) { return entry.name() == record.representation.kind->legendName(); }))
+      legend.push_back({record.representation.kind, {}});
+  legend.push_back({nullptr, {}});
   glm::dvec2 place(0);
   for (LegendEntry& entry : legend) {
-    const double taken = 34 + 7 * double(entry.style.name.size());
+    const double taken = 34 + 7 * double(entry.name().size());
     if (place.x + taken > width) place = {0, place.y + legendLine};
     entry.at = place;
     place.x += taken;
@@ -207,33 +224,107 @@ std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double w
 void paintLegend(SvgDrawing& svg, const glm::dvec2& origin, const std::vector<LegendEntry>& legend) {
   for (const LegendEntry& entry : legend) {
     const glm::dvec2 at = origin + entry.at;
-    if (&entry == &legend.back())
+    if (!entry.kind)
       svg.line({at.x - 4, at.y}, {at.x + 16, at.y}, frontStroke);
     else
-      svg.marker(entry.style.marker, {at.x + 6, at.y}, markerSize, entry.style.colour, entry.style.hollow);
-    svg.text({at.x + 20, at.y + 4}, entry.style.name);
+      svg.marker(entry.kind->style.marker, {at.x + 6, at.y}, markerSize, entry.kind->family->colour,
+                 entry.kind->style.hollow);
+    svg.text({at.x + 20, at.y + 4}, std::string(entry.name()));
   }
 }
 
 }  // namespace
 
-SeriesStyle styleOf(const Representation& r) {
-  const FamilyStyle& style = styles[std::size_t(r.family)];
-  if (r.family == RepresentationFamily::baselines) {
-    const Shape shape = baselineShape(r.id);
-    return {shape.marker, style.colour, shape.hollow, r.label};
+std::vector<std::size_t> paretoFront(std::span<const CostAndError> candidates) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (!std::isnan(candidates[i].cost) && !std::isnan(candidates[i].error)) order.push_back(i);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return std::tuple(candidates[i].cost, candidates[i].error); });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    const bool equal = !front.empty() && candidates[front.back()].cost == candidates[i].cost &&
+                       candidates[front.back()].error == candidates[i].error;
+    if (front.empty() || equal || candidates[i].error < candidates[front.back()].error) front.push_back(i);
   }
-  if (r.id == separatedComponentsId) return {Marker::threeStar, style.colour, false, r.label};
-  // Codes of the families that contain factors too have a shape of their own, and so have compact factors.
-  const bool variantCode = r.id.starts_with("code-"), alternative = r.family == RepresentationFamily::alternatives;
-  const bool hollow = r.id == "table-nearest" || r.id.starts_with("factors-2d") || (variantCode && alternative) ||
-                      r.family == RepresentationFamily::patches;
-  const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors ||
-                     r.family == RepresentationFamily::published || alternative;
-  const Marker marker = variantCode                    ? Marker::triangleLeft
-                        : r.id == "factors-3d-compact" ? Marker::arrowhead
-                                                       : style.marker;
-  return {marker, style.colour, hollow, named ? r.label : std::string(familyName(r.family))};
+  return front;
+}
+
+std::optional<std::size_t> bestWithin(std::span<const StudyRecord> records, const Budget& budget) {
+  const auto keeps = [&](const StudyRecord& record) {
+    return !(budget.frameMilliseconds && record.frameMilliseconds > *budget.frameMilliseconds) &&
+           !(budget.bytes && double(record.bytes) > *budget.bytes) &&
+           (!budget.renderedSnr || record.renderedSnr >= *budget.renderedSnr);
+  };
+  const auto order = [](const StudyRecord& record) {
+    const bool undefined = std::isnan(record.renderedSnr);
+    return std::tuple(undefined, undefined ? 0 : -record.renderedSnr, record.frameMilliseconds, record.bytes);
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (keeps(records[i]) && (!best || order(records[i]) < order(records[*best]))) best = i;
+  return best;
+}
+
+double qualityOf(const StudyRecord& record, Quality quality) {
+  return quality ? record.errors[std::size_t(*quality)] : record.renderedSnr;
+}
+
+std::string axisTitle(Quality quality) {
+  if (!quality) return "rendered SNR [dB]";
+  const metrics::MetricRecord& metric = metrics::metricRecord(*quality);
+  return "error " + std::string(metric.id) + (metric.unit.empty() ? "" : " [" + std::string(metric.unit) + "]");
+}
+
+std::string axisTitle(Cost cost) { return std::string(costName(cost)) + " [" + std::string(costUnit(cost)) + "]"; }
+
+std::vector<CostAndError> costsAndErrors(std::span<const StudyRecord> records, Cost cost, Quality quality) {
+  std::vector<CostAndError> alternatives;
+  for (const StudyRecord& record : records)
+    alternatives.push_back({costOf(record, cost), quality ? qualityOf(record, quality) : -record.renderedSnr});
+  return alternatives;
+}
+
+std::optional<double> StudyAxis::position(double value) const {
+  if (std::isnan(value)) return std::nullopt;
+  const double low = zeroEnd ? endShare : 0, high = infiniteEnd ? 1 - endShare : 1;
+  if (std::isinf(value)) return value > 0 ? 1 - endShare / 3 : endShare / 3;
+  if (scale.logarithmic && value <= 0) return endShare / 3;
+  return low + (high - low) * std::clamp(scale.fraction(value), 0.0, 1.0);
+}
+
+std::vector<StudyAxis::Tick> StudyAxis::ticks() const {
+  constexpr int wanted = 7;
+  constexpr double clear = 0.1;  // of the axis, from the labels of values beyond the scale
+  std::vector<Tick> ticks;
+  if (zeroEnd) ticks.push_back({endShare / 3, scale.logarithmic ? "0" : "-∞"});
+  for (const double value : plots::scaleTicks(scale, wanted))
+    if (const double at = *position(value); !(zeroEnd && at < clear) && !(infiniteEnd && at > 1 - clear))
+      ticks.push_back({at, shortNumber(value)});
+  if (!scale.logarithmic) ticks.push_back({*position(0), "0"});
+  if (infiniteEnd) ticks.push_back({1 - endShare / 3, "∞"});
+  return ticks;
+}
+
+StudyAxis costAxis(std::span<const StudyRecord> records, Cost cost) {
+  return logarithmicAxis(valuesOf(records, [cost](const StudyRecord& record) { return costOf(record, cost); }));
+}
+
+StudyAxis qualityAxis(std::span<const StudyRecord> records, Quality quality) {
+  const auto values = valuesOf(records, [quality](const StudyRecord& r) { return qualityOf(r, quality); });
+  return quality ? logarithmicAxis(values) : decibelAxis(values);
+}
+
+std::string shortNumber(double value) {
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  return prefixed(value, 1, "");
+}
+
+std::string shortQuantity(double value, std::string_view unit) {
+  const bool hasPrefix = std::isfinite(value) && value != 0;
+  return (hasPrefix ? prefixed(value, prefixes[std::size(prefixes) - 1].size, " ") : shortNumber(value) + " ") +
+         std::string(unit);
 }
 
 std::vector<StudyAxes> allCostAxes() {

@@ -9,8 +9,8 @@
 #include "core/materials/dictionary_file.h"
 #include "core/models/parameters_json.h"
 #include "core/models/registry.h"
-#include "core/study/fit_ranking.h"
-#include "core/study/gamma_selection.h"
+#include "core/study/accuracy_study.h"
+#include "core/study/picture_search.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
 

@@ -99,7 +99,7 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
 }
 
 struct StudyRequest {
-  std::vector<std::string> families, models, baselines;
+  std::vector<std::string> names, models, baselines;
   std::vector<int> terms;
   std::vector<std::size_t> coefficients;
   std::vector<int> components;
@@ -107,31 +107,31 @@ struct StudyRequest {
 };
 
 std::vector<study::Representation> representations(const StudyRequest& request) {
-  study::RepresentationChoice choice{
-      .terms = request.terms, .coefficients = request.coefficients, .components = request.components};
-  choice.families.clear();
-  for (const std::string& family : request.families) choice.families.push_back(study::familyById(family));
-  for (const std::string& id : request.models) choice.models.push_back(&models::findModel(id));
-  for (const std::string& id : request.baselines) choice.baselines.push_back(&study::findStudiedBaseline(id));
+  study::RepresentationChoice choice{.names = request.names,
+                                     .terms = request.terms,
+                                     .coefficients = request.coefficients,
+                                     .components = request.components};
+  choice.restrict("fits", request.models);
+  choice.restrict("baselines", request.baselines);
   return study::representationsOf(choice);
 }
 
 /// Adds the published factors of the material, or removes them if the table has no row of its name.
 void addPublished(StudyRequest& request, study::BuildOptions& build, const std::string& name) {
-  const std::string family(study::familyId(study::RepresentationFamily::publishedNonparametric));
-  std::erase(request.families, family);
+  const std::string id = "published-nonparametric";
+  std::erase(request.names, id);
   const materials::NpfTable table = materials::readNpf(request.npf);
   const auto* factors = table.find(name);
   if (!factors) return;
   build.publishedNonparametric = std::make_shared<const factorization::NonparametricFactors>(*factors);
-  request.families.push_back(family);
+  request.names.push_back(id);
 }
 
 py::dict describe(const study::StudyRecord& record) {
   py::dict row;
-  row["family"] = study::familyId(record.representation.family);
-  row["representation"] = record.representation.id;
-  row["label"] = record.representation.label;
+  row["family"] = record.representation.kind->family->id;
+  row["representation"] = record.representation.kind->id;
+  row["label"] = record.representation.kind->label;
   row["budget"] = record.representation.budget;
   row["bytes"] = record.bytes;
   row["encode_seconds"] = record.encodeSeconds;
@@ -229,7 +229,7 @@ void bindPictures(py::module_& module) {
   module.def("compare", compare);
   py::class_<StudyRequest>(module, "StudyRequest")
       .def(py::init<>())
-      .def_readwrite("families", &StudyRequest::families)
+      .def_readwrite("representations", &StudyRequest::names)
       .def_readwrite("models", &StudyRequest::models)
       .def_readwrite("baselines", &StudyRequest::baselines)
       .def_readwrite("terms", &StudyRequest::terms)

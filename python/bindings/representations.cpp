@@ -15,7 +15,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/formats/code.h"
 #include "core/formats/pdv.h"
-#include "core/study/picture_encoding.h"
+#include "core/study/picture_search.h"
 
 namespace gonio::python {
 

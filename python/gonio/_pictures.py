@@ -156,8 +156,8 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
 
     Args:
         material: The material to represent.
-        representations: Families of representations: "table", "fits", "factors", "codes", "components", "patches",
-            "nonparametric" (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
+        representations: Families of representations, or single ones by their ids, such as "factors-3d" or "ggx". Families: "table",
+            "fits", "factors", "codes", "components", "patches", "nonparametric" (a non-parametric microfacet model), "baselines" (factorisations of the literature), "published" (PDV
             factors and codes as the papers describe them), "alternatives" (PDV factors with jointly fitted terms, over all nodes or compact; codes
             by basis pursuit), "neural" (gonio.train_neural()).
         models: Ids of the models for "fits"; (): all models.
@@ -183,7 +183,7 @@ def study(material: Material, representations: Sequence[str] = ("table", "fits",
             missing or on another grid, or the table `npf` cannot be read.
     """
     request = _core.StudyRequest()
-    request.families, request.models, request.baselines = list(representations), list(models), list(baselines)
+    request.representations, request.models, request.baselines = list(representations), list(models), list(baselines)
     request.terms, request.coefficients = list(terms), list(coefficients)
     request.npf = os.fsencode(npf)
     request.components = [count for count in components if basis is None or count <= len(basis)]

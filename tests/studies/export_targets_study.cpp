@@ -7,7 +7,7 @@
 
 #include "core/export/export_target.h"
 #include "core/materials/material.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::export_targets_study {

@@ -17,7 +17,7 @@
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "tests/studies/study_program.h"
 #include "tests/support/published_fits.h"
 

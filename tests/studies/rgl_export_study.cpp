@@ -11,7 +11,7 @@
 #include "core/formats/rgl.h"
 #include "core/materials/encode.h"
 #include "core/models/registry.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::rgl_export_study {

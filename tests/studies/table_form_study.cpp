@@ -15,7 +15,7 @@
 #include "core/brdf/brdf.h"
 #include "core/materials/bundled_library.h"
 #include "core/rendering/render_picture.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::table_form_study {

@@ -25,10 +25,7 @@ study::StudyRecord record(const study::Representation& representation, double na
 
 /// The dear one first; the last has no place.
 std::vector<study::StudyRecord> records() {
-  const auto all =
-      study::representationsOf({.families = {study::RepresentationFamily::table, study::RepresentationFamily::factors},
-                                .models = {},
-                                .terms = {1, 10}});
+  const auto all = study::representationsOf({.names = {"table", "factors"}, .terms = {1, 10}});
   return {record(all[1], 500, std::numeric_limits<double>::infinity()), record(all[2], 20, 10), record(all[3], 100, 30),
           record(all[0], 50, std::nan(""))};
 }

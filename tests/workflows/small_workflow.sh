@@ -40,30 +40,32 @@ bundled dry --dry-run || { cat "$folder/dry.log"; fail "dry run of the acquisiti
 tables whole || { cat "$folder/whole.log"; fail "the whole run"; }
 bundled whole || { cat "$folder/whole.log"; fail "the whole acquisition"; }
 
-# Killed when the first shard of the study has one of its two materials.
-shard=$folder/killed/out/study/shards/1-of-2
+# Killed when the study has one of its materials.
+study=$folder/killed/out/study
+# Snakemake's record of a job that is not finished.
+unfinished=$folder/killed/.snakemake/incomplete/$(printf %s out/study/table-0.json | base64 -w0 | tr '+/' '-_')
 set -m
 tables killed &
 workflow=$!
 set +m
 for _ in $(seq 6000); do
-  [ ! -e "$shard/table-0.json" ] || break
+  [ ! -e "$study/table-0.json" ] || [ -e "$unfinished" ] || break
   sleep 0.01
 done
 kill -KILL -- "-$workflow"
 wait "$workflow" 2>/dev/null || true
-if [ ! -e "$shard/table-0.json" ] || [ -e "$shard/shard.json" ]; then fail "the run was not killed in its middle"; fi
-first=$(stat -c %i "$shard/table-0.json")
+if [ ! -e "$study/table-0.json" ] || [ -e "$study/summary.json" ]; then fail "the run was not killed in its middle"; fi
+first=$(stat -c %i "$study/table-0.json")
 tables killed --unlock
 tables killed || { cat "$folder/killed.log"; fail "continuing the run"; }
 bundled killed || { cat "$folder/killed.log"; fail "the acquisition after it"; }
-[ "$first" = "$(stat -c %i "$shard/table-0.json")" ] || fail "a finished material was measured again"
+[ "$first" = "$(stat -c %i "$study/table-0.json")" ] || fail "a finished material was measured again"
 diff -r --exclude=log --exclude=checkpoints "$folder/whole/out" "$folder/killed/out" || fail "the bits differ"
 
 : >"$folder/whole.log"
 tables whole
 bundled whole
 [ "$(grep -c "Nothing to be done" "$folder/whole.log")" = 2 ] || fail "finished jobs run again"
-for table in judged/joined/summary.csv study/joined/summary.csv acquisition/medians.csv; do
+for table in judged/summary.csv study/summary.csv acquisition/medians.csv; do
   [ -s "$folder/whole/out/$table" ] || fail "$table is missing"
 done

@@ -34,9 +34,9 @@ QCPScatterStyle scatterStyle(plots::Marker marker, const QColor& colour, const Q
 }
 
 /// That of the exported plot, legible on the background.
-QColor colourOn(const PlotStyle& style, const study::SeriesStyle& series, study::RepresentationFamily family) {
-  if (family == study::RepresentationFamily::table) return style.text;
-  const QColor colour(QString::fromUtf8(series.colour.data(), qsizetype(series.colour.size())));
+QColor colourOn(const PlotStyle& style, std::string_view css) {
+  const QColor colour(QString::fromUtf8(css.data(), qsizetype(css.size())));
+  if (colour == QColor(Qt::black)) return style.text;
   return style.dark ? colour.lighter(145) : colour;
 }
 
@@ -159,19 +159,19 @@ void StudyScatter::addAxes(const PlotStyle& style) {
 }
 
 void StudyScatter::addSeries(const PlotStyle& style) {
-  std::map<std::string, QCPCurve*> curves;
+  std::map<std::string_view, QCPCurve*> curves;
   for (int i = 0; i < int(m_records.size()); ++i) {
-    const study::Representation& representation = m_records[std::size_t(i)].representation;
-    const study::SeriesStyle series = study::styleOf(representation);
-    QCPCurve*& curve = curves[series.name];
+    const study::RepresentationKind& kind = *m_records[std::size_t(i)].representation.kind;
+    const std::string_view name = kind.legendName();
+    QCPCurve*& curve = curves[name];
     if (!curve) {
       curve = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
-      const QColor colour = colourOn(style, series, representation.family);
-      curve->setName(QString::fromStdString(series.name));
+      const QColor colour = colourOn(style, kind.family->colour);
+      curve->setName(QString::fromUtf8(name.data(), qsizetype(name.size())));
       curve->setPen(QPen(colour, 1));
       // Models are not budgets of one representation, so no line connects them.
-      if (representation.family == study::RepresentationFamily::fit) curve->setLineStyle(QCPCurve::lsNone);
-      curve->setScatterStyle(scatterStyle(series.marker, colour, series.hollow ? style.background : colour));
+      if (kind.unit == study::BudgetUnit::numbers) curve->setLineStyle(QCPCurve::lsNone);
+      curve->setScatterStyle(scatterStyle(kind.style.marker, colour, kind.style.hollow ? style.background : colour));
     }
     if (const auto at = fraction(i)) curve->addData(i, at->x(), at->y());
   }

@@ -11,7 +11,7 @@
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 
 namespace gonio::app {
 

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/formats/pdv.h"
-#include "core/study/evaluation_time.h"
+#include "core/study/study_record.h"
 #include "widgets/charts/plot_style.h"
 
 namespace gonio::app {

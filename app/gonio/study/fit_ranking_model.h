@@ -6,7 +6,7 @@
 #include <QIcon>
 #include <vector>
 
-#include "core/study/fit_ranking.h"
+#include "core/study/accuracy_study.h"
 
 namespace gonio::app {
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "core/study/pareto.h"
+#include "core/study/study_plot.h"
 
 class QDoubleSpinBox;
 class QLabel;

@@ -152,7 +152,7 @@ QVariant StudyModel::sortKey(const Row& row, int column) const {
   if (column == NameColumn) {
     // Budgets by their size, not by their first digit.
     return QStringLiteral("%1 %2")
-        .arg(QString::fromStdString(row.representation.label))
+        .arg(QString::fromStdString(row.representation.label()))
         .arg(row.representation.budget, 9, 'f', 0);
   }
   if (!row.studied) return last;

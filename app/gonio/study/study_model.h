@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/study/accuracy_study.h"
-#include "core/study/study_axis.h"
+#include "core/study/study_plot.h"
 
 namespace gonio::app {
 

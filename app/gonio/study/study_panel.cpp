@@ -94,21 +94,23 @@ QWidget* StudyPanel::buildChoice() {
 void StudyPanel::buildFamilies() {
   auto* menu = new QMenu(m_families);
   menu->setToolTipsVisible(true);
-  for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
-    QAction* action = menu->addAction(widgets::toQString(familyName(family)));
+  const auto offered = study::familiesWithoutFurtherData();
+  for (const study::RepresentationFamily* family : study::representationFamilies()) {
+    if (!std::ranges::count(offered, family->id)) continue;
+    QAction* action = menu->addAction(widgets::toQString(family->name));
     action->setCheckable(true);
-    action->setChecked(std::ranges::count(m_run->families(), family) > 0);
-    action->setData(int(family));
-    action->setToolTip(familyToolTip(family));
+    action->setChecked(std::ranges::count(m_run->families(), family->id) > 0);
+    action->setData(widgets::toQString(family->id));
+    action->setToolTip(widgets::toQString(family->hint));
     connect(action, &QAction::toggled, this, &StudyPanel::chooseFamilies);
   }
   m_families->setMenu(menu);
 }
 
 void StudyPanel::chooseFamilies() {
-  std::vector<study::RepresentationFamily> families;
+  std::vector<std::string> families;
   for (const QAction* action : m_families->menu()->actions())
-    if (action->isChecked()) families.push_back(study::RepresentationFamily(action->data().toInt()));
+    if (action->isChecked()) families.push_back(action->data().toString().toStdString());
   m_run->setFamilies(families);
 }
 

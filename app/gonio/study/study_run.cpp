@@ -5,25 +5,12 @@
 #include <QPointer>
 
 #include "core/io/atomic_file.h"
-#include "core/study/study_csv.h"
+#include "core/study/study_record.h"
 
 namespace gonio::app {
 
 namespace {
 const QString studyKey = QStringLiteral("study");
-}
-
-QString familyToolTip(study::RepresentationFamily family) {
-  if (family == study::RepresentationFamily::baselines)
-    return StudyRun::tr("Other factorisations from the literature, limited to the file sizes of the PDV factors");
-  if (family == study::RepresentationFamily::published)
-    return StudyRun::tr("PDV factors and sparse codes as the papers describe them");
-  if (family == study::RepresentationFamily::alternatives)
-    return StudyRun::tr(
-        "PDV factors with jointly fitted terms, over all nodes or compact; sparse codes by basis pursuit");
-  if (family == study::RepresentationFamily::neural)
-    return StudyRun::tr("Networks of 675 weights (Sztrajman et al. 2021); training takes about 12 seconds");
-  return StudyRun::tr("Measures representations of this kind");
 }
 
 StudyRun::StudyRun(const Document& document, BackgroundTasks& tasks, StudyModel& model, QObject* parent)
@@ -53,8 +40,8 @@ void StudyRun::restart() {
   Q_EMIT restarted();
 }
 
-void StudyRun::setFamilies(const std::vector<study::RepresentationFamily>& families) {
-  m_choice.families = families;
+void StudyRun::setFamilies(const std::vector<std::string>& families) {
+  m_choice.names = families;
   m_tasks.drop(studyKey);
   m_model.replan(planned());
   Q_EMIT restarted();

@@ -7,13 +7,10 @@
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "app/gonio/study/study_model.h"
-#include "core/study/machine.h"
 #include "core/study/study_plot.h"
+#include "core/study/study_record.h"
 
 namespace gonio::app {
-
-/// The tooltip of a family of representations.
-QString familyToolTip(study::RepresentationFamily family);
 
 /// Measures the representations of the open material in the background, one row of the model after the other, and
 /// records the results.
@@ -26,8 +23,8 @@ class StudyRun : public QObject {
   /// Sets what to measure; by default study::RepresentationChoice(). Drops the results.
   void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
   /// Sets the families of representations to measure. Results of families that remain are not dropped.
-  void setFamilies(const std::vector<study::RepresentationFamily>& families);
-  const std::vector<study::RepresentationFamily>& families() const { return m_choice.families; }
+  void setFamilies(const std::vector<std::string>& families);
+  const std::vector<std::string>& families() const { return m_choice.names; }
   bool isRunning() const;
   /// Measures the missing rows, or all again if none is missing.
   void measure();

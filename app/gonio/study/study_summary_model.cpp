@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "core/study/study_axis.h"
-#include "core/study/study_csv.h"
+#include "core/study/study_plot.h"
+#include "core/study/study_record.h"
 
 namespace gonio::app {
 
@@ -83,7 +83,7 @@ QVariant StudySummaryModel::sortKey(int row, int column) const {
   // Budgets by their size, not by their first digit.
   if (column == NameColumn)
     return QStringLiteral("%1 %2")
-        .arg(QString::fromStdString(representation.label))
+        .arg(QString::fromStdString(representation.label()))
         .arg(representation.budget, 9, 'f', 0);
   const study::StudySummary* summary = summaryOf(row);
   if (column == WorstMaterialColumn) return summary ? text(*summary, column) : QString(QChar(0xffff));

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/study/machine.h"
-#include "core/study/study_summary.h"
+#include "core/study/study_record.h"
 
 namespace gonio::app {
 

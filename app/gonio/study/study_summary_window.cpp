@@ -18,7 +18,7 @@
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/study/study_run.h"
-#include "core/study/study_csv.h"
+#include "core/study/study_record.h"
 #include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -95,11 +95,12 @@ QWidget* StudySummaryWindow::buildFamilies() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  const auto chosen = study::RepresentationChoice().families;
-  for (const study::RepresentationFamily family : study::familiesWithoutFurtherData()) {
-    auto* box = new QCheckBox(widgets::toQString(familyName(family)));
-    box->setChecked(std::ranges::count(chosen, family) > 0);
-    box->setToolTip(familyToolTip(family));
+  const auto chosen = study::defaultFamilies(), offered = study::familiesWithoutFurtherData();
+  for (const study::RepresentationFamily* family : study::representationFamilies()) {
+    if (!std::ranges::count(offered, family->id)) continue;
+    auto* box = new QCheckBox(widgets::toQString(family->name));
+    box->setChecked(std::ranges::count(chosen, family->id) > 0);
+    box->setToolTip(widgets::toQString(family->hint));
     connect(box, &QCheckBox::toggled, this, &StudySummaryWindow::planFamilies);
     layout->addWidget(box);
     m_families.push_back(box);
@@ -109,10 +110,10 @@ QWidget* StudySummaryWindow::buildFamilies() {
 
 void StudySummaryWindow::planFamilies() {
   study::RepresentationChoice choice;
-  choice.families.clear();
+  choice.names.clear();
   const auto offered = study::familiesWithoutFurtherData();
   for (std::size_t i = 0; i < m_families.size(); ++i)
-    if (m_families[i]->isChecked()) choice.families.push_back(offered[i]);
+    if (m_families[i]->isChecked()) choice.names.push_back(offered[i]);
   setChoice(choice, m_options);
 }
 

@@ -99,10 +99,10 @@ void EditorParts::connectStandIns() {
 
 void EditorParts::use(const gonio::study::Representation& representation) {
   // What has a place of its own goes there; the rest stays in the preview.
-  if (representation.family == gonio::study::RepresentationFamily::fit) {
+  if (representation.kind->use == gonio::study::RepresentationUse::editModel) {
     study.show(-1);
-    controller.chooseModel(models::findModel(representation.id));
-  } else if (representation.family == gonio::study::RepresentationFamily::code) {
+    controller.chooseModel(*representation.kind->model);
+  } else if (representation.kind->use == gonio::study::RepresentationUse::showCode) {
     study.show(-1);
     inspector.unfoldRepresentation();
     inspector.representation()->setCoefficients(std::size_t(representation.budget));

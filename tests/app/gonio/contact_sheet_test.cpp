@@ -9,7 +9,7 @@
 #include "app/gonio/study/fit_ranking_model.h"
 #include "app/gonio/study/sheet_sources.h"
 #include "core/models/registry.h"
-#include "core/study/fit_ranking.h"
+#include "core/study/accuracy_study.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"

@@ -102,7 +102,7 @@ class FigureDialogTest : public QObject {
     QCOMPARE(figure.representations[1].representation.budget, 7.0);
     QCOMPARE(labelsOf(columns)[1], QString("PDV factors, three curves, 7 terms"));
     QCOMPARE(figure.representations[4].representation, study::representationById("factors-2d", 5));
-    QCOMPARE(figure.representations[8].representation.id, std::string("table-trilinear"));
+    QCOMPARE(figure.representations[8].representation.id(), std::string("table-trilinear"));
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().status().startsWith("27 of 27 cells"));
   }

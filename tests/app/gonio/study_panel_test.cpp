@@ -35,8 +35,7 @@ LoadedMaterialPtr material(const char* name, double value) {
 /// Two tables, two fits.
 study::RepresentationChoice fewRepresentations() {
   study::RepresentationChoice choice;
-  choice.families = {study::RepresentationFamily::table, study::RepresentationFamily::fit};
-  choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
+  choice.names = {"table", "lambert", "ggx"};
   return choice;
 }
 
@@ -83,26 +82,25 @@ class StudyPanelTest : public QObject {
     StudyPanel panel(document, tasks);
     document.setMaterial(material("grey", 0.3));
     const QMenu* menu = panel.findChild<QMenu*>();
-    const auto action = [&](study::RepresentationFamily family) {
+    const auto action = [&](const char* family) {
       for (QAction* one : menu->actions())
-        if (one->data().toInt() == int(family)) return one;
+        if (one->data().toString() == family) return one;
       return static_cast<QAction*>(nullptr);
     };
-    QVERIFY(action(study::RepresentationFamily::table)->isChecked());
-    QVERIFY(!action(study::RepresentationFamily::baselines)->isChecked());
-    QVERIFY(!action(study::RepresentationFamily::components));
-    for (QAction* one : menu->actions())
-      one->setChecked(one->data().toInt() == int(study::RepresentationFamily::table));
+    QVERIFY(action("table")->isChecked());
+    QVERIFY(!action("baselines")->isChecked());
+    QVERIFY(!action("components"));
+    for (QAction* one : menu->actions()) one->setChecked(one->data().toString() == "table");
     QCOMPARE(panel.model().rowCount(), 2);
     panel.measure();
     QVERIFY(QTest::qWaitFor([&] { return !panel.run().isRunning() && panel.model().missing().empty(); },
                             patienceMilliseconds));
-    action(study::RepresentationFamily::baselines)->setChecked(true);
+    action("baselines")->setChecked(true);
     QVERIFY(panel.model().rowCount() > 20);
     QCOMPARE(panel.model().measuredRows(), (std::vector<int>{0, 1}));
-    action(study::RepresentationFamily::table)->setChecked(false);
+    action("table")->setChecked(false);
     QVERIFY(panel.model().measuredRows().empty());
-    action(study::RepresentationFamily::baselines)->setChecked(false);
+    action("baselines")->setChecked(false);
     QCOMPARE(panel.model().rowCount(), 0);
     for (const QPushButton* button : panel.findChildren<QPushButton*>())
       QVERIFY(!button->text().contains("Measure") || !button->isEnabled());
@@ -223,7 +221,7 @@ class StudyPanelTest : public QObject {
     QVERIFY(editor.text(lambertFit, 0).endsWith("(best)") || editor.text(ggxFit, 0).endsWith("(best)"));
     use.click();
     QCOMPARE(useRequested.count(), 1);
-    QCOMPARE(useRequested[0][0].value<study::Representation>().family, study::RepresentationFamily::fit);
+    QCOMPARE(useRequested[0][0].value<study::Representation>().kind->use, study::RepresentationUse::editModel);
     editor.panel.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = 200, .bytes = 100});
     QVERIFY(!use.isEnabled());
   }

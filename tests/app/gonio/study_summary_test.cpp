@@ -12,7 +12,7 @@
 #include "core/formats/merl.h"
 #include "core/io/atomic_file.h"
 #include "core/models/registry.h"
-#include "core/study/study_csv.h"
+#include "core/study/study_record.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 
@@ -24,8 +24,7 @@ using namespace gonio::app::test_support;
 /// Two tables, two fits.
 study::RepresentationChoice fewRepresentations() {
   study::RepresentationChoice choice;
-  choice.families = {study::RepresentationFamily::table, study::RepresentationFamily::fit};
-  choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
+  choice.names = {"table", "lambert", "ggx"};
   return choice;
 }
 
@@ -120,7 +119,7 @@ class StudySummaryTest : public QObject {
   void kindsAreChosen() {
     Editor editor;
     const auto boxes = editor.window->findChildren<QCheckBox*>();
-    const auto offered = study::familiesWithoutFurtherData(), chosen = study::RepresentationChoice().families;
+    const auto offered = study::familiesWithoutFurtherData(), chosen = study::defaultFamilies();
     QCOMPARE(boxes.size(), qsizetype(offered.size()));
     for (std::size_t i = 0; i < offered.size(); ++i)
       QCOMPARE(boxes[qsizetype(i)]->isChecked(), std::ranges::count(chosen, offered[i]) > 0);

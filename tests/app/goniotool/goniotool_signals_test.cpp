@@ -65,23 +65,21 @@ class GoniotoolSignalsTest : public QObject {
     for (const int end : full) ::close(end);
   }
 
-  /// Neither by a part of its new results nor by none, and the folder no longer counts as a complete shard.
+  /// Neither by a part of its new results nor by none.
   void anInterruptedStudyReplacesNoResults() {
-    const QString out = folder_.path("study"), shard = out + "/shard.json";
-    const QStringList study{"study", plastic_,     "--representations", "fits", "--models",   "lambert",
-                            "ggx",   "--no-times", "--shard",           "1/1",  "--progress", "--out",
-                            out};
+    const QString out = folder_.path("study");
+    const QStringList study{"study", plastic_,     "--representations", "fits",  "--models", "lambert",
+                            "ggx",   "--no-times", "--progress",        "--out", out};
     const auto results = [&] {
       QFile file(out + "/plastic.json");
       return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     QCOMPARE(runTool(study + QStringList{"--size", "16"}).code, 0);
     const QByteArray before = results();
-    QVERIFY(!before.isEmpty() && QFile::exists(shard));
+    QVERIFY(!before.isEmpty());
     const Interruption stopped = interrupt(study + QStringList{"--samples", "300"}, SIGTERM, "studying");
     QCOMPARE(stopped.endedBySignal, 0);
     QCOMPARE(results(), before);
-    QVERIFY(!QFile::exists(shard));
   }
 
   /// Not behind the progress that stands there.

@@ -142,14 +142,14 @@ class GoniotoolStudyTest : public QObject {
     VERIFY_SUCCESS(result);
     const auto& records = result.json["records"];
     QCOMPARE(records.size(), std::size_t(3));
-    QCOMPARE(records[2]["representation"].get<std::string>(), "mccool");
-    QCOMPARE(records[2]["budget"].get<int>(), 0);
-    QCOMPARE(records[1]["family"].get<std::string>(), "baselines");
-    QCOMPARE(records[1]["budget"].get<int>(), 14'440);
+    QCOMPARE(records[0]["representation"].get<std::string>(), "mccool");  // in the order of the table
+    QCOMPARE(records[0]["budget"].get<int>(), 0);
+    QCOMPARE(records[2]["family"].get<std::string>(), "baselines");
+    QCOMPARE(records[2]["budget"].get<int>(), 14'440);
     const ToolResult factor =
         runJson({"factor", plastic_, "--samples", "1", "--method", "bivariate", "--bytes", "14440"});
     VERIFY_SUCCESS(factor);
-    QVERIFY(factor.json["bytes"] == records[1]["bytes"] && factor.json["errors"] == records[1]["errors"]);
+    QVERIFY(factor.json["bytes"] == records[2]["bytes"] && factor.json["errors"] == records[2]["errors"]);
   }
 
   void wrongStudiesAreTold() {
@@ -161,7 +161,7 @@ class GoniotoolStudyTest : public QObject {
       QCOMPARE(result.errorLines(), 1);
     };
     fails({plastic_, "--representations", "tables"}, 1, "'tables', expected one of table, fits");
-    fails({plastic_, "--models", "gxx"}, 1, "gxx");
+    fails({plastic_, "--models", "gxx"}, 1, "found 'gxx', expected one of lambert");
     fails({plastic_, plastic_}, 2, "plastic");
     fails({plastic_, "--representations", "components"}, 2, "--components-from");
     fails({plastic_, "--representations", "patches"}, 2, "--patches-from");

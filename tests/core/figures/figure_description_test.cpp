@@ -27,7 +27,7 @@ FigureDescription unusual() {
   figure.font = "Times";
   figure.fontSize = 6.5;
   figure.representations.push_back({study::representationById("code", 64), "code"});
-  figure.representations.push_back({study::representationById("table-nearest"), ""});
+  figure.representations.push_back({study::representationById("table-cell"), ""});
   figure.pictures = {
       .scene = "row", .environment = "sky", .size = 32, .samples = 8, .exposure = -1.5, .toneMap = ToneMap::filmic};
   figure.numbers = {"ssim", "evaluation-time"};
@@ -65,6 +65,14 @@ class FigureDescriptionTest : public QObject {
     QVERIFY(figureFromJson(json) == expected);
   }
 
+  /// What was called the nearest node in older figures is the node at or below.
+  void idsOfOlderFigures() {
+    nlohmann::json json = nlohmann::json::parse(toJson(unusual()).dump());
+    QCOMPARE(json["representations"].back()["id"].get<std::string>(), "table-cell");
+    json["representations"].back()["id"] = "table-nearest";
+    QVERIFY(figureFromJson(json) == unusual());
+  }
+
   /// Each refusal names the member, what was found and what was expected.
   void refusals() {
     const nlohmann::json good = nlohmann::json::parse(toJson(unusual()).dump());
@@ -85,7 +93,7 @@ class FigureDescriptionTest : public QObject {
     refused("/materials", nlohmann::json::array(), {"materials", "a list of 1 to 50"});
     refused("/materials/1/path", "", {"materials[1].path", "library:SOURCE/NAME"});
     refused("/materials/0/name", "x", {"materials[0].name"});
-    refused("/representations/2/id", "ggxx", {"representations[2]", "'ggxx'", "expected one of table-nearest"});
+    refused("/representations/2/id", "ggxx", {"representations[2]", "'ggxx'", "expected one of table-cell"});
     refused("/representations/1/budget", 0.5, {"representations[1]", "0.5", "whole number from 1 to"});
     refused("/representations/1", {{"id", "factors-3d"}}, {"representations[1]", "no budget", "terms"});
     refused("/representations/2/budget", 70000, {"representations[2]", "70000", "65535"});

@@ -23,9 +23,16 @@ std::shared_ptr<const TabulatedBrdf> plastic() {
   return table;
 }
 
-std::vector<Representation> baselineRows(std::vector<int> terms, std::vector<const factorization::Baseline*> of = {}) {
-  return representationsOf(
-      {.families = {RepresentationFamily::baselines}, .baselines = std::move(of), .terms = std::move(terms)});
+std::vector<Representation> baselineRows(std::vector<int> terms, std::vector<std::string> names = {"baselines"}) {
+  return representationsOf({.names = std::move(names), .terms = std::move(terms)});
+}
+
+/// All except the non-parametric factors, which are a family of their own.
+std::vector<const factorization::Baseline*> studiedBaselines() {
+  std::vector<const factorization::Baseline*> studied;
+  for (const RepresentationKind& kind : representationKinds())
+    if (kind.baseline) studied.push_back(kind.baseline);
+  return studied;
 }
 
 /// Baselines as representations of the study.
@@ -42,7 +49,7 @@ class BaselineRepresentationsTest : public QObject {
     for (const factorization::Baseline* baseline : studiedBaselines()) {
       std::vector<double> budgets;
       for (const Representation& row : rows)
-        if (row.id == baseline->id) budgets.push_back(row.budget);
+        if (row.kind->id == baseline->id) budgets.push_back(row.budget);
       if (baseline->maxBytes == 0)
         QVERIFY(budgets == std::vector<double>{0});
       else if (baseline->id == "cp" || baseline->id == "gaussian-process")
@@ -52,19 +59,24 @@ class BaselineRepresentationsTest : public QObject {
         QVERIFY(budgets == (std::vector<double>{10'120, 44'680, 87'880}));
     }
     QCOMPARE(studiedBaselines().size(), factorization::baselines().size() - 1);
-    QVERIFY(std::ranges::none_of(rows, [](const Representation& row) { return row.id == "nonparametric"; }));
-    QVERIFY_EXCEPTION_THROWN(findStudiedBaseline("nonparametric"), Error);
+    QVERIFY(std::ranges::none_of(rows, [](const Representation& row) { return row.kind->id == "nonparametric"; }));
+    RepresentationChoice choice{.names = {"baselines"}};
+    const std::vector<std::string> wrong{"nonparametric"};
+    QVERIFY_EXCEPTION_THROWN(choice.restrict("baselines", wrong), Error);
     for (const Representation& row : rows)
-      QVERIFY(std::ranges::none_of(models::allModels(), [&](const auto* m) { return m->spec().id == row.id; }));
+      QVERIFY(std::ranges::none_of(models::allModels(), [&](const auto* m) { return m->spec().id == row.kind->id; }));
   }
 
   void onlyThoseThatAreChosen() {
-    const auto rows = baselineRows({1, 2}, {&findStudiedBaseline("bilgili"), &findStudiedBaseline("mccool")});
-    QCOMPARE(rows.size(), std::size_t(3));
-    QCOMPARE(rows[1].fullLabel(), std::string("Bilgili et al. 2011, up to 10120 bytes"));
-    QCOMPARE(rows[2].fullLabel(), std::string("McCool et al. 2001"));
-    QVERIFY(std::ranges::none_of(RepresentationChoice().families,
-                                 [](auto family) { return family == RepresentationFamily::baselines; }));
+    RepresentationChoice choice{.names = {"table", "baselines"}, .terms = {1, 2}};
+    const std::vector<std::string> chosen{"bilgili", "mccool"};
+    choice.restrict("baselines", chosen);
+    choice.restrict("fits", std::vector<std::string>{"ggx"});  // no fits are selected
+    const auto rows = representationsOf(choice);
+    QCOMPARE(rows.size(), std::size_t(5));
+    QCOMPARE(rows[2].fullLabel(), std::string("McCool et al. 2001"));  // in the order of the table
+    QCOMPARE(rows[4].fullLabel(), std::string("Bilgili et al. 2011, up to 10120 bytes"));
+    QVERIFY(std::ranges::count(RepresentationChoice().names, "baselines") == 0);
   }
 
   /// The records equal the results of separate calls of the library for each budget.
@@ -75,8 +87,8 @@ class BaselineRepresentationsTest : public QObject {
   }
   void recordsAreThoseOfTheLibrary() {
     QFETCH(QString, id);
-    const factorization::Baseline& baseline = findStudiedBaseline(id.toStdString());
-    const auto rows = baselineRows({1, 3}, {&baseline});
+    const factorization::Baseline& baseline = factorization::findBaseline(id.toStdString());
+    const auto rows = baselineRows({1, 3}, {id.toStdString()});
     StudyOptions options;
     options.picture = {.width = 16, .height = 16, .samples = 4};
     options.timed = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/study/fit_ranking.h"
+#include "core/study/accuracy_study.h"
 
 #include <QTest>
 #include <cmath>

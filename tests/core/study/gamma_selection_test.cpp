@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/study/gamma_selection.h"
+#include "core/study/picture_search.h"
 
 #include <QTest>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/study/pareto.h"
+#include "core/study/study_plot.h"
 
 #include <QTest>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/study/picture_encoding.h"
+#include "core/study/picture_search.h"
 
 #include <QTest>
 #include <cmath>

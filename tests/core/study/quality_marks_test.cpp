@@ -23,8 +23,8 @@ struct Mark {
 using Marks = std::map<std::string, Mark>;
 
 std::string keyOf(const Representation& representation) {
-  const std::string budget = representation.id == "code" ? "-" + std::to_string(int(representation.budget)) : "";
-  return representation.id + budget;
+  const std::string budget = representation.kind->id == "code" ? "-" + std::to_string(int(representation.budget)) : "";
+  return representation.id() + budget;
 }
 
 /// A measured file; null if the development data is absent.
@@ -60,8 +60,7 @@ class QualityMarksTest : public QObject {
     const auto table = measuredTable(QTest::currentDataTag());
     if (!table) QSKIP("the development data is absent");
     RepresentationChoice choice;
-    choice.families = {RepresentationFamily::fit, RepresentationFamily::factors, RepresentationFamily::code};
-    choice.models = {&models::findModel("ggx"), &models::findModel("layered")};
+    choice.names = {"ggx", "layered", "factors", "codes"};
     choice.terms = {10};
     choice.coefficients = {256, 1024};
     const std::vector<StudyRecord> records = runStudy({table, table}, representationsOf(choice), smallStudy());

@@ -12,9 +12,8 @@
 #include "core/math/parallel.h"
 #include "core/metrics/brdf_metric.h"
 #include "core/models/registry.h"
-#include "core/study/study_csv.h"
 #include "core/study/study_plot.h"
-#include "core/study/study_summary.h"
+#include "core/study/study_record.h"
 #include "tests/support/test_program.h"
 
 namespace study_report_test {
@@ -26,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 StudyRecord record(const Representation& representation, double nanoseconds, double snr, std::size_t bytes) {
   return {.representation = representation,
           .bytes = bytes,
-          .encodeSeconds = representation.family == RepresentationFamily::table ? 0.0 : 0.5,
+          .encodeSeconds = representation.kind->family->id == "table" ? 0.0 : 0.5,
           .evaluation = {nanoseconds, nanoseconds - 1, nanoseconds + 2},
           .frameMilliseconds = nanoseconds / 10,
           .errors = std::vector<double>(metrics::allBrdfMetrics().size(), std::exp(-snr)),
@@ -34,8 +33,7 @@ StudyRecord record(const Representation& representation, double nanoseconds, dou
 }
 
 std::vector<StudyRecord> someRecords() {
-  const auto all = representationsOf(
-      {.families = {RepresentationFamily::table, RepresentationFamily::factors}, .models = {}, .terms = {1, 10}});
+  const auto all = representationsOf({.names = {"table", "factors"}, .terms = {1, 10}});
   return {record(all[0], 20, 30, 20'412'000), record(all[1], 50, infinity, 20'412'000),
           record(all[2], 80, 25, 3000),       record(all[3], 90, std::nan(""), 30'000),
           record(all[4], 100, -3, 3000),      record(all[5], 120, 38, 45'000)};
@@ -90,14 +88,11 @@ class StudyReportTest : public QObject {
 
   /// A representation that the first material lacks is at its place in the lists.
   void summariesHaveTheOrderOfFamilies() {
-    const auto all =
-        representationsOf({.families = {RepresentationFamily::table, RepresentationFamily::nonparametric,
-                                        RepresentationFamily::publishedNonparametric, RepresentationFamily::neural}});
+    const auto all = representationsOf({.names = {"table", "nonparametric", "published-nonparametric", "neural"}});
     const auto recordsOf = [&](bool withPublished) {
       std::vector<StudyRecord> records;
       for (const Representation& one : all)
-        if (withPublished || one.family != RepresentationFamily::publishedNonparametric)
-          records.push_back(record(one, 10, 20, 3264));
+        if (withPublished || one.kind->id != "published-nonparametric") records.push_back(record(one, 10, 20, 3264));
       return records;
     };
     const auto summary = summarise(std::vector{recordsOf(false), recordsOf(true)});
@@ -115,7 +110,7 @@ class StudyReportTest : public QObject {
     QCOMPARE(lines.size(), qsizetype(records.size()) + 1);
     QVERIFY(text.startsWith("# material: a\n# images and frame times: scene\n# Abacus <10"));
     QVERIFY(text.contains("# 2026-11-21T22:00:00Z\n"));
-    QVERIFY(lines[1].startsWith("table,table-nearest,\"Table, cell look-up\",0,,20412000,0,20,19,22,2,30,"));
+    QVERIFY(lines[1].startsWith("table,table-cell,\"Table, cell look-up\",0,,20412000,0,20,19,22,2,30,"));
     QVERIFY(lines[2].contains(",inf,"));
     QVERIFY(lines[4].contains(",9,,"));  // an SNR that is no number
     QCOMPARE(lines[0].count(',') + 1, 12 + qsizetype(metrics::allBrdfMetrics().size()));
@@ -187,8 +182,7 @@ class StudyReportTest : public QObject {
 
   /// Without a time of encoding: a point in the other three panels, whose title states no such time.
   void svgOfAnUnknownTime() {
-    StudyRecord one =
-        record(representationsOf({.families = {RepresentationFamily::publishedNonparametric}})[0], 10, 20, 3264);
+    StudyRecord one = record(representationsOf({.names = {"published-nonparametric"}})[0], 10, 20, 3264);
     one.encodeSeconds = std::nan("");
     const std::string svg = studySvg("", std::vector{one}, allCostAxes(), {});
     QCOMPARE(QString::fromStdString(svg).count("<title>Non-parametric factors, published: 20 dB"), 3);
@@ -198,17 +192,10 @@ class StudyReportTest : public QObject {
   /// No two series differ in colour only.
   void seriesDifferByShape() {
     std::set<std::pair<plots::Marker, bool>> shapes;
-    std::set<std::string> names;
-    RepresentationChoice choice;
-    choice.families = familiesWithoutFurtherData();
-    choice.families.push_back(RepresentationFamily::components);
-    choice.families.push_back(RepresentationFamily::patches);
-    choice.families.push_back(RepresentationFamily::publishedNonparametric);
-    choice.separatedComponents = true;
-    for (const Representation& representation : representationsOf(choice)) {
-      const SeriesStyle style = styleOf(representation);
-      shapes.insert({style.marker, style.hollow});
-      names.insert(style.name);
+    std::set<std::string_view> names;
+    for (const RepresentationKind& kind : representationKinds()) {
+      shapes.insert({kind.style.marker, kind.style.hollow});
+      names.insert(kind.legendName());
     }
     QCOMPARE(shapes.size(), names.size());
   }

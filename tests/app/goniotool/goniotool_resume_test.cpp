@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QDateTime>
 #include <QTest>
 
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
-namespace goniotool_shards_test {
+namespace goniotool_resume_test {
 using namespace gonio;
 using namespace gonio::test;
 
-/// goniotool study in shards, resumed and without times, and goniotool merge.
-class GoniotoolShardsTest : public QObject {
+/// goniotool study without times, resumed, and with one job a material.
+class GoniotoolResumeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
@@ -32,73 +33,6 @@ class GoniotoolShardsTest : public QObject {
     QCOMPARE(study("budget", materials_, {"--max-frame-ms", "1"}).code, 2);
   }
 
-  /// Also where a shard has no material.
-  void shardsJoinToOneRun() {
-    for (const int count : {2, 4}) {
-      QStringList shards;
-      for (int i = count; i >= 1; --i) {
-        const QString shard = QString("%1-of-%2").arg(i).arg(count);
-        const ToolResult result = study(shard, materials_, {"--shard", QString("%1/%2").arg(i).arg(count)});
-        VERIFY_SUCCESS(result);
-        QCOMPARE(result.json["shard"].get<int>(), i);
-        QVERIFY(!QFile::exists(folder_.path(shard + "/summary.json")));
-        shards << folder_.path(shard);
-      }
-      const QString joined = QString("joined-%1").arg(count);
-      const ToolResult merged = runJson(QStringList{"merge"} + shards + QStringList{"--out", folder_.path(joined)});
-      VERIFY_SUCCESS(merged);
-      compareFolders(joined, "whole");
-      QCOMPARE(merged.json["records"].size(), std::size_t(9));
-    }
-  }
-
-  /// Times, infinite and undefined numbers are copied with their bits.
-  void timesAreJoinedAsTheyAre() {
-    for (const QString i : {"1", "2"})
-      VERIFY_SUCCESS(runTool(QStringList{"study"} + materials_ + tiny_ +
-                             QStringList{"--samples", "4", "--out", folder_.path("timed-" + i), "--shard", i + "/2"}));
-    VERIFY_SUCCESS(
-        runTool({"merge", folder_.path("timed-1"), folder_.path("timed-2"), "--out", folder_.path("timed-joined")}));
-    for (const char* suffix : {".json", ".csv", ".svg"})
-      for (int i = 0; i < 3; ++i) {
-        const QString file = QString("/m%1%2").arg(i).arg(suffix);
-        QCOMPARE(bytesOf(folder_.path("timed-joined" + file)),
-                 bytesOf(folder_.path((i == 1 ? "timed-2" : "timed-1") + file)));
-      }
-    QVERIFY(QFile::exists(folder_.path("timed-joined/summary.svg")));
-  }
-
-  void wrongShardsAreReported() {
-    const auto shard = [&](const QString& name, const QString& number, const QStringList& further) {
-      VERIFY_SUCCESS(study(name, materials_, QStringList{"--shard", number} + further));
-    };
-    shard("a1", "1/2", {});
-    shard("a2", "2/2", {});
-    shard("b2", "2/2", {"--samples", "5"});
-    shard("c3", "3/3", {});
-    VERIFY_SUCCESS(study("d2", materials_.mid(1), {"--shard", "2/2"}));
-    const auto fails = [&](const QStringList& shards, const char* text) {
-      QStringList command{"merge"};
-      for (const QString& name : shards) command << folder_.path(name);
-      const ToolResult result = runTool(command << "--out" << folder_.path("never"));
-      QCOMPARE(result.code, 1);
-      QVERIFY2(result.error.contains(text), qPrintable(result.error));
-      QCOMPARE(result.errorLines(), 1);
-      QVERIFY(!QFile::exists(folder_.path("never")));
-    };
-    fails({"a1"}, "shards are missing: 2/2");
-    fails({"a1", "a2", "a1"}, "found shard 1/2 twice");
-    fails({"a1", "b2"}, "b2 are not shards of one study: different settings: pictures");
-    fails({"a1", "c3"}, "found shards 1/2 and 3/3");
-    fails({"a1", "d2"}, "they contain different materials");
-    fails({"a1", "whole"}, "whole/shard.json: not found");
-    QVERIFY(QFile::remove(folder_.path("a2/m1.json")));
-    fails({"a1", "a2"}, "a2/m1.json");
-    QVERIFY(QFile::copy(folder_.path("b2/m1.json"), folder_.path("a2/m1.json")));
-    fails({"a1", "a2"}, "m1.json: result of another study");
-    for (const char* text : {"0/2", "3/2", "2", "1/x"}) QCOMPARE(study("e", materials_, {"--shard", text}).code, 2);
-  }
-
   /// What is kept is recognised by a number that no study would write.
   void resumeKeepsWhatIsOfTheSameStudy() {
     const auto change = [&] {
@@ -115,6 +49,13 @@ class GoniotoolShardsTest : public QObject {
     QCOMPARE(budget(resumed), 99.0);
     for (const char* name : {"/m1.json", "/m2.json"})
       QCOMPARE(bytesOf(folder_.path("resumed") + name), bytesOf(folder_.path("whole") + name));
+    // In results of older versions the node at or below is called the nearest.
+    const QByteArray now = bytesOf(folder_.path("resumed/m0.json"));
+    QVERIFY(now.contains("table-cell 0") && now.contains("\"representation\": \"table-cell\""));
+    folder_.writeText("resumed/m0.json", QByteArray(now).replace("table-cell", "table-nearest"));
+    const ToolResult older = study("resumed", materials_, {"--resume"});
+    QCOMPARE(budget(older), 99.0);
+    QCOMPARE(older.json["records"][0]["representation"].get<std::string>(), "table-cell");
     // Other settings, another material of the name, a damaged file: measured again.
     QVERIFY(budget(study("resumed", materials_, {"--resume", "--samples", "5"})) != 99.0);
     VERIFY_SUCCESS(study("resumed", materials_, {}));
@@ -124,6 +65,16 @@ class GoniotoolShardsTest : public QObject {
     folder_.writeText("resumed/m0.json", "{\"material\": \"m0\"");
     VERIFY_SUCCESS(study("resumed", materials_, {"--resume"}));
     compareFolders("resumed", "whole");
+  }
+
+  /// One run for each material, then one for the summary, write what a single run writes.
+  void materialsOneByOne() {
+    for (const QString& material : materials_) VERIFY_SUCCESS(study("one-by-one", {material}, {}));
+    QVERIFY(!QFile::exists(folder_.path("one-by-one/summary.json")));
+    const QDateTime before = QFileInfo(folder_.path("one-by-one/m0.json")).lastModified();
+    VERIFY_SUCCESS(study("one-by-one", materials_, {"--resume"}));
+    QCOMPARE(QFileInfo(folder_.path("one-by-one/m0.json")).lastModified(), before);
+    compareFolders("one-by-one", "whole");
   }
 
   /// Each by the first dictionary that has not learned from it: as if that dictionary alone were given.
@@ -161,8 +112,7 @@ class GoniotoolShardsTest : public QObject {
   }
 
   void zEveryKeyIsDocumented() {
-    for (const char* file : {"whole/m0.json", "1-of-2/shard.json"})
-      collectKeys(nlohmann::json::parse(bytesOf(folder_.path(file)).toStdString()));
+    collectKeys(nlohmann::json::parse(bytesOf(folder_.path("whole/m0.json")).toStdString()));
     QCOMPARE(undocumentedKeys(), QString());
   }
 
@@ -181,12 +131,12 @@ class GoniotoolShardsTest : public QObject {
       QVERIFY2(bytesOf(folder_.path(a + "/" + file)) == bytesOf(folder_.path(b + "/" + file)), qPrintable(file));
   }
 
-  TestFolder folder_{"goniotool-shards"};
+  TestFolder folder_{"goniotool-resume"};
   QStringList materials_;
   const QStringList tiny_{"--size", "16", "--representations", "table,fits", "--models", "lambert"};
 };
 
-GONIO_TEST(GoniotoolShardsTest)
-}  // namespace goniotool_shards_test
+GONIO_TEST(GoniotoolResumeTest)
+}  // namespace goniotool_resume_test
 
-#include "goniotool_shards_test.moc"
+#include "goniotool_resume_test.moc"
