@@ -25,8 +25,7 @@
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
-#include "app/gonio/study/fit_ranking_panel.h"
-#include "app/gonio/study/study_panel.h"
+#include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/theme.h"
@@ -188,11 +187,12 @@ void editFactors(FactorCurvesPanel& factors, double widening, const QString& wit
 
 /// Measures the representations of the material that is opened, and shows one of them.
 void measureRepresentations(const EditorParts& parts, const QString& label) {
-  StudyPanel& study = parts.study;
-  QObject::connect(&parts.document, &Document::materialChanged, &study, &StudyPanel::measure, Qt::QueuedConnection);
+  StudyWindow& study = parts.study;
+  QObject::connect(&parts.document, &Document::materialChanged, &study, &StudyWindow::measureOpen,
+                   Qt::QueuedConnection);
   QObject::connect(&study.model(), &StudyModel::dataChanged, &study, [&study, label](const QModelIndex& index) {
     const int row = index.row();
-    const bool isIt = study.model().representation(row).fullLabel() == label.toStdString();
+    const bool isIt = study.model().representation(row).shortLabel() == label.toStdString();
     if (isIt && study.model().studied(row) && study.shownName() != label) study.show(row);
   });
 }
@@ -223,10 +223,10 @@ void interpolate(const EditorParts& parts, const QStringList& blended) {
 /// Ranks the fits of the material that is opened, once it and its first fit are there.
 void rankFits(const EditorParts& parts) {
   QObject::connect(
-      &parts.document, &Document::stateChanged, &parts.ranking,
-      [&document = parts.document, &ranking = parts.ranking] {
-        if (document.active<editing::DifferentialEdit>() && ranking.model().rowCount() == 0 && !ranking.isRunning())
-          ranking.fitAll();
+      &parts.document, &Document::stateChanged, &parts.study,
+      [&document = parts.document, &study = parts.study] {
+        if (document.active<editing::DifferentialEdit>() && study.model().isEmpty() && !study.run().isRunning())
+          study.fitAll();
       },
       Qt::QueuedConnection);
 }
@@ -263,11 +263,11 @@ void prepare(MainWindow& window, const QCommandLineParser& parser) {
     acquire(parts, samples, parser.value("acquisition-page").toInt());
   }
   if (parser.isSet("study")) {
-    docks.show(QStringLiteral("study"));
+    parts.study.present(StudyWindow::ChartPage);
     measureRepresentations(parts, parser.value("study"));
   }
   if (parser.isSet("models")) {
-    docks.show(QStringLiteral("models"));
+    parts.study.present(StudyWindow::ResultsPage);
     rankFits(parts);
   }
 }
@@ -309,10 +309,10 @@ std::optional<int> DevelopmentApplication::run(const QCommandLineParser& parser,
   }
   if (parser.isSet("screenshot")) {
     std::function<bool()> isSettled = [window] { return window->parts().isSettled(); };
-    QWidget& shown = parser.isSet("figure")
-                         ? static_cast<QWidget&>(measureFigure(*window, parser.value("figure"), isSettled))
-                         : *window;
-    takeScreenshot(shown, isSettled, parser.value("screenshot"),
+    QWidget* shown =
+        parser.isSet("study") || parser.isSet("models") ? static_cast<QWidget*>(&window->parts().study) : window;
+    if (parser.isSet("figure")) shown = &measureFigure(*window, parser.value("figure"), isSettled);
+    takeScreenshot(*shown, isSettled, parser.value("screenshot"),
                    parser.isSet("wait") ? parser.value("wait").toDouble() : 60);
   }
   openFiles(*window);

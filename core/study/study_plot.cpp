@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <tuple>
 
 namespace gonio::study {
@@ -89,6 +88,23 @@ std::string numbersText(const StudyRecord& record) {
          (std::isnan(record.encodeSeconds) ? "" : ", encoded in " + shortQuantity(record.encodeSeconds, "s"));
 }
 
+std::vector<StudySeries> seriesOf(std::span<const StudyRecord> records) {
+  std::vector<StudySeries> all;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const RepresentationKind* kind = records[i].representation.kind;
+    const auto known =
+        std::ranges::find(all, kind->legendName(), [](const StudySeries& one) { return one.kind->legendName(); });
+    StudySeries& series =
+        known == all.end()
+            ? all.emplace_back(StudySeries{kind, {}, kind->unit == BudgetUnit::bytes || kind->hasCountedBudget()})
+            : *known;
+    series.records.push_back(i);
+  }
+  for (StudySeries& series : all)
+    std::ranges::stable_sort(series.records, {}, [&](std::size_t i) { return records[i].representation.budget; });
+  return all;
+}
+
 /// Short, beside a point: the budget where its shape shows the rest.
 std::string labelOf(const Representation& r) { return r.kind->hasCountedBudget() ? r.budgetText() : r.label(); }
 
@@ -100,39 +116,31 @@ class PanelPainter {
         panel_(panel),
         low_(origin.x + left, origin.y + panelHeight - bottom),
         high_(origin.x + panelWidth - right, origin.y + top),
-        costs_(costAxis(records, panel.cost)),
-        qualities_(qualityAxis(records, panel.quality)) {
-    for (const StudyRecord& record : records) places_.push_back(placeOf(record));
-  }
+        geometry_(studyGeometry(records, panel)) {}
 
   void paint() {
     paintAxes();
     paintLines();
     for (std::size_t i = 0; i < records_.size(); ++i) {
-      if (!places_[i]) continue;
+      if (!geometry_.places[i]) continue;
       const RepresentationKind& kind = *records_[i].representation.kind;
-      svg_.marker(kind.style.marker, *places_[i], markerSize, kind.family->colour, kind.style.hollow,
-                  numbersText(records_[i]));
-      taken_.push_back({*places_[i] - markerSize, *places_[i] + markerSize});
+      const glm::dvec2 at = placeOf(*geometry_.places[i]);
+      svg_.marker(kind.style.marker, at, markerSize, kind.family->colour, kind.style.hollow, numbersText(records_[i]));
+      taken_.push_back({at - markerSize, at + markerSize});
     }
-    for (const std::size_t i : front_) paintLabel(i);
+    for (const std::size_t i : geometry_.front) paintLabel(i);
   }
 
  private:
-  std::optional<glm::dvec2> placeOf(const StudyRecord& record) const {
-    const auto x = costs_.position(costOf(record, panel_.cost));
-    const auto y = qualities_.position(qualityOf(record, panel_.quality));
-    if (!x || !y) return std::nullopt;
-    return glm::dvec2(low_.x + *x * (high_.x - low_.x), low_.y + *y * (high_.y - low_.y));
-  }
+  glm::dvec2 placeOf(const glm::dvec2& fraction) const { return low_ + fraction * (high_ - low_); }
 
   void paintAxes() {
-    for (const auto& [position, text] : costs_.ticks()) {
+    for (const auto& [position, text] : geometry_.costs.ticks()) {
       const double x = low_.x + position * (high_.x - low_.x);
       svg_.line({x, low_.y}, {x, high_.y}, {gridColour});
       svg_.text({x, low_.y + 16}, text, {.size = 11, .anchor = Anchor::middle});
     }
-    for (const auto& [position, text] : qualities_.ticks()) {
+    for (const auto& [position, text] : geometry_.qualities.ticks()) {
       const double y = low_.y + position * (high_.y - low_.y);
       svg_.line({low_.x, y}, {high_.x, y}, {gridColour});
       svg_.text({low_.x - 6, y + 4}, text, {.size = 11, .anchor = Anchor::end});
@@ -145,18 +153,14 @@ class PanelPainter {
 
   /// Budgets of one representation, and the front over all.
   void paintLines() {
-    std::map<const RepresentationKind*, std::vector<glm::dvec2>> lines;
-    for (std::size_t i = 0; i < records_.size(); ++i)
-      if (places_[i]) lines[records_[i].representation.kind].push_back(*places_[i]);
-    for (const auto& [kind, points] : lines)
-      if (points.size() > 1) svg_.polyline(points, {kind->family->colour, 0.8});
-    front_ = paretoFront(costsAndErrors(records_, panel_.cost, panel_.quality));
-    // Steps: between two points there is nothing to be had but the cheaper one.
-    std::vector<glm::dvec2> steps;
-    for (const std::size_t i : front_) {
-      if (!steps.empty()) steps.emplace_back(places_[i]->x, steps.back().y);
-      steps.push_back(*places_[i]);
+    for (const StudySeries& series : geometry_.series) {
+      std::vector<glm::dvec2> points;
+      for (const std::size_t i : series.records)
+        if (geometry_.places[i]) points.push_back(placeOf(*geometry_.places[i]));
+      if (series.isLine && points.size() > 1) svg_.polyline(points, {series.kind->family->colour, 0.8});
     }
+    std::vector<glm::dvec2> steps;
+    for (const glm::dvec2& corner : geometry_.frontSteps) steps.push_back(placeOf(corner));
     svg_.polyline(steps, frontStroke);
   }
 
@@ -164,7 +168,7 @@ class PanelPainter {
   /// and leave to the right.
   void paintLabel(std::size_t i) {
     const std::string text = labelOf(records_[i].representation);
-    const glm::dvec2 at = *places_[i];
+    const glm::dvec2 at = placeOf(*geometry_.places[i]);
     const double width = 0.6 * labelSize * double(text.size()), gap = 2 * markerSize;
     const struct {
       double x, y;  ///< on the base line
@@ -191,9 +195,7 @@ class PanelPainter {
   std::span<const StudyRecord> records_;
   StudyAxes panel_;
   glm::dvec2 low_, high_;  ///< corners of the axes: bottom left, top right
-  StudyAxis costs_, qualities_;
-  std::vector<std::optional<glm::dvec2>> places_;
-  std::vector<std::size_t> front_;
+  StudyGeometry geometry_;
   std::vector<Box> taken_;
 };
 
@@ -206,10 +208,7 @@ struct LegendEntry {
 /// The series of the records and the front, in lines of a width, from (0, 0).
 std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double width) {
   std::vector<LegendEntry> legend;
-  for (const StudyRecord& record : records)
-    if (std::ranges::none_of(
-            legend, [&](const LegendEntry& entry) { return entry.name() == record.representation.kind->legendName(); }))
-      legend.push_back({record.representation.kind, {}});
+  for (const StudySeries& series : seriesOf(records)) legend.push_back({series.kind, {}});
   legend.push_back({nullptr, {}});
   glm::dvec2 place(0);
   for (LegendEntry& entry : legend) {
@@ -252,13 +251,15 @@ std::vector<std::size_t> paretoFront(std::span<const CostAndError> candidates) {
 
 std::optional<std::size_t> bestWithin(std::span<const StudyRecord> records, const Budget& budget) {
   const auto keeps = [&](const StudyRecord& record) {
-    return !(budget.frameMilliseconds && record.frameMilliseconds > *budget.frameMilliseconds) &&
+    return (!budget.frameMilliseconds || record.frameMilliseconds <= *budget.frameMilliseconds) &&
            !(budget.bytes && double(record.bytes) > *budget.bytes) &&
            (!budget.renderedSnr || record.renderedSnr >= *budget.renderedSnr);
   };
   const auto order = [](const StudyRecord& record) {
     const bool undefined = std::isnan(record.renderedSnr);
-    return std::tuple(undefined, undefined ? 0 : -record.renderedSnr, record.frameMilliseconds, record.bytes);
+    const double frame = record.frameMilliseconds;
+    return std::tuple(undefined, undefined ? 0 : -record.renderedSnr,
+                      std::isnan(frame) ? std::numeric_limits<double>::infinity() : frame, record.bytes);
   };
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < records.size(); ++i)
@@ -325,6 +326,27 @@ std::string shortQuantity(double value, std::string_view unit) {
   const bool hasPrefix = std::isfinite(value) && value != 0;
   return (hasPrefix ? prefixed(value, prefixes[std::size(prefixes) - 1].size, " ") : shortNumber(value) + " ") +
          std::string(unit);
+}
+
+StudyGeometry studyGeometry(std::span<const StudyRecord> records, const StudyAxes& axes) {
+  StudyGeometry geometry{.costs = costAxis(records, axes.cost),
+                         .qualities = qualityAxis(records, axes.quality),
+                         .places = {},
+                         .series = seriesOf(records),
+                         .front = paretoFront(costsAndErrors(records, axes.cost, axes.quality)),
+                         .frontSteps = {}};
+  for (const StudyRecord& record : records) {
+    const auto x = geometry.costs.position(costOf(record, axes.cost));
+    const auto y = geometry.qualities.position(qualityOf(record, axes.quality));
+    geometry.places.push_back(x && y ? std::optional(glm::dvec2(*x, *y)) : std::nullopt);
+  }
+  // Steps: between two points there is nothing to be had but the cheaper one.
+  for (const std::size_t i : geometry.front) {
+    const glm::dvec2 at = *geometry.places[i];
+    if (!geometry.frontSteps.empty()) geometry.frontSteps.emplace_back(at.x, geometry.frontSteps.back().y);
+    geometry.frontSteps.push_back(at);
+  }
+  return geometry;
 }
 
 std::vector<StudyAxes> allCostAxes() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,8 +37,8 @@ struct Budget {
 };
 
 /// The record within all limits that has the highest rendered SNR; among equals the one with the shortest frame time,
-/// then with the fewest bytes, then the first. A NaN SNR (black material) fails every limit of the SNR and ranks last.
-/// Empty if no record meets all limits.
+/// then with the fewest bytes, then the first. A NaN SNR (black material) fails every limit of the SNR and ranks last;
+/// a frame time that was not measured (NaN) fails every limit of the frame time. Empty if no record meets all limits.
 std::optional<std::size_t> bestWithin(std::span<const StudyRecord> records, const Budget& budget);
 
 /// The accuracy measure on the vertical axis of a study: the error of a metric, or the rendered SNR if empty.
@@ -82,6 +83,23 @@ struct StudyAxes {
   Cost cost = Cost::evaluation;
   Quality quality = {};
 };
+/// The points of one entry of a legend.
+struct StudySeries {
+  const RepresentationKind* kind = nullptr;  ///< of the first; all have its legendName() and its look
+  std::vector<std::size_t> records;          ///< indices, by increasing budget
+  bool isLine = false;                       ///< whether they are budgets of one representation
+};
+
+/// Where everything of a plot is, in fractions of the axes from the lower left; for the file and the editor.
+struct StudyGeometry {
+  StudyAxis costs, qualities;
+  std::vector<std::optional<glm::dvec2>> places;  ///< of the records; empty if one of the values is NaN
+  std::vector<StudySeries> series;                ///< in the order in which the records name them
+  std::vector<std::size_t> front;                 ///< paretoFront()
+  std::vector<glm::dvec2> frontSteps;             ///< the corners of its line
+};
+StudyGeometry studyGeometry(std::span<const StudyRecord> records, const StudyAxes& axes);
+
 /// Axes for the rendered SNR over each cost.
 std::vector<StudyAxes> allCostAxes();
 

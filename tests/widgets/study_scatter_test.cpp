@@ -83,17 +83,22 @@ class StudyScatterTest : public QObject {
   void keysGoFromPointToPoint() {
     Shown shown;
     QSignalSpy current(&shown.scatter, &StudyScatter::currentChanged), chosen(&shown.scatter, &StudyScatter::chosen),
-        dismissed(&shown.scatter, &StudyScatter::dismissed);
-    QTest::keyClick(&shown.scatter, Qt::Key_Return);
-    QCOMPARE(chosen.count(), 0);
+        activated(&shown.scatter, &StudyScatter::activated), dismissed(&shown.scatter, &StudyScatter::dismissed);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space}) QTest::keyClick(&shown.scatter, key);
+    QCOMPARE(chosen.count() + activated.count(), 0);
     for (const int expected : {1, 2, 0, 0}) {
       QTest::keyClick(&shown.scatter, Qt::Key_Right);
       QCOMPARE(shown.scatter.current(), expected);
     }
     QTest::keyClick(&shown.scatter, Qt::Key_Left);
     QCOMPARE(current.last()[0].toInt(), 2);
-    QTest::keyClick(&shown.scatter, Qt::Key_Return);
+    QTest::keyClick(&shown.scatter, Qt::Key_Space);
     QCOMPARE(chosen.last()[0].toInt(), 2);
+    QCOMPARE(activated.count(), 0);
+    QTest::keyClick(&shown.scatter, Qt::Key_Return);
+    QCOMPARE(activated.last()[0].toInt(), 2);
+    QTest::mouseDClick(&shown.chart, Qt::LeftButton, {}, shown.at(1));
+    QCOMPARE(activated.last()[0].toInt(), 1);
     QTest::keyClick(&shown.scatter, Qt::Key_Escape);
     QCOMPARE(dismissed.count(), 1);
   }

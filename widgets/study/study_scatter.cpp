@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "widgets/charts/custom_plot_style.h"
 
@@ -93,8 +92,7 @@ QSize StudyScatter::minimumSizeHint() const { return QSize(20, 9) * fontMetrics(
 void StudyScatter::setRecords(std::vector<study::StudyRecord> records, const study::StudyAxes& axes) {
   m_records = std::move(records);
   m_axes = axes;
-  m_costs = study::costAxis(m_records, axes.cost);
-  m_qualities = study::qualityAxis(m_records, axes.quality);
+  m_geometry = study::studyGeometry(m_records, axes);
   const int last = int(m_records.size()) - 1;
   m_shown = std::min(m_shown, last);
   m_best = std::min(m_best, last);
@@ -117,12 +115,9 @@ void StudyScatter::setCurrent(int record) {
 void StudyScatter::setHint(const QString& hint) { m_hint->setText(hint); }
 
 std::optional<QPointF> StudyScatter::fraction(int record) const {
-  if (record < 0 || record >= int(m_records.size())) return std::nullopt;
-  const study::StudyRecord& one = m_records[std::size_t(record)];
-  const auto x = m_costs.position(study::costOf(one, m_axes.cost));
-  const auto y = m_qualities.position(study::qualityOf(one, m_axes.quality));
-  if (!x || !y) return std::nullopt;
-  return QPointF(*x, *y);
+  if (record < 0 || record >= int(m_records.size()) || !m_geometry.places[std::size_t(record)]) return std::nullopt;
+  const glm::dvec2 at = *m_geometry.places[std::size_t(record)];
+  return QPointF(at.x, at.y);
 }
 
 std::optional<QPointF> StudyScatter::place(int record) const {
@@ -150,8 +145,8 @@ void StudyScatter::refresh() {
 void StudyScatter::addAxes(const PlotStyle& style) {
   styleChart(*m_chart, style, font());
   m_chart->legend->setIconSize(3 * fontMetrics().height() / 2, fontMetrics().height());
-  setTicks(*m_chart->xAxis, m_costs, study::axisTitle(m_axes.cost));
-  setTicks(*m_chart->yAxis, m_qualities, study::axisTitle(m_axes.quality));
+  setTicks(*m_chart->xAxis, m_geometry.costs, study::axisTitle(m_axes.cost));
+  setTicks(*m_chart->yAxis, m_geometry.qualities, study::axisTitle(m_axes.quality));
   for (QCPAxis* axis : {m_chart->xAxis2, m_chart->yAxis2}) {
     axis->setTicks(false);
     axis->setRange(lowEnd, highEnd);
@@ -159,21 +154,18 @@ void StudyScatter::addAxes(const PlotStyle& style) {
 }
 
 void StudyScatter::addSeries(const PlotStyle& style) {
-  std::map<std::string_view, QCPCurve*> curves;
-  for (int i = 0; i < int(m_records.size()); ++i) {
-    const study::RepresentationKind& kind = *m_records[std::size_t(i)].representation.kind;
+  for (const study::StudySeries& series : m_geometry.series) {
+    const study::RepresentationKind& kind = *series.kind;
     const std::string_view name = kind.legendName();
-    QCPCurve*& curve = curves[name];
-    if (!curve) {
-      curve = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
-      const QColor colour = colourOn(style, kind.family->colour);
-      curve->setName(QString::fromUtf8(name.data(), qsizetype(name.size())));
-      curve->setPen(QPen(colour, 1));
-      // Models are not budgets of one representation, so no line connects them.
-      if (kind.unit == study::BudgetUnit::numbers) curve->setLineStyle(QCPCurve::lsNone);
-      curve->setScatterStyle(scatterStyle(kind.style.marker, colour, kind.style.hollow ? style.background : colour));
-    }
-    if (const auto at = fraction(i)) curve->addData(i, at->x(), at->y());
+    auto* curve = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
+    const QColor colour = colourOn(style, kind.family->colour);
+    curve->setName(QString::fromUtf8(name.data(), qsizetype(name.size())));
+    curve->setPen(QPen(colour, 1));
+    if (!series.isLine) curve->setLineStyle(QCPCurve::lsNone);
+    curve->setScatterStyle(scatterStyle(kind.style.marker, colour, kind.style.hollow ? style.background : colour));
+    int t = 0;
+    for (const std::size_t i : series.records)
+      if (const auto at = fraction(int(i))) curve->addData(t++, at->x(), at->y());
   }
 }
 
@@ -184,15 +176,8 @@ void StudyScatter::addFront(const PlotStyle& style) {
   QColor colour = style.text;
   colour.setAlphaF(0.5f);
   front->setPen(QPen(colour, 2, Qt::DashLine));
-  std::optional<QPointF> last;
   int t = 0;
-  for (const std::size_t i : study::paretoFront(study::costsAndErrors(m_records, m_axes.cost, m_axes.quality))) {
-    const auto at = fraction(int(i));
-    // Steps: between two points there is nothing to be had but the cheaper one.
-    if (last) front->addData(t++, at->x(), last->y());
-    front->addData(t++, at->x(), at->y());
-    last = at;
-  }
+  for (const glm::dvec2& corner : m_geometry.frontSteps) front->addData(t++, corner.x, corner.y);
 }
 
 void StudyScatter::addMark(int record, const QString& word, const QPen& pen, double size, bool square) {
@@ -253,6 +238,8 @@ void StudyScatter::keyPressEvent(QKeyEvent* event) {
       return step(1);
     case Qt::Key_Return:
     case Qt::Key_Enter:
+      if (m_current >= 0) Q_EMIT activated(m_current);
+      return;
     case Qt::Key_Space:
       if (m_current >= 0) Q_EMIT chosen(m_current);
       return;
@@ -289,6 +276,7 @@ bool StudyScatter::eventFilter(QObject* watched, QEvent* event) {
     m_chart->setCursor(record >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     Q_EMIT hovered(record, mouse->globalPosition().toPoint());
   }
+  if (event->type() == QEvent::MouseButtonDblClick && record >= 0) Q_EMIT activated(record);
   if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton) {
     setFocus(Qt::MouseFocusReason);
     if (record < 0) return false;

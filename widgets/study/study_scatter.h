@@ -16,7 +16,8 @@ namespace gonio::widgets {
 struct PlotStyle;
 
 /// The records of a study as points over a cost, with the Pareto front as steps. The pointer and the arrow keys move
-/// between points; a click or Enter selects one. The point shapes are those of the exported plot (study::styleOf()).
+/// between points; a click or Space chooses one, a double click or Enter activates it. Points, lines
+/// and front are those of the exported plot (study::studyGeometry()).
 class StudyScatter : public QWidget {
   Q_OBJECT
 
@@ -24,9 +25,10 @@ class StudyScatter : public QWidget {
   explicit StudyScatter(QWidget* parent = nullptr);
 
   void setRecords(std::vector<study::StudyRecord> records, const study::StudyAxes& axes);
+  const std::vector<study::StudyRecord>& records() const { return m_records; }
   /// Marks points with a ring and a word; -1: none.
   void setMarks(int shown, int best);
-  /// The point that Enter selects; -1: none.
+  /// The point at which the keys are; -1: none.
   void setCurrent(int record);
   int current() const { return m_current; }
   /// Text shown in the middle if there are no points.
@@ -35,7 +37,10 @@ class StudyScatter : public QWidget {
   std::optional<QPointF> place(int record) const;
 
  Q_SIGNALS:
+  /// A click, or Space.
   void chosen(int record);
+  /// A double click, or Enter.
+  void activated(int record);
   void currentChanged(int record);
   /// The pointer is on a point, or on none (-1).
   void hovered(int record, const QPoint& globalPosition);
@@ -65,7 +70,7 @@ class StudyScatter : public QWidget {
   QLabel* m_hint;
   std::vector<study::StudyRecord> m_records;
   study::StudyAxes m_axes;
-  study::StudyAxis m_costs, m_qualities;
+  study::StudyGeometry m_geometry;
   int m_shown = -1, m_best = -1, m_current = -1;
 };
 

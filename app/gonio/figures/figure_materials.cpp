@@ -33,9 +33,12 @@ const models::Model* modelInUse(const Document& document) {
 }
 
 QString budgetAction(const study::Representation& one) {
-  return one.budgetText.empty() || one.family == study::RepresentationFamily::fit
-             ? QString::fromStdString(one.label)
-             : QString::fromStdString(one.budgetText);
+  return QString::fromStdString(one.kind->hasBudget() ? one.budgetText() : one.label());
+}
+
+/// Whether no other row has its family.
+bool isAlone(const study::RepresentationKind& kind) {
+  return std::ranges::count(study::representationKinds(), kind.family, &study::RepresentationKind::family) == 1;
 }
 
 }  // namespace
@@ -97,11 +100,9 @@ void FigureRepresentations::fillMenu() {
   // One submenu per family; representations with a budget have one per id, with the budgets.
   QMenu* part = nullptr;
   QString title;
-  for (const study::Representation& one : study::representationsOf({.families = study::familiesWithoutFurtherData()})) {
-    const QString wanted = study::needsBudget(one.id) ? QString::fromStdString(one.label)
-                                                      : widgets::toQString(study::familyName(one.family));
-    if (one.family == study::RepresentationFamily::nonparametric ||
-        one.family == study::RepresentationFamily::neural) {  // one alone
+  for (const study::Representation& one : study::representationsOf({.names = study::familiesWithoutFurtherData()})) {
+    const QString wanted = widgets::toQString(one.kind->hasBudget() ? one.kind->label : one.kind->family->name);
+    if (isAlone(*one.kind) && !one.kind->hasBudget()) {
       menu.addAction(budgetAction(one), this, [this, one] { add(one); });
       continue;
     }
@@ -122,7 +123,7 @@ void FigureRepresentations::add(const study::Representation& representation) {
 
 void FigureRepresentations::setBudget(std::size_t row, int budget) {
   study::Representation& shown = m_representations[row].representation;
-  shown = study::representationById(shown.id, budget);
+  shown.budget = budget;
   show();
   Q_EMIT changed();
 }
@@ -131,13 +132,13 @@ void FigureRepresentations::show() {
   std::vector<widgets::ListEntry> entries;
   for (const FigureRepresentation& one : m_representations) {
     const study::Representation& shown = one.representation;
-    widgets::ListEntry entry{.name = QString::fromStdString(shown.label),
+    widgets::ListEntry entry{.name = QString::fromStdString(shown.label()),
                              .toolTip = QString::fromStdString(shown.fullLabel()),
                              .label = QString::fromStdString(one.label),
                              .usualLabel = QString::fromStdString(FigureRepresentation{shown}.shownLabel())};
-    if (study::needsBudget(shown.id)) {
+    if (shown.kind->hasBudget()) {
       entry.budget = int(shown.budget);
-      entry.maxBudget = study::maxBudget(shown.id);
+      entry.maxBudget = shown.kind->maxBudget;
     }
     entries.push_back(std::move(entry));
   }

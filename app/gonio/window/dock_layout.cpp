@@ -98,7 +98,6 @@ void DockLayout::showWorkspace(Workspace workspace) {
       show(QStringLiteral("comparison"));
       break;
     case Workspace::analyse:
-      show(QStringLiteral("models"));
       show(QStringLiteral("plots"));
       break;
     case Workspace::acquire:

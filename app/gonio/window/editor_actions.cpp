@@ -20,8 +20,7 @@
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/scene/environment_controller.h"
-#include "app/gonio/study/fit_ranking_panel.h"
-#include "app/gonio/study/study_panel.h"
+#include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
 #include "app/gonio/window/help.h"
@@ -335,7 +334,7 @@ Action EditorActions::theme(QSettings& settings) {
 }
 
 Action EditorActions::material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
-                               ComparisonController& comparison, DockLayout& docks, FitRankingPanel& ranking,
+                               ComparisonController& comparison, DockLayout& docks, StudyWindow& study,
                                InterpolationPanel& interpolation, AcquisitionPanel& acquisition) {
   const Document& document = files.document();
   const auto hasMaterial = [&document] { return document.material() != nullptr; };
@@ -355,9 +354,9 @@ Action EditorActions::material(DocumentFiles& files, DocumentController& control
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_F5},
            .help = tr("Fits every model and ranks them"),
            .run =
-               [&docks, &ranking] {
-                 docks.show(QStringLiteral("models"));
-                 ranking.fitAll();
+               [&study] {
+                 study.present(StudyWindow::ResultsPage);
+                 study.fitAll();
                },
            .enabled = hasMaterial},
           {.text = tr("&Save Fit..."),
@@ -394,8 +393,8 @@ Action EditorActions::material(DocumentFiles& files, DocumentController& control
            .enabled = [isWorking, &comparison] { return comparison.isReplaced() || isWorking(); }}}};
 }
 
-Action EditorActions::analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, DockLayout& docks,
-                              StudyPanel& study, QWidget* window) {
+Action EditorActions::analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, StudyWindow& study,
+                              QWidget* window) {
   const auto hasMaterial = [&document = figures.document] { return document.material() != nullptr; };
   const auto getMode = [&comparison] { return comparison.comparison().mode; };
   const auto setMode = [&comparison](CompareMode mode) {
@@ -421,21 +420,21 @@ Action EditorActions::analyse(const FigureDialog::Parts& figures, ComparisonCont
           {.text = tr("Compare with &Another Material..."),
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_C},
            .run = [&comparison] { Q_EMIT comparison.referenceRequested(); }},
+          {.text = tr("S&tudy..."),
+           .help = tr("Compares the accuracy and the cost of representations: results, chart and contact sheet"),
+           .run = [&study] { study.present(StudyWindow::ResultsPage); }},
           {.text = tr("&Measure Representations"),
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_M},
-           .help = tr("Accuracy vs. cost: the error and the cost of every representation of the material"),
+           .help = tr("The error and the cost of every representation of the material"),
            .run =
-               [&docks, &study] {
-                 docks.show(QStringLiteral("study"));
-                 study.measure();
+               [&study] {
+                 study.present(StudyWindow::ResultsPage);
+                 study.measureOpen();
                },
            .enabled = hasMaterial},
           {.text = tr("Contact S&heet..."),
            .help = tr("The measured representations as images side by side, with error maps"),
-           .run =
-               [&docks, &study] {
-                 if (!study.openSheet()) docks.show(QStringLiteral("study"));
-               },
+           .run = [&study] { study.present(StudyWindow::SheetPage); },
            .enabled = hasMaterial},
           {.text = tr("F&igure..."),
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_F},

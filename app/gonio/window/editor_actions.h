@@ -25,11 +25,10 @@ class DocumentController;
 class DocumentFiles;
 class EnvironmentController;
 class ExportController;
-class FitRankingPanel;
 class Inspector;
 class InterpolationPanel;
 class LibraryController;
-class StudyPanel;
+class StudyWindow;
 
 /// The rows of the editor's menus, each from the parts that its actions use; these parts must outlive the table.
 /// `window` is the parent of dialogs.
@@ -44,10 +43,10 @@ struct EditorActions {
   static Action view(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview,
                      EnvironmentController& environment, QSettings& settings, QWidget* window);
   static Action material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
-                         ComparisonController& comparison, DockLayout& docks, FitRankingPanel& ranking,
+                         ComparisonController& comparison, DockLayout& docks, StudyWindow& study,
                          InterpolationPanel& interpolation, AcquisitionPanel& acquisition);
-  static Action analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, DockLayout& docks,
-                        StudyPanel& study, QWidget* window);
+  static Action analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, StudyWindow& study,
+                        QWidget* window);
   /// @param search opens the command search. @param shortcuts returns the page of all shortcuts.
   static Action help(const std::function<void()>& search, const std::function<QString()>& shortcuts, QWidget* window);
 

@@ -18,8 +18,7 @@
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
-#include "app/gonio/study/fit_ranking_panel.h"
-#include "app/gonio/study/study_panel.h"
+#include "app/gonio/study/study_window.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
 #include "widgets/library/quick_look.h"
@@ -61,9 +60,8 @@ EditorParts::EditorParts()
       comparisonPanel(*new ComparisonPanel(comparison, tasks)),
       plots(*new PlotsPanel(document, tasks)),
       factors(*new FactorCurvesPanel(document, tasks)),
-      ranking(*new FitRankingPanel(document, controller, tasks)),
       interpolation(*new InterpolationPanel(document, tasks)),
-      study(*new StudyPanel(document, tasks)),
+      study(*new StudyWindow(document, tasks)),
       scene(*new ScenePanel(preview, document, tasks)),
       viewStrip(*new ViewStrip(preview, scene, environment, tasks)),
       acquisition(*new AcquisitionPanel(document, tasks)) {
@@ -79,7 +77,7 @@ void EditorParts::connectStandIns() {
   QObject::connect(&interpolation, &InterpolationPanel::subjectChanged, &comparison, [this] {
     comparison.setStandIn(StandIn::blend, interpolation.subject(), interpolation.description());
   });
-  QObject::connect(&study, &StudyPanel::subjectChanged, &comparison,
+  QObject::connect(&study, &StudyWindow::subjectChanged, &comparison,
                    [this] { comparison.setStandIn(StandIn::representation, study.subject(), study.shownName()); });
   QObject::connect(&comparison, &ComparisonController::standInDismissed, &comparison, [this](StandIn kind) {
     if (kind == StandIn::representation) return study.show(-1);
@@ -87,9 +85,15 @@ void EditorParts::connectStandIns() {
   });
   QObject::connect(&interpolation, &InterpolationPanel::materialMade, &controller, &DocumentController::openInMemory);
   QObject::connect(&acquisition, &AcquisitionPanel::materialMade, &controller, &DocumentController::openInMemory);
-  QObject::connect(&study, &StudyPanel::useRequested, &controller,
+  QObject::connect(&study, &StudyWindow::useRequested, &controller,
                    [this](const gonio::study::Representation& representation) { use(representation); });
   const RepresentationPanel* representation = inspector.representation();
+  QObject::connect(&study, &StudyWindow::compareRequested, &comparison,
+                   [this](const std::array<widgets::PreviewSubject, 2>& subjects, const std::array<QString, 2>& names) {
+                     comparison.setPair({{{subjects[0], names[0]}, {subjects[1], names[1]}}});
+                   });
+  QObject::connect(&study, &StudyWindow::saveRequested, &exports,
+                   [this](const QString& path, const QImage& picture) { exports.writePng(path, picture); });
   QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,
                    [this, representation] { comparison.setCode(representation->shown()); });
   const WavelengthPanel* wavelength = inspector.wavelength();
@@ -144,9 +148,9 @@ void EditorParts::connectLibrary() {
 }
 
 void EditorParts::connectPlots() {
-  QObject::connect(&ranking.model(), &FitRankingModel::plottedChanged, &plots, [this] {
+  QObject::connect(&study.model(), &StudyModel::plottedChanged, &plots, [this] {
     std::vector<PlottedFit> fits;
-    for (const fitting::FitResult* fit : ranking.model().plotted()) fits.push_back({fit->model, fit->parameters});
+    for (const fitting::FitResult* fit : study.model().plotted()) fits.push_back({fit->model, fit->parameters});
     plots.setOtherFits(fits);
   });
   QObject::connect(&plots, &PlotsPanel::pickingToggled, &preview.input(), &widgets::PreviewInput::setPicking);
@@ -183,6 +187,7 @@ FigureDialog::Parts EditorParts::figureParts() {
 void EditorParts::restoreSettings() {
   inspector.restoreState(settings);
   plots.restoreState(settings);
+  study.restoreState(settings);
   libraryView.setTileSize(settings.value(tileKey, libraryView.tileSize()).toInt());
   libraryView.setSortMode(settings.value(sortKey, 0).toInt());
   libraryView.setGrouping(settings.value(groupKey, int(widgets::LibraryGrouping::source)).toInt());
@@ -211,6 +216,7 @@ void EditorParts::takeOldFavourites() {
 void EditorParts::saveSettings() {
   inspector.saveState(settings);
   plots.saveState(settings);
+  study.saveState(settings);
   settings.setValue(tileKey, libraryView.tileSize());
   settings.setValue(sortKey, libraryView.sortMode());
   settings.setValue(groupKey, libraryView.grouping());

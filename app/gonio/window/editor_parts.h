@@ -26,12 +26,11 @@ namespace gonio::app {
 class AcquisitionPanel;
 class ComparisonPanel;
 class FactorCurvesPanel;
-class FitRankingPanel;
 class Inspector;
 class InterpolationPanel;
 class PlotsPanel;
 class ScenePanel;
-class StudyPanel;
+class StudyWindow;
 class ViewStrip;
 
 /// The parts of one window: its document, the controllers and the panels, created in this order and connected to each
@@ -65,9 +64,8 @@ struct EditorParts {
   ComparisonPanel& comparisonPanel;
   PlotsPanel& plots;
   FactorCurvesPanel& factors;
-  FitRankingPanel& ranking;
   InterpolationPanel& interpolation;
-  StudyPanel& study;
+  StudyWindow& study;
   ScenePanel& scene;
   ViewStrip& viewStrip;
   AcquisitionPanel& acquisition;

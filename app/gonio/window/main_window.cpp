@@ -30,10 +30,7 @@
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
-#include "app/gonio/study/contact_sheet_window.h"
-#include "app/gonio/study/fit_ranking_panel.h"
-#include "app/gonio/study/study_panel.h"
-#include "app/gonio/study/study_summary_window.h"
+#include "app/gonio/study/study_window.h"
 #include "app/gonio/window/action_table.h"
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
@@ -113,6 +110,7 @@ void MainWindow::addCentre() {
 }
 
 void MainWindow::addDocks() {
+  m_parts.study.setParent(this, Qt::Window);
   m_docks->add(tr("Library"), "library", &m_parts.libraryView, Qt::LeftDockWidgetArea, libraryLines);
   m_docks->add(tr("Inspector"), "inspector", &m_parts.inspector, Qt::RightDockWidgetArea, inspectorLines);
   auto* history = new QUndoView(&m_parts.document.history());
@@ -122,10 +120,8 @@ void MainWindow::addDocks() {
   const std::tuple<QString, const char*, QWidget&> bottom[] = {
       {tr("Plots"), "plots", m_parts.plots},
       {tr("Comparison"), "comparison", m_parts.comparisonPanel},
-      {tr("Models"), "models", m_parts.ranking},
       {tr("Factor curves"), "factors", m_parts.factors},
       {tr("Interpolation"), "interpolation", m_parts.interpolation},
-      {tr("Accuracy vs. cost"), "study", m_parts.study},
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
@@ -149,9 +145,9 @@ void MainWindow::addMenus() {
               EditorActions::edit(p.document, p.controller, p.inspector, p.preview, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this),
               EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.settings, this),
-              EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.ranking,
-                                      p.interpolation, p.acquisition),
-              EditorActions::analyse(p.figureParts(), p.comparison, *m_docks, p.study, this),
+              EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.study, p.interpolation,
+                                      p.acquisition),
+              EditorActions::analyse(p.figureParts(), p.comparison, p.study, this),
               EditorActions::help(
                   search, [this] { return shortcutsPage(m_actions->all()); }, this)});
   // What the states of the actions depend on.
@@ -227,8 +223,7 @@ void MainWindow::connectMessages() {
     (connect(&part, &Part::failed, this, &MainWindow::showFailure), ...);
   };
   follow(m_parts.tasks, m_parts.controller, m_parts.exports, m_parts.exporter, m_parts.environment, m_parts.comparison,
-         m_parts.plots, m_parts.factors, m_parts.ranking, m_parts.interpolation, m_parts.study, m_parts.scene,
-         m_parts.acquisition);
+         m_parts.plots, m_parts.factors, m_parts.interpolation, m_parts.study, m_parts.scene, m_parts.acquisition);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.document, &Document::refused, m_messages, &widgets::MessageBar::showMessage);
@@ -236,19 +231,6 @@ void MainWindow::connectMessages() {
   connect(&m_parts.controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_parts.controller, &DocumentController::applyProposal);
   connect(m_messages, &widgets::MessageBar::discarded, &m_parts.controller, &DocumentController::discardProposal);
-}
-
-void MainWindow::openContactSheet(const SheetSource& source) {
-  auto* window = new ContactSheetWindow(m_parts.tasks, source, this);
-  window->setAttribute(Qt::WA_DeleteOnClose);
-  connect(window, &ContactSheetWindow::compareRequested, &m_parts.comparison,
-          [this](const std::array<widgets::PreviewSubject, 2>& subjects, const std::array<QString, 2>& names) {
-            m_parts.comparison.setPair({{{subjects[0], names[0]}, {subjects[1], names[1]}}});
-          });
-  connect(window, &ContactSheetWindow::saveRequested, &m_parts.exports,
-          [this](const QString& path, const QImage& picture) { m_parts.exports.writePng(path, picture); });
-  connect(window, &ContactSheetWindow::failed, this, &MainWindow::showFailure);
-  window->show();
 }
 
 /// Once the first is open; not where the user keeps the document that is.
@@ -278,8 +260,6 @@ void MainWindow::connectRequests() {
             m_docks->show(QStringLiteral("interpolation"));
             m_parts.interpolation.useMaterials(ids);
           });
-  connect(&m_parts.study, &StudyPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
-  connect(&m_parts.ranking, &FitRankingPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::pairRequested, this, &MainWindow::comparePair);
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::exportRequested, this,
           [this](const QStringList& ids) {
@@ -289,9 +269,8 @@ void MainWindow::connectRequests() {
           });
   connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::studyRequested, this,
           [this](const QStringList& ids) {
-            auto* window = new StudySummaryWindow(m_parts.tasks, ids, this);
-            window->setAttribute(Qt::WA_DeleteOnClose);
-            window->show();
+            m_parts.study.setMaterials(ids);
+            m_parts.study.present(StudyWindow::ResultsPage);
           });
   connect(&m_parts.inspector, &Inspector::factorEditRequested, this, [this] {
     m_docks->show(QStringLiteral("factors"));

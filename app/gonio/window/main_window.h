@@ -16,7 +16,6 @@ namespace gonio::app {
 class ActionTable;
 class DockLayout;
 class StatusLine;
-struct SheetSource;
 
 /// The editor's window: library left, preview in the middle, inspector right. It arranges the parts of the editor and
 /// creates the menus; the parts do not depend on it.
@@ -49,7 +48,6 @@ class MainWindow : public QMainWindow {
   void showLostNotes();
   void connectMessages();
   void connectRequests();
-  void openContactSheet(const SheetSource& source);
   void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();

@@ -29,7 +29,7 @@ struct Window {
     docks.add("Library", "library", new QLabel("library"), Qt::LeftDockWidgetArea);
     docks.add("Inspector", "inspector", new QLabel("inspector"), Qt::RightDockWidgetArea);
     docks.add("History", "history", new QLabel("history"), Qt::RightDockWidgetArea)->hide();
-    for (const char* name : {"plots", "comparison", "models", "factors", "scene", "acquisition"})
+    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition"})
       docks.add(name, name, new QLabel(name), Qt::BottomDockWidgetArea);
     docks.setDefault();
     window.resize(1100, 800);
@@ -51,7 +51,7 @@ class DockLayoutTest : public QObject {
     w.docks.showWorkspace(Workspace::compare);
     QCOMPARE(w.shown(), QStringList({"inspector", "comparison"}));
     w.docks.showWorkspace(Workspace::analyse);
-    QCOMPARE(w.shown(), QStringList({"library", "inspector", "plots", "models"}));
+    QCOMPARE(w.shown(), QStringList({"library", "inspector", "plots"}));
     w.docks.showWorkspace(Workspace::acquire);
     QCOMPARE(w.shown(), QStringList({"acquisition"}));
     w.docks.showWorkspace(Workspace::edit);
@@ -109,16 +109,16 @@ class DockLayoutTest : public QObject {
     QCOMPARE(w.window.dockWidgetArea(w.docks.dock("inspector")), Qt::RightDockWidgetArea);
     for (const QDockWidget* dock : w.docks.docks()) QVERIFY(!dock->isFloating());
     // Those at the bottom lie behind one another again.
-    for (const char* name : {"plots", "comparison", "models", "factors", "scene", "acquisition"}) w.docks.show(name);
+    for (const char* name : {"plots", "comparison", "factors", "scene", "acquisition"}) w.docks.show(name);
     QApplication::processEvents();
-    QCOMPARE(w.window.tabifiedDockWidgets(w.docks.dock("plots")).size(), 5);
+    QCOMPARE(w.window.tabifiedDockWidgets(w.docks.dock("plots")).size(), 4);
   }
 
   /// Qt 6.4 paints a dragged tab into a pixmap of its size and divides by it.
   void tabWithoutSizeIsDragged() {
     QTest::failOnWarning(QRegularExpression("QPainter"));
     Window w;
-    for (const char* name : {"plots", "comparison", "models"}) w.docks.show(name);
+    for (const char* name : {"plots", "comparison"}) w.docks.show(name);
     QApplication::processEvents();
     const auto bars = w.window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
     QVERIFY(!bars.isEmpty());

@@ -300,7 +300,7 @@ class MainWindowTest : public QObject {
     QVERIFY(isShown("comparison") && !isShown("library"));
     QVERIFY(window->parts().comparison.comparison().mode != widgets::CompareMode::off);
     run(*window, "View > Layouts > Analyse");
-    QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
+    QVERIFY(isShown("plots") && isShown("library"));
     run(*window, "View > Layouts > Acquire");
     QVERIFY(isShown("acquisition") && !isShown("library") && !isShown("inspector") && !isShown("plots"));
     run(*window, "View > Layouts > Edit");

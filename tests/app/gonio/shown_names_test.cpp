@@ -25,8 +25,7 @@
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/scene/scene_panel.h"
-#include "app/gonio/study/contact_sheet_window.h"
-#include "app/gonio/study/study_summary_window.h"
+#include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/preferences.h"
@@ -201,15 +200,16 @@ class ShownNamesTest : public QObject {
     const BatchDialog batch(m_parts->exporter, m_parts->settings, {id}, m_window);
     const ExportDialog exporting(m_parts->exporter, m_parts->settings, m_parts->preview.content().scene(), m_window);
     const ReferenceDialog reference(m_parts->library.model(), m_window);
-    const StudySummaryWindow study(m_parts->tasks, {id, id}, m_window);
+    StudyWindow& study = m_parts->study;
+    study.present(StudyWindow::ResultsPage);
+    QCOMPARE(study.windowTitle(), "Study: " + widgets::titleText(m_parts->document.name()));
+    study.setMaterials({id, id});
     const FigureDialog figure(m_parts->figureParts(), m_window);
     const ImageDialog image(
         {m_parts->document, m_parts->exports, m_parts->tasks, m_parts->comparison, m_parts->preview, m_parts->settings},
         name, m_window);
-    const ContactSheetWindow sheet(m_parts->tasks, {.name = name, .material = m_material}, m_window);
-    QCOMPARE(sheet.windowTitle(), "Contact Sheet: " + widgets::titleText(name));
-    for (const QDialog* dialog : std::initializer_list<const QDialog*>{&preferences, &batch, &exporting, &reference,
-                                                                       &study, &figure, &image, &sheet}) {
+    for (const QDialog* dialog :
+         std::initializer_list<const QDialog*>{&preferences, &batch, &exporting, &reference, &study, &figure, &image}) {
       const_cast<QDialog*>(dialog)->show();
       VERIFY_PLAIN(*dialog);
       VERIFY_FITS(*dialog);

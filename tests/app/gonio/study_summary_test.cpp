@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include <QCheckBox>
 #include <QFile>
-#include <QLabel>
-#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
-#include "app/gonio/study/study_summary_window.h"
+#include "app/gonio/study/study_window.h"
 #include "core/formats/merl.h"
 #include "core/io/atomic_file.h"
 #include "core/models/registry.h"
-#include "core/study/study_record.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 
@@ -22,19 +18,16 @@ using namespace gonio::app;
 using namespace gonio::app::test_support;
 
 /// Two tables, two fits.
-study::RepresentationChoice fewRepresentations() {
-  study::RepresentationChoice choice;
-  choice.names = {"table", "lambert", "ggx"};
-  return choice;
-}
+const std::vector<std::string> fewNames{"table", "lambert", "ggx"};
 
-enum Row { nearestTable, trilinearTable, lambertFit, ggxFit };
+enum Row { cellTable, trilinearTable, lambertFit, ggxFit };
 
 struct Editor {
   QTemporaryDir folder;
+  Document document;
   BackgroundTasks tasks;
   QStringList ids;
-  std::optional<StudySummaryWindow> window;
+  std::optional<StudyWindow> window;
 
   /// Two grey materials, one that is not diffuse, and a file that cannot be read.
   explicit Editor(int samples = 4) {
@@ -45,19 +38,23 @@ struct Editor {
     ids << folder.filePath("broken.binary");
     QFile broken(ids.back());
     if (!broken.open(QIODevice::WriteOnly)) qFatal("cannot write");
-    window.emplace(tasks, ids, nullptr);
+    window.emplace(document, tasks);
+    window->setMaterials(ids);
     study::StudyOptions options;
     options.picture = {.width = 16, .height = 16, .samples = samples};
-    window->setChoice(fewRepresentations(), options);
+    window->run().setOptions(options);
+    window->choice().setNames(fewNames);
   }
   void write(const QString& name, const Brdf& brdf) {
     ids << folder.filePath(name + ".binary");
     io::writeFileAtomically(ids.back().toStdString(),
                             formats::encodeMerl(*bakeTable(brdf, HalfDifferenceGrid{12, 12, 12})));
   }
-  QString text(int row, int column) { return window->model().index(row, column).data().toString(); }
+  StudyModel& model() { return window->run().model(); }
+  QString text(int row, int column) { return model().index(row, column).data().toString(); }
+  void measure() { window->run().measure({}); }
   bool finish() {
-    return QTest::qWaitFor([&] { return !window->isRunning() && tasks.isIdle(); }, patienceMilliseconds);
+    return QTest::qWaitFor([&] { return !window->run().isRunning() && tasks.isIdle(); }, patienceMilliseconds);
   }
 };
 
@@ -67,73 +64,78 @@ class StudySummaryTest : public QObject {
   /// Each row is the median and the worst of what is measured; a broken file is named and holds nothing up.
   void summarisesSeveralMaterials() {
     Editor editor;
-    StudySummaryModel& model = editor.window->model();
+    StudyModel& model = editor.model();
     QCOMPARE(model.rowCount(), 4);
-    QCOMPARE(editor.text(ggxFit, StudySummaryModel::MedianSnrColumn), "-");
-    editor.window->measure();
-    QVERIFY(editor.window->isRunning());
+    QCOMPARE(editor.text(ggxFit, StudyModel::SnrColumn), "-");
+    editor.measure();
+    QVERIFY(editor.window->run().isRunning());
     QVERIFY(editor.finish());
-    for (int row = 0; row < 4; ++row) QCOMPARE(editor.text(row, StudySummaryModel::MaterialsColumn), "3");
+    for (int row = 0; row < 4; ++row) QCOMPARE(editor.text(row, StudyModel::MaterialsColumn), "3");
     // The trilinear table is the material itself; Lambert's fit is exact for all but the glossy one.
-    QCOMPARE(editor.text(trilinearTable, StudySummaryModel::WorstSnrColumn), "∞");
-    QCOMPARE(editor.text(lambertFit, StudySummaryModel::WorstMaterialColumn), "glossy");
+    QCOMPARE(editor.text(trilinearTable, StudyModel::WorstSnrColumn), "∞");
+    QCOMPARE(editor.text(lambertFit, StudyModel::WorstMaterialColumn), "glossy");
     const auto snr = [&](int column) { return -model.index(lambertFit, column).data(Qt::UserRole).toDouble(); };
-    QVERIFY(snr(StudySummaryModel::WorstSnrColumn) + 10 < snr(StudySummaryModel::MedianSnrColumn));
-    QVERIFY2(editor.window->status().contains("3 of 4 materials are measured.") &&
-                 editor.window->status().contains("broken is excluded"),
-             qPrintable(editor.window->status()));
+    QVERIFY(snr(StudyModel::WorstSnrColumn) + 10 < snr(StudyModel::SnrColumn));
+    QVERIFY2(editor.window->run().status().contains("3 of 4 materials are measured.") &&
+                 editor.window->run().status().contains("broken is excluded"),
+             qPrintable(editor.window->run().status()));
     for (std::size_t material = 0; material < 3; ++material) QVERIFY(model.missing(material).empty());
-    const QStringList lines = editor.window->csv().split('\n', Qt::SkipEmptyParts);
+    const QStringList lines = editor.window->run().csv({0, 1, 2, 3}).split('\n', Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), 5 + 1 + 4);
     QVERIFY(lines[5].endsWith("materials,min rendered SNR [dB],max rendered SNR [dB],worst material"));
     QVERIFY2(lines[6 + lambertFit].endsWith(",glossy"), qPrintable(lines[6 + lambertFit]));
     // Worse below, whatever the column.
     QAbstractItemModel& sorted = *editor.window->table().model();
-    editor.window->table().sortByColumn(StudySummaryModel::WorstSnrColumn, Qt::AscendingOrder);
+    editor.window->table().sortByColumn(StudyModel::WorstSnrColumn, Qt::AscendingOrder);
     for (int row = 1; row < sorted.rowCount(); ++row)
-      QVERIFY(sorted.index(row - 1, StudySummaryModel::WorstSnrColumn).data(Qt::UserRole).toDouble() <=
-              sorted.index(row, StudySummaryModel::WorstSnrColumn).data(Qt::UserRole).toDouble());
+      QVERIFY(sorted.index(row - 1, StudyModel::WorstSnrColumn).data(Qt::UserRole).toDouble() <=
+              sorted.index(row, StudyModel::WorstSnrColumn).data(Qt::UserRole).toDouble());
   }
 
   /// Escape stops, what is measured stays, and the rest is measured from there.
   void stoppingKeepsWhatIsMeasured() {
     constexpr int manySamples = 300;  // so that it is stopped before it ends
     Editor editor(manySamples);
-    StudySummaryModel& model = editor.window->model();
+    StudyModel& model = editor.model();
     connect(&model, &QAbstractItemModel::dataChanged, &*editor.window, [&] {
       if (model.missing(1).size() == 2) QTest::keyClick(&*editor.window, Qt::Key_Escape);
     });
-    editor.window->measure();
+    editor.measure();
     QVERIFY(editor.finish());
     QTest::qWait(0);  // rows that were on their way
     QVERIFY(model.missing(0).empty() && !model.missing(2).empty());
-    const QString first = editor.text(nearestTable, StudySummaryModel::MaterialsColumn);
+    const QString first = editor.text(cellTable, StudyModel::MaterialsColumn);
     QVERIFY(first == "2");
     QObject::disconnect(&model, &QAbstractItemModel::dataChanged, &*editor.window, nullptr);
-    editor.window->measure();
+    editor.measure();
     QVERIFY(editor.finish());
-    QCOMPARE(editor.text(ggxFit, StudySummaryModel::MaterialsColumn), "3");
+    QCOMPARE(editor.text(ggxFit, StudyModel::MaterialsColumn), "3");
   }
 
-  /// What is measured of kinds that stay ticked is kept.
-  void kindsAreChosen() {
+  /// Columns of images and fits are those of one material; nothing of several can be shown or used.
+  void theColumnsAreThoseOfSeveralMaterials() {
     Editor editor;
-    const auto boxes = editor.window->findChildren<QCheckBox*>();
-    const auto offered = study::familiesWithoutFurtherData(), chosen = study::defaultFamilies();
-    QCOMPARE(boxes.size(), qsizetype(offered.size()));
-    for (std::size_t i = 0; i < offered.size(); ++i)
-      QCOMPARE(boxes[qsizetype(i)]->isChecked(), std::ranges::count(chosen, offered[i]) > 0);
-    for (QCheckBox* box : boxes) box->setChecked(false);
-    QCOMPARE(editor.window->model().rowCount(), 0);
-    for (QPushButton* button : editor.window->findChildren<QPushButton*>()) QVERIFY(!button->isEnabled());
-    boxes[0]->setChecked(true);
-    QCOMPARE(editor.window->model().rowCount(), 2);
+    editor.measure();
+    QVERIFY(editor.finish());
+    const QTreeView& table = editor.window->table();
+    for (const int column : {StudyModel::MaterialsColumn, StudyModel::WorstSnrColumn, StudyModel::WorstMaterialColumn})
+      QVERIFY(!table.isColumnHidden(column));
+    for (const int column : {StudyModel::PlotColumn, StudyModel::ErrorColumn, StudyModel::WarningsColumn})
+      QVERIFY(table.isColumnHidden(column));
+    editor.window->show(ggxFit);
+    QVERIFY(!editor.tasks.isRunning("study preview") && editor.window->sheet().sheet().tiles().empty());
+    // The results of other materials are dropped; those of rows that are ticked no longer, too.
+    editor.window->choice().setNames({"ggx"});
+    QCOMPARE(editor.model().rowCount(), 1);
+    QVERIFY(editor.model().isMeasured(0));
+    editor.window->setMaterials(editor.ids.mid(0, 2));
+    QVERIFY(editor.model().isEmpty());
   }
 
   /// A window that is closed takes its work with it.
   void closingStops() {
     Editor editor;
-    editor.window->measure();
+    editor.measure();
     editor.window.reset();
     QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
   }

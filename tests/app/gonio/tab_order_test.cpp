@@ -18,9 +18,7 @@
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
-#include "app/gonio/study/fit_ranking_panel.h"
-#include "app/gonio/study/study_panel.h"
-#include "app/gonio/study/study_summary_window.h"
+#include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/preferences.h"
@@ -125,10 +123,10 @@ class TabOrderTest : public QObject {
   void panels() {
     EditorParts& parts = m_window->parts();
     const std::pair<const char*, QWidget*> docks[] = {
-        {"library", &parts.libraryView},         {"inspector", &parts.inspector}, {"plots", &parts.plots},
-        {"comparison", &parts.comparisonPanel},  {"models", &parts.ranking},      {"factors", &parts.factors},
-        {"interpolation", &parts.interpolation}, {"study", &parts.study},         {"scene", &parts.scene},
-        {"acquisition", &parts.acquisition}};
+        {"library", &parts.libraryView}, {"inspector", &parts.inspector},
+        {"plots", &parts.plots},         {"comparison", &parts.comparisonPanel},
+        {"factors", &parts.factors},     {"interpolation", &parts.interpolation},
+        {"scene", &parts.scene},         {"acquisition", &parts.acquisition}};
     QStringList back;
     for (const auto& [name, panel] : docks) {
       m_window->docks().show(name);
@@ -170,9 +168,12 @@ class TabOrderTest : public QObject {
     ReferenceDialog reference(parts.library.model(), m_window);
     show(reference);
     VERIFY_FOLLOWS_THE_EYE(reference);
-    StudySummaryWindow study(parts.tasks, {"library:sgd/brass", "library:sgd/chrome"}, m_window);
-    show(study);
-    VERIFY_FOLLOWS_THE_EYE(study);
+    for (const auto page : {StudyWindow::ResultsPage, StudyWindow::ChartPage, StudyWindow::SheetPage}) {
+      parts.study.present(page);
+      show(parts.study);
+      VERIFY_FOLLOWS_THE_EYE(parts.study);
+    }
+    parts.study.hide();
     FigureDialog figure(parts.figureParts(), m_window);
     show(figure);
     VERIFY_FOLLOWS_THE_EYE(figure);

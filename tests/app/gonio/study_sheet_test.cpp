@@ -1,42 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/study/contact_sheet_window.h"
+#include "app/gonio/study/study_sheet.h"
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "app/gonio/study/fit_ranking_model.h"
-#include "app/gonio/study/sheet_sources.h"
 #include "core/models/registry.h"
 #include "core/study/accuracy_study.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 
-namespace contact_sheet_test {
+namespace study_sheet_test {
 using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 
 bool wait(const std::function<bool()>& done) { return QTest::qWaitFor(done, patienceMilliseconds); }
 
-class ContactSheetTest : public QObject {
+class StudySheetTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
     material_ = glossyMaterial(0.3, HalfDifferenceGrid{20, 20, 20});
-    study::RankingOptions options;
-    for (const char* id : {"lambert", "ggx", "blinn-phong"}) options.models.push_back(&models::findModel(id));
-    for (const study::RankedFit& ranked : study::rankFits({material_->table(), material_->material.brdf}, options))
-      ranking_.add(ranked);
-    QCOMPARE(ranking_.rowCount(), 3);
+    study::StudyOptions options;
+    options.timed = false;
+    source_ = {.name = "acrylic", .material = material_, .entries = {}};
+    options.measured = [this](const study::MeasuredRepresentation& one) {
+      source_.entries.push_back(std::make_shared<const study::MeasuredRepresentation>(one));
+    };
+    study::runStudy({material_->table(), material_->material.brdf},
+                    study::representationsOf({.names = {"lambert", "ggx", "blinn-phong"}}), options);
+    std::ranges::sort(source_.entries, std::greater(), [](const auto& one) { return one->record.renderedSnr; });
+    QCOMPARE(source_.entries.size(), std::size_t(3));
   }
 
-  /// The material first, then the best; pictures and maps of all on one scale; fewer where fewer are asked for.
-  void showsTheBestFirst() {
+  /// The material first, then the entries in their order; pictures and maps of all on one scale; fewer where fewer are
+  /// asked for.
+  void showsTheEntriesInOrder() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
+    StudySheet window(tasks);
+    window.setSource(source_);
+    window.setRendering(true);
     QVERIFY(wait([&] { return window.isComplete(); }));
     const auto& tiles = window.sheet().tiles();
     QCOMPARE(tiles.size(), std::size_t(4));
@@ -55,12 +62,15 @@ class ContactSheetTest : public QObject {
   /// Only what is shown is rendered, the rest when it is asked for.
   void rendersWhatIsShown() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
+    StudySheet window(tasks);
+    window.setSource(source_);
+    window.setRendering(true);
     window.setCount(1);
     QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
     window.setCount(3);
     QVERIFY(!window.isComplete() && !tasks.isIdle());
-    QVERIFY(window.sheet().tiles()[3].picture.isNull());
+    QVERIFY(window.sheet().tiles()[3].map.isNull());
+    QCOMPARE(window.sheet().tiles()[3].picture.width(), study::StudyOptions().picture.width);  // the study's own
     QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
     for (const widgets::SheetTile& tile : window.sheet().tiles()) QVERIFY(!tile.picture.isNull());
   }
@@ -68,8 +78,10 @@ class ContactSheetTest : public QObject {
   /// Two tiles go to the preview: the material in its native form and the model alone.
   void comparesTwo() {
     BackgroundTasks tasks;
-    ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr);
-    QSignalSpy compare(&window, &ContactSheetWindow::compareRequested);
+    StudySheet window(tasks);
+    window.setSource(source_);
+    window.setRendering(true);
+    QSignalSpy compare(&window, &StudySheet::compareRequested);
     window.sheet().toggle(2);
     window.sheet().toggle(1);
     window.sheet().toggle(0);
@@ -85,32 +97,52 @@ class ContactSheetTest : public QObject {
   /// One number for one thing: the ranking's SNR is that of the comparison.
   void theComparisonTellsTheSameSnr() {
     const auto reference = comparisonReference(widgets::measuredSubject(material_->base, material_->density));
-    const SheetSource source = sheetSource("acrylic", material_, ranking_);
-    for (const SheetEntry& entry : source.entries)
-      QCOMPARE(compareSubjects(entry.subject({}), *reference).renderedSnr, entry.snr);
+    for (std::size_t i = 0; i < source_.entries.size(); ++i)
+      QCOMPARE(compareSubjects(StudySheet::subjectOf(source_, int(i) + 1, {}), *reference).renderedSnr,
+               source_.entries[i]->record.renderedSnr);
   }
 
   /// A window that is closed while it works leaves no work behind.
   void closingEndsTheWork() {
     BackgroundTasks tasks;
-    { ContactSheetWindow window(tasks, sheetSource("acrylic", material_, ranking_), nullptr); }
+    {
+      StudySheet window(tasks);
+      window.setSource(source_);
+      window.setRendering(true);
+      QVERIFY(!tasks.isIdle());
+    }
     QVERIFY(tasks.isIdle());
   }
 
-  void tableAsCsv() {
-    const QStringList lines = ranking_.csv().trimmed().split('\n');
-    QCOMPARE(lines.size(), qsizetype(4));
-    for (const QString& line : lines) QCOMPARE(line.count(','), lines[0].count(','));
-    QVERIFY(lines[0].startsWith("model,rendered SNR [dB]"));
+  /// Another order needs no new pictures; results that are measured anew do.
+  void picturesStay() {
+    BackgroundTasks tasks;
+    StudySheet window(tasks);
+    window.setSource(source_);
+    window.setRendering(true);
+    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    SheetSource reversed = source_;
+    std::ranges::reverse(reversed.entries);
+    window.setSource(reversed);
+    QVERIFY(window.isComplete() && tasks.isIdle());
+    QVERIFY(window.sheet().tiles()[3].name == "GGX" && !window.sheet().tiles()[3].map.isNull());
+    reversed.entries[0] = std::make_shared<const study::MeasuredRepresentation>(*reversed.entries[0]);
+    window.setRendering(false);
+    window.setSource(reversed);
+    QVERIFY(!window.isComplete() && tasks.isIdle() && window.sheet().tiles()[1].map.isNull());
+    window.setRendering(true);
+    QVERIFY(wait([&] { return window.isComplete(); }));
+    window.setSource({});
+    QVERIFY(window.sheet().tiles().empty());
   }
 
  private:
   LoadedMaterialPtr material_;
-  FitRankingModel ranking_;
+  SheetSource source_;
 };
 
-GONIO_TEST(ContactSheetTest)
+GONIO_TEST(StudySheetTest)
 
-}  // namespace contact_sheet_test
+}  // namespace study_sheet_test
 
-#include "contact_sheet_test.moc"
+#include "study_sheet_test.moc"
