@@ -42,6 +42,10 @@ QLabel* labelFor(const QString& text, QWidget* buddy) {
 
 /// Families with more than one row have these below them.
 StudyChoice::StudyChoice() {
+  // Boxes that are not ticked have an outline of this colour, which otherwise vanishes in a dark theme.
+  QPalette outlined = palette();
+  outlined.setColor(QPalette::Window, Qt::gray);
+  setPalette(outlined);
   setHeaderHidden(true);
   setAccessibleName(tr("Representations to compare"));
   setToolTip(tr("Tick the representations to compare; those that are no longer ticked lose their results"));
