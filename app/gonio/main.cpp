@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <csignal>
+#include <optional>
 #include <utility>
 
 #include "app/gonio/document/material_files.h"

@@ -9,6 +9,9 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
+#include <algorithm>
+#include <memory>
+#include <optional>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_controller.h"
