@@ -33,7 +33,7 @@
 #if defined(SHADOWS) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
 #define MEET_OBJECTS
 #endif
-#include "preview/sampling_lobe.glsl"
+#include "preview/sampling_density.glsl"
 #endif
 #if defined(LIGHT_ENVIRONMENT) || defined(SHOW_ENVIRONMENT)
 #include "preview/environment.glsl"
@@ -45,7 +45,7 @@ layout(location = 1) out vec4 features;
 
 const int maxSamples = 64;
 uniform int sampleCount;
-uniform vec4 sampleNumbers[maxSamples];  // three numbers for the lobe, the index of the sample
+uniform vec4 sampleNumbers[maxSamples];  // three numbers for the density, the index of the sample
 uniform vec2 pixelOffsets[maxSamples];   // of the camera ray, in pixels about the centre
 uniform vec2 pictureSize;
 
@@ -125,11 +125,11 @@ bool isDiffuse(Surface surface) {
 }
 
 float drawnDensity(Surface surface, vec3 wi) {
-  return isDiffuse(surface) ? max(0.0, wi.z) / pi : lobeDensity(wi, surface.wo);
+  return isDiffuse(surface) ? max(0.0, wi.z) / pi : samplingDensity(wi, surface.wo);
 }
 
 vec3 drawDirection(Surface surface, vec3 u) {
-  if (!isDiffuse(surface)) return sampleLobe(surface.wo, u);
+  if (!isDiffuse(surface)) return sampleDensity(surface.wo, u);
   float r = sqrt(u.y);
   return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
 }
