@@ -185,14 +185,13 @@ std::vector<study::StudyRecord> StudyModel::records(const std::vector<int>& rows
 QString StudyModel::csv(const std::vector<int>& rows, const std::string& title, const study::MachineFacts& machine,
                         const std::string& pictures) const {
   if (!isSummary())
-    return QString::fromStdString(
-        plots::toCsv(study::studyCsv("material: " + title, records(rows), machine, pictures)));
+    return QString::fromStdString(io::toCsv(study::studyCsv("material: " + title, records(rows), machine, pictures)));
   std::string names = "medians over " + std::to_string(m_materials.size()) + " materials:";
   for (const std::string& name : m_materials) names += " " + name;
   std::vector<study::StudySummary> summaries;
   for (const int row : rows)
     if (const study::StudySummary* summary = summaryOf(row)) summaries.push_back(*summary);
-  return QString::fromStdString(plots::toCsv(study::summaryCsv(names, summaries, m_materials, machine, pictures)));
+  return QString::fromStdString(io::toCsv(study::summaryCsv(names, summaries, m_materials, machine, pictures)));
 }
 
 void StudyModel::refreshRows() {

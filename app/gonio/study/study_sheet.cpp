@@ -159,7 +159,7 @@ void StudySheet::work() {
     m_tasks.run<std::shared_ptr<const RenderedComparison>>(
         {tr("Rendering the contact sheet"), m_renderKey},
         [material = m_source.material](const TaskControl& control) {
-          const RenderOptions options{.width = side, .height = side, .samples = samples, .lobe = {}};
+          const RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
           return std::make_shared<const RenderedComparison>(*material->material.brdf, options, control);
         },
         [this](const std::shared_ptr<const RenderedComparison>& comparison) {
@@ -236,13 +236,13 @@ void StudySheet::showTiles() {
 /// Tile 0 is the material.
 widgets::PreviewSubject StudySheet::subjectOf(const SheetSource& source, int tile, const TaskControl& control) {
   const LoadedMaterial& material = *source.material;
-  if (tile == 0) return widgets::measuredSubject(material.base, material.lobe);
+  if (tile == 0) return widgets::measuredSubject(material.base, material.density);
   const study::MeasuredRepresentation& one = *source.entries[std::size_t(tile - 1)];
   if (!one.fit) return studiedSubject(one, control);
   const TabulatedBrdf* table = formOf<TabulatedBrdf>(*material.base);
   const widgets::StandaloneModel model{one.fit->model, one.fit->parameters,
                                        table ? table->grid() : HalfDifferenceGrid()};
-  return {model, material.lobe};
+  return {model, material.density};
 }
 
 void StudySheet::compareSelected() {
