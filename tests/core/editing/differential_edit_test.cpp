@@ -8,6 +8,8 @@
 #include <random>
 
 #include "core/math/parallel.h"
+#include "core/models/registry.h"
+#include "core/models/shader_arguments.h"
 #include "tests/support/test_program.h"
 
 namespace differential_edit_test {
@@ -74,12 +76,15 @@ std::unique_ptr<const Brdf> createLevel(const models::ParameterValues& p) {
   return std::make_unique<const Level>(p.values[0]);
 }
 
+auto levelArguments(const models::ParameterValues& p) { return std::tuple(p.values[0]); }
+
 Edit ggxEdit(const models::ParameterValues& fitted, const models::ParameterValues& edited) {
   return {DifferentialEdit{.model = &models::findModel("ggx"), .fitted = fitted, .edited = edited}};
 }
 
 Edit levelEdit(double fitted, double edited) {
-  static const models::Model model(levelSpec, {.create = createLevel});
+  static const models::Model model(levelSpec,
+                                   {.create = createLevel, .arguments = models::shaderArguments<levelArguments>});
   return {DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}}};
 }
 
