@@ -42,8 +42,7 @@ struct ModelSpec {
   struct FloatError {
     double relative = 2e-5, absolute = 1e-7;
   } floatError = {};
-  /// Bound of the error of a fit to a constant BRDF, by the log or the cube-root metric; 0 for models with a term k_d /
-  /// pi; tested.
+  /// Bound of the error of a fit to a constant BRDF, by the log metric; 0 for models with a term k_d / pi; tested.
   double constantError = 0;
 
   /// Index of the parameter with an id, if any.
