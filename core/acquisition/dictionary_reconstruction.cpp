@@ -9,8 +9,8 @@
 
 #include "core/acquisition/sample_rows.h"
 #include "core/dictionary/decode.h"
-#include "core/dictionary/mode_products.h"
 #include "core/dictionary/largest_projections.h"
+#include "core/dictionary/mode_products.h"
 #include "core/dictionary/training_materials.h"
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"

@@ -13,8 +13,8 @@
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/half_out.h"
 #include "core/coordinates/projected_deviation.h"
-#include "core/io/csv_text.h"
 #include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
 #include "core/support/error.h"
 #include "core/support/text.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/brdf/weighted_sum.h"
-#include "core/dictionary/decode.h"
 #include "core/dictionary/code_interpolation.h"
+#include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_blend.h"

@@ -9,9 +9,9 @@
 #include <span>
 
 #include "core/baselines/neural_fit.h"
-#include "core/dictionary/encode.h"
 #include "core/dictionary/alternatives/patch_dictionary.h"
 #include "core/dictionary/alternatives/separated_components.h"
+#include "core/dictionary/encode.h"
 #include "core/factorization/nonparametric.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"

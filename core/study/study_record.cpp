@@ -208,7 +208,7 @@ std::string picturesText(int width, int height, int samples) {
 }
 
 io::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
-                         const std::string& pictures) {
+                      const std::string& pictures) {
   io::CsvTable table{.comments = {title, "images and frame times: " + pictures}, .columns = {}};
   for (const std::string& line : machineLines(machine)) table.comments.push_back(line);
   const auto texts = [&](const char* name, const auto& text) {
@@ -241,8 +241,8 @@ io::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> rec
 }
 
 io::CsvTable summaryCsv(const std::string& title, std::span<const StudySummary> summaries,
-                           std::span<const std::string> materials, const MachineFacts& machine,
-                           const std::string& pictures) {
+                        std::span<const std::string> materials, const MachineFacts& machine,
+                        const std::string& pictures) {
   std::vector<StudyRecord> medians;
   io::CsvColumn count{"materials", {}}, least{"min rendered SNR [dB]", {}}, most{"max rendered SNR [dB]", {}},
       worst{"worst material", {}};

@@ -88,13 +88,13 @@ std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> ma
 /// contain `title`, scene and size of the pictures, machine, build and date. An infinite SNR is "inf", an undefined one
 /// an empty field.
 io::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
-                         const std::string& pictures);
+                      const std::string& pictures);
 
 /// The same for medians over several materials, with the number of materials, the minimum and maximum rendered SNR, and
 /// the material of the minimum. @param materials names of the summarised materials, in order.
 io::CsvTable summaryCsv(const std::string& title, std::span<const StudySummary> summaries,
-                           std::span<const std::string> materials, const MachineFacts& machine,
-                           const std::string& pictures);
+                        std::span<const std::string> materials, const MachineFacts& machine,
+                        const std::string& pictures);
 
 /// A description of the pictures of a study, e.g. "sphere-studio, 128 x 128, 32 samples".
 std::string picturesText(int width, int height, int samples);

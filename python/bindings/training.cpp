@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/baselines/neural_fit.h"
-#include "core/dictionary/code_packing.h"
 #include "core/dictionary/alternatives/patch_dictionary.h"
+#include "core/dictionary/code_packing.h"
 #include "core/dictionary/training.h"
 #include "core/formats/neural.h"
 #include "core/materials/dictionary_file.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/baselines/baselines.h"
-#include "core/dictionary/encode.h"
 #include "core/dictionary/alternatives/patch_dictionary.h"
+#include "core/dictionary/encode.h"
 #include "core/dictionary/principal_components.h"
 
 /// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches

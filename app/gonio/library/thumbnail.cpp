@@ -9,11 +9,11 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <atomic>
-#include "core/io/csv_text.h"
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <thread>
+#include "core/io/csv_text.h"
 
 #include "app/gonio/document/material_files.h"
 #include "core/documents/open_material.h"

@@ -58,7 +58,7 @@ StudyWindow::StudyWindow(Document& document, BackgroundTasks& tasks, QWidget* pa
       m_status(new QLabel),
       m_footer(new QLabel) {
   const int em = fontMetrics().height();
-  resize(em * 96, em * 46);
+  resize(em * 100, em * 46);
   m_pages->addTab(buildResults(), tr("&Results"));
   m_pages->addTab(buildChart(), tr("C&hart"));
   m_pages->addTab(m_sheet, tr("&Sheet"));
@@ -132,7 +132,7 @@ QWidget* StudyWindow::buildResults() {
   m_table->installEventFilter(this);
   QHeaderView* header = m_table->header();
   header->setStretchLastSection(false);
-  const int widths[StudyModel::ColumnCount] = {15, 3, 5, 7, 7, 9, 5, 7, 5, 5, 6, 5, 8};
+  const int widths[StudyModel::ColumnCount] = {17, 3, 5, 7, 7, 9, 5, 7, 5, 5, 6, 5, 8};
   for (int column = 0; column < StudyModel::ColumnCount; ++column)
     header->resizeSection(column, std::max(header->sectionSizeHint(column), widths[column] * line));
   auto* page = new QWidget;
@@ -233,7 +233,10 @@ void StudyWindow::connectRun(StudyRun& run) {
   connect(&run, &StudyRun::rowMeasured, this, [this, &run] {
     if (&run == m_run) refreshResults();
   });
-  connect(&run, &StudyRun::runningChanged, this, [this] {
+  connect(&run, &StudyRun::runningChanged, this, [this, &run] {
+    // Also rows that kept their places under the pointer.
+    if (&run == m_run && !run.isRunning())
+      m_sorted->sort(m_table->header()->sortIndicatorSection(), m_table->header()->sortIndicatorOrder());
     refresh();
     refreshSheet();
   });

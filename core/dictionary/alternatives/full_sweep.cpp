@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/alternatives/full_sweep.h"
 
-#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/dictionary.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
 #include "core/math/parallel.h"
 

@@ -4,9 +4,9 @@
 
 #include <QTest>
 
-#include "core/dictionary/decode.h"
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/code_packing.h"
+#include "core/dictionary/decode.h"
 #include "core/dictionary/mode_products.h"
 #include "core/math/decompositions.h"
 #include "tests/core/dictionary/code_test_support.h"

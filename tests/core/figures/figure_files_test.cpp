@@ -9,9 +9,9 @@
 #include <cstring>
 
 #include "core/figures/draw_figure.h"
+#include "core/figures/figure_description.h"
 #include "core/figures/figure_formats.h"
 #include "core/figures/figure_layout.h"
-#include "core/figures/figure_description.h"
 #include "core/figures/figure_tables.h"
 #include "core/io/csv_text.h"
 #include "core/rendering/error_maps.h"

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/figures/figure_measurement.h"
 #include "core/figures/figure_description.h"
+#include "core/figures/figure_measurement.h"
 
 namespace gonio::test {
 
