@@ -25,6 +25,16 @@ namespace gonio::tool {
 
 namespace {
 
+/// Writes a decoded material if there is an output, and adds what was written to the JSON. @return text for the user.
+std::string addWritten(Json& json, const std::string& name, std::shared_ptr<const Brdf> decoded, const std::string& out,
+                       const Tool& tool) {
+  if (out.empty()) return {};
+  const WrittenMaterial written = writeMaterial(name, std::move(decoded), out, tool);
+  json["written"] = written.json();
+  json["out"] = out;
+  return written.text;
+}
+
 struct ComponentArguments {
   std::string material, basis, out;
   int components = 0;
@@ -53,13 +63,7 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
   Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
             {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
-  std::string writtenText;
-  if (!options.out.empty()) {
-    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
-    json["written"] = written.json();
-    json["out"] = options.out;
-    writtenText = written.text;
-  }
+  const std::string writtenText = addWritten(json, material.name, decoded, options.out, tool);
   print(tool, json,
         std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
             number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
@@ -103,13 +107,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
             {"brdfSnr", decibelsJson(snr)},
             {"seconds", seconds}};
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
-  std::string writtenText;
-  if (!options.out.empty()) {
-    const WrittenMaterial written = writeMaterial(material.name, decoded, options.out, tool);
-    json["written"] = written.json();
-    json["out"] = options.out;
-    writtenText = written.text;
-  }
+  const std::string writtenText = addWritten(json, material.name, decoded, options.out, tool);
   print(tool, json,
         std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
             " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +

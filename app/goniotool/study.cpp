@@ -51,14 +51,6 @@ std::string hexText(std::uint64_t id) {
   return {text, std::size_t(std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(id)))};
 }
 
-void eraseTimes(std::vector<StudyRecord>& records) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (StudyRecord& record : records) {
-    record.encodeSeconds = record.frameMilliseconds = none;
-    record.evaluation = {none, none, none};
-  }
-}
-
 bool selects(const RepresentationChoice& choice, std::string_view id) {
   return choice.selects(*findRepresentationKind(id));
 }
@@ -125,7 +117,8 @@ StudiedMaterial MaterialStudy::result(const std::string& path) {
       runStudy({table, material.brdf}, representations, study_, tool_.control("studying " + material.name))};
   studied.complete = studied.records.size() == representations.size();
   if (studied.records.empty()) tool_.throwIfStopped();
-  if (options_.withoutTimes) eraseTimes(studied.records);
+  if (options_.withoutTimes)
+    for (StudyRecord& record : studied.records) record.encodeSeconds = std::numeric_limits<double>::quiet_NaN();
   if (studied.complete || !hasMaterialStudy(options_.out, stem)) writeMaterialStudy(options_.out, studied, facts_);
   return studied;
 }

@@ -272,12 +272,12 @@ EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& op
   const auto start = std::chrono::steady_clock::now();
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
   std::vector<Trial> trials(options.transforms.size());
-  const double trialShare = double(trials.size()) / double(trials.size() + 1);
+  const double trialFraction = double(trials.size()) / double(trials.size() + 1);
   const TaskControl silent{.stop = control.stop, .progress = {}};
   parallelForBlocks(
       trials.size(), 1,
       [&](std::size_t t, std::size_t) { trials[t] = tried(options.transforms[t], table, options, silent); },
-      control.between(0, trialShare));
+      control.between(0, trialFraction));
   Trial& best = *std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) {
     return a.candidate.gammaError < b.candidate.gammaError;
   });

@@ -189,7 +189,7 @@ namespace {
 /// Fraction of its energy that a signal may omit in the rounds: little beside their errors of 1e-3 or more.
 constexpr double signalLoss = 1e-5;
 // Fractions of the progress: the passes that find the subspace, the rounds in it, the last sweep.
-constexpr double subspaceShare = 0.15, roundsShare = 0.6;
+constexpr double subspaceFraction = 0.15, roundsFraction = 0.6;
 
 class Training {
  public:
@@ -230,14 +230,14 @@ class Training {
     TrainingState& state = result_.state;
     if (state.ensembles.empty())
       state.subspace =
-          findSharedSubspace(materials_, options_.signals, options_.subspaceLoss, part(0, subspaceShare / 2));
+          findSharedSubspace(materials_, options_.signals, options_.subspaceLoss, part(0, subspaceFraction / 2));
     signals_.resize(materials_.names.size() * options_.signals.signalsPerMaterial());
     forEachProjection(
         state.subspace, materials_, options_.signals,
         [&](std::size_t signal, std::span<const double> block) {
           signals_[signal] = compactSignal(block.data(), state.subspace.ranks, signalLoss);
         },
-        part(subspaceShare / 2, subspaceShare));
+        part(subspaceFraction / 2, subspaceFraction));
   }
 
   bool settled(const std::vector<double>& errors) const {
@@ -251,7 +251,7 @@ class Training {
     TrainingState& state = result_.state;
     EnsembleLearner learner(std::span<const CompactSignal<double>>(signals_), state.subspace.ranks,
                             options_.dictionaries, options_.sparsities[e]);
-    const double each = roundsShare / double(options_.sparsities.size());
+    const double each = roundsFraction / double(options_.sparsities.size());
     if (e < state.ensembles.size()) {
       learner.start(state.ensembles[e]);
     } else {
@@ -265,7 +265,7 @@ class Training {
       state.ensembles[e] = learner.dictionaries();
       if (checkpoint_) checkpoint_(state);
       const double rounds = double(state.errors[e].size()) / options_.iterations;
-      control_.report(subspaceShare + each * (double(e) + std::min(1.0, rounds)));
+      control_.report(subspaceFraction + each * (double(e) + std::min(1.0, rounds)));
     }
     learner.assign({.stop = control_.stop});
     memberships_.emplace_back(learner.memberships().begin(), learner.memberships().end());
@@ -284,7 +284,7 @@ class Training {
   }
 
   void sweep() {
-    const double begin = subspaceShare + roundsShare, end = 0.95;
+    const double begin = subspaceFraction + roundsFraction, end = 0.95;
     result_.errorsBefore = sweepFullSpace(assigned_, materials_, options_.signals, part(begin, end));
     result_.errorsAfter = fullErrors(assigned_, materials_, options_.signals, part(end, 1));
   }

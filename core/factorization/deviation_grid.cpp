@@ -108,7 +108,7 @@ std::vector<double> libraryDeviationNodes() {
 namespace {
 
 constexpr std::size_t steps = 2000;
-constexpr double evenShare = 1.0 / 3;
+constexpr double evenFraction = 1.0 / 3;
 constexpr int viewers = 30, azimuths = 8;
 
 enum class AzimuthCount { same, onDisk };
@@ -178,7 +178,7 @@ std::vector<double> deviationNodes(std::span<const std::shared_ptr<const Tabulat
   for (const auto& table : tables) addEnergy(energy, *table, AzimuthCount::same, control);
   double total = 0;
   for (const double e : energy) total += e;
-  for (double& e : energy) e = (1 - evenShare) * e + evenShare * total / double(steps);
+  for (double& e : energy) e = (1 - evenFraction) * e + evenFraction * total / double(steps);
   return deviationNodes(energy, count);
 }
 

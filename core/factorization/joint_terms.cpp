@@ -15,7 +15,7 @@ using Index = Eigen::Index;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The weight of the proximal term, in the mean diagonal entry of the equations.
-constexpr double proximalShare = 1e-7;
+constexpr double proximalFraction = 1e-7;
 
 /// Products of the columns l <= k of a matrix, one per pair: the entries of the Gram matrices of its rows.
 Eigen::MatrixXd pairProducts(const Eigen::MatrixXd& factor) {
@@ -37,7 +37,7 @@ Eigen::MatrixXd symmetricOf(const Eigen::RowVectorXd& pairs, Index terms) {
 /// free minimum violates the bound, the minimum of a convex function lies on it. Returns the value without that term.
 double solveEntries(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, bool firstNonnegative,
                     Eigen::Ref<Eigen::VectorXd> x) {
-  const double proximal = proximalShare * gram.trace() / double(gram.rows());
+  const double proximal = proximalFraction * gram.trace() / double(gram.rows());
   if (!(proximal > 0)) return 0;
   const Index count = x.size();
   const Eigen::MatrixXd system = gram + proximal * Eigen::MatrixXd::Identity(count, count);

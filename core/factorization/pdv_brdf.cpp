@@ -20,7 +20,7 @@ namespace gonio::factorization {
 
 namespace {
 
-constexpr double leastCosineShare = 0.1;
+constexpr double leastCosineFraction = 0.1;
 constexpr double smallestSampledCosine = 1e-9;
 
 /// The viewer, with the azimuth that projected deviations refer to.
@@ -140,7 +140,7 @@ PdvSampler::PdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,
     : rows_(brdf, thetaNodes, deviationNodes, DeviationRows::Ring::onDisk) {}
 
 double PdvSampler::cosineFraction(double thetaR) const {
-  return leastCosineShare + (1 - leastCosineShare) * rows_.blackFraction(thetaR);
+  return leastCosineFraction + (1 - leastCosineFraction) * rows_.blackFraction(thetaR);
 }
 
 DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) const {

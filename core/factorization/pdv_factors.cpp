@@ -119,7 +119,7 @@ PdvOptions compactPdvOptions(PdvOptions options) {
 }
 
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
-  const double preparationShare = 0.2, termsEnd = options.joint ? 0.4 : 1;
+  const double preparationFraction = 0.2, termsEnd = options.joint ? 0.4 : 1;
   const auto start = std::chrono::steady_clock::now();
   PdvFactorization result{.factors = makeAxes(table, options, {.stop = control.stop})};
   PdvSamples samples = samplePdv(table, result.factors, options.weights, {.stop = control.stop});
@@ -140,7 +140,7 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
   result.termSeconds.push_back(elapsed());
   for (int term = 0; term < options.terms; ++term) {
     control.throwIfStopped();
-    control.report(preparationShare + (termsEnd - preparationShare) * term / options.terms);
+    control.report(preparationFraction + (termsEnd - preparationFraction) * term / options.terms);
     double left = 0;
     std::array<double, 3> lefts{};
     parallelForBlocks(channels.size(), 1, [&](std::size_t channel, std::size_t) {

@@ -16,9 +16,9 @@ namespace {
 /// Steps of phi over which the form with two factors takes its means.
 constexpr std::size_t meanSteps = 180;
 /// Weight of a cell beside the disk, in that of its neighbours on it.
-constexpr double besideShare = 0.01;
+constexpr double besideFraction = 0.01;
 /// Added to all cells, in mean weights: with none, the mirror directions of grazing viewers are left free.
-constexpr double evenSampleShare = 2e-5;
+constexpr double evenSampleFraction = 2e-5;
 /// The last nodes stand on the limit itself.
 const double smallestSampleCosine = std::cos(maxPolarAngle) * (1 - 1e-9);
 
@@ -157,14 +157,14 @@ void fillFromNeighbours(MaskedTensor& t, const std::vector<std::uint8_t>& counts
         ++neighbours;
       }
   t.values[cell] = float(sum / weights);
-  t.weights[cell] = float(besideShare * weights / neighbours);
+  t.weights[cell] = float(besideFraction * weights / neighbours);
 }
 
-void addEvenShare(MaskedTensor& t, std::size_t cells) {
+void addEvenFraction(MaskedTensor& t, std::size_t cells) {
   double total = 0;
   for (const float weight : t.weights) total += double(weight);
   for (float& weight : t.weights)
-    if (weight > 0) weight += float(evenSampleShare * total / double(cells));
+    if (weight > 0) weight += float(evenSampleFraction * total / double(cells));
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ PdvSamples samplePdv(const TabulatedBrdf& table, const PdvFactors& axes, PdvWeig
   std::vector<std::uint8_t> counts(shape.weights.size());
   for (std::size_t at = 0; at < counts.size(); ++at) samples.cells += counts[at] = shape.weights[at] > 0;
   if (weights == PdvWeights::projectedSolidAngle)
-    for (MaskedTensor& channel : samples.channels) addEvenShare(channel, samples.cells);
+    for (MaskedTensor& channel : samples.channels) addEvenFraction(channel, samples.cells);
   const std::vector<std::uint8_t> reached = widenedByOne(counts, shape);
   parallelForBlocks(counts.size(), counts.size() / axes.thetaNodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t at = begin; at < end; ++at)

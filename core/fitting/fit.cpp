@@ -14,7 +14,7 @@ namespace gonio::fitting {
 
 namespace {
 
-constexpr double preparationShare = 0.05, errorsFraction = 0.05;
+constexpr double preparationFraction = 0.05, errorsFraction = 0.05;
 
 /// Channels that are fitted together: all, or each alone where the model has no shared parameter to tie them.
 std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec, const models::ParameterValues& base,
@@ -50,10 +50,10 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
   if (data.usedCells() == 0) return parameters;
   const FitTarget& search = data.search();
   const FitTarget& polish = data.polish(parametersOf(model.spec(), base, FitRole::nonlinear, data.symmetry()).size());
-  progress.add(preparationShare);
+  progress.add(preparationFraction);
   const std::vector<std::vector<int>> groups = channelGroups(model.spec(), base, data.symmetry());
   std::vector<models::ParameterValues> fitted(groups.size(), base);
-  const double fraction = (1 - preparationShare - errorsFraction) / double(groups.size());
+  const double fraction = (1 - preparationFraction - errorsFraction) / double(groups.size());
   parallelForBlocks(groups.size(), 1, [&](std::size_t g, std::size_t) {
     if (!isBlack(polish.cells, groups[g]))
       fitted[g] = fitGroup(model, search, polish, base, groups[g], stop, progress, fraction);

@@ -33,13 +33,13 @@ Fresnel::Fresnel(FresnelChoice choice, double f0, double edgeTint) : FresnelTerm
     constant = 1;
   } else if (choice == FresnelChoice::schlick) {
     constant = f0;
-    risingShare = 1 - f0;
+    risingFraction = 1 - f0;
   } else {
     const ComplexIndex index = choice == FresnelChoice::conductor ? indexFromEdgeTint(f0, edgeTint)
                                                                   : ComplexIndex{indexFromNormalReflectance(f0), 0};
     contrast = (index.eta - 1) * (index.eta + 1) - index.k * index.k;
     product = 2 * index.eta * index.k;
-    exactShare = contrast != 0 || product != 0 ? 1 : 0;
+    exactFraction = contrast != 0 || product != 0 ? 1 : 0;
   }
 }
 

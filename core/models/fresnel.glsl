@@ -60,12 +60,12 @@ INLINE REAL fresnelOfContrast(REAL cosD, REAL contrast, REAL product) {
 
 // The term that a model's parameters select: sums with weights of 0 and 1 instead of branches.
 struct FresnelTerm {
-  REAL exactShare, contrast, product;  // of fresnelOfContrast()
-  REAL constant, risingShare;          // constant + risingShare (1 - cosD)^5
+  REAL exactFraction, contrast, product;  // of fresnelOfContrast()
+  REAL constant, risingFraction;          // constant + risingFraction (1 - cosD)^5
 };
 
 INLINE REAL fresnel(FresnelTerm term, REAL cosD) {
   REAL m = 1.0 - cosD, m2 = m * m;
-  return term.exactShare * fresnelOfContrast(cosD, term.contrast, term.product) + term.constant +
-         term.risingShare * (m2 * m2 * m);
+  return term.exactFraction * fresnelOfContrast(cosD, term.contrast, term.product) + term.constant +
+         term.risingFraction * (m2 * m2 * m);
 }

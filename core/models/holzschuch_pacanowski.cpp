@@ -98,7 +98,7 @@ struct Diffraction {
   double exponent;      ///< (c + 1) / 2
   double strength;      ///< 2 (c - 1) / pi
 
-  double highlightShare(double cosD) const { return fastExp(-phase * cosD * cosD); }
+  double highlightFraction(double cosD) const { return fastExp(-phase * cosD * cosD); }
   /// (1 - A) S. @param cosines product of those of the polar angles.
   double glow(double sin2H, double cosH, double cosD, double cosines) const {
     const double cos2D = cosD * cosD;
@@ -130,7 +130,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
   const TabulatedNormals normals([&](double thetaH) {
     const double sine = std::sin(thetaH), cosine = std::cos(thetaH);
-    const double mirrored = nano[1].highlightShare(typicalCosine) * facets.density(sine * sine, cosine);
+    const double mirrored = nano[1].highlightFraction(typicalCosine) * facets.density(sine * sine, cosine);
     return (mirrored + nano[1].glow(sine * sine, cosine, typicalCosine, typicalCosine * typicalCosine)) * cosine;
   });
   return makeGeometryBrdf(
@@ -138,7 +138,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                [=](const SurfaceGeometry& g, double masking) {
                  const double density = facets.density(g.sin2H, g.h.z), common = fresnel(g.cosD) * masking;
                  const auto lobe = [&](const Diffraction& d) {
-                   return d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.h.z, g.cosD, g.cosI * g.cosO);
+                   return d.highlightFraction(g.cosD) * density + d.glow(g.sin2H, g.h.z, g.cosD, g.cosI * g.cosO);
                  };
                  return kd + ks * Rgb(lobe(nano[0]), lobe(nano[1]), lobe(nano[2])) * common;
                }},

@@ -22,8 +22,8 @@ void ShaderArguments::add(const glsl::FresnelTerm& term) {
   // The squares of both stay in the range of float; from here on the reflectance is 1.
   constexpr double most = 1e18;
   std::string inner;
-  for (const double number :
-       {term.exactShare, std::min(term.contrast, most), std::min(term.product, most), term.constant, term.risingShare})
+  for (const double number : {term.exactFraction, std::min(term.contrast, most), std::min(term.product, most),
+                              term.constant, term.risingFraction})
     inner += (inner.empty() ? "" : ", ") + added(number);
   append("FresnelTerm(" + inner + ")");
 }

@@ -32,10 +32,10 @@ std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
                                                const EffectPlan& plan, const StrategyCostOptions& options,
                                                const TaskControl& control) {
   using Strategy = PathTracer::Strategy;
-  constexpr double referenceShare = 0.8;
+  constexpr double referenceFraction = 0.8;
   Film reference(options.width, options.height);
   PathTracer(scene, materials, plan, 2)
-      .accumulate(reference, options.referenceSamples, control.between(0, referenceShare));
+      .accumulate(reference, options.referenceSamples, control.between(0, referenceFraction));
   std::vector<StrategyCost> costs;
   for (const Strategy strategy : {Strategy::both, Strategy::lights, Strategy::materials}) {
     const PathTracer tracer(scene, materials, plan, 1, strategy);
@@ -48,7 +48,7 @@ std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
     cost.equalTimeError = cost.error * std::sqrt(cost.seconds / both.seconds);
     cost.equalErrorTime = both.error > 0 ? cost.seconds * std::pow(cost.error / both.error, 2) : cost.seconds;
     costs.push_back(cost);
-    control.report(referenceShare + (1 - referenceShare) * double(costs.size()) / 3);
+    control.report(referenceFraction + (1 - referenceFraction) * double(costs.size()) / 3);
   }
   return costs;
 }

@@ -17,9 +17,9 @@ namespace gonio::study {
 namespace {
 
 /// Fraction of the progress that the reference's picture takes; the representations divide the rest evenly.
-constexpr double referenceShare = 0.02;
+constexpr double referenceFraction = 0.02;
 /// Fraction of a representation's progress that making it takes; the rest is measuring it.
-constexpr double buildShare = 0.6;
+constexpr double buildFraction = 0.6;
 constexpr std::size_t maxFrames = 3;
 constexpr double enoughSeconds = 1;
 
@@ -47,8 +47,14 @@ MeasuredRepresentation measure(const Representation& representation, const Built
       .tabulated = built.tabulated,
       .fit = built.fit};
   StudyRecord& record = studied.record;
-  if (options.timed) record.evaluation = measureEvaluation(*built.brdf, stop);
-  if (options.timed) record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, stop);
+  if (options.timed) {
+    record.evaluation = measureEvaluation(*built.brdf, stop);
+    record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, stop);
+  } else {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    record.evaluation = {none, none, none};
+    record.frameMilliseconds = none;
+  }
   ComparisonPicture picture = comparison.render(*built.brdf, stop);
   record.renderedSnr = comparison.signalToNoiseRatio(picture);
   studied.picture = std::move(picture.image);
@@ -70,14 +76,14 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
   std::vector<StudyRecord> records;
   try {
     const RenderedComparison comparison(options.scene ? *options.scene : comparisonScene(), *subject.reference,
-                                        options.picture, control.between(0, referenceShare));
+                                        options.picture, control.between(0, referenceFraction));
     if (options.referenceRendered) options.referenceRendered(comparison.reference());
     RepresentationBuilder builder(subject, options.build, representations);
-    const double fraction = (1 - referenceShare) / double(std::max<std::size_t>(1, representations.size()));
+    const double fraction = (1 - referenceFraction) / double(std::max<std::size_t>(1, representations.size()));
     for (const Representation& representation : representations) {
-      const double begin = referenceShare + double(records.size()) * fraction;
+      const double begin = referenceFraction + double(records.size()) * fraction;
       const BuiltRepresentation built =
-          builder.build(representation, control.between(begin, begin + buildShare * fraction));
+          builder.build(representation, control.between(begin, begin + buildFraction * fraction));
       const MeasuredRepresentation studied = measure(representation, built, *subject.reference, comparison, options,
                                                      {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);

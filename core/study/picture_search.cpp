@@ -17,7 +17,7 @@ constexpr int gammaCount = int((metrics::maxGamma - metrics::minGamma) / gammaSt
 constexpr double closeEnough = 1.03;
 constexpr double firstTried = 8;
 /// Fraction of the progress that finding an upper bound takes.
-constexpr double upwardShare = 0.7;
+constexpr double upwardFraction = 0.7;
 
 class Search {
  public:
@@ -35,7 +35,7 @@ class Search {
     std::vector<PictureEncoding> best = doubled();
     for (std::size_t i = 0; i < best.size(); ++i) {
       if (reaches(best[i])) halve(best[i]);
-      control_.report(upwardShare + (1 - upwardShare) * double(i + 1) / double(best.size()));
+      control_.report(upwardFraction + (1 - upwardFraction) * double(i + 1) / double(best.size()));
     }
     return best;
   }
@@ -69,7 +69,7 @@ class Search {
           best[i] = std::move(tried);
       }
       if (high_ == most || std::ranges::any_of(best, [&](const auto& one) { return reaches(one); })) return best;
-      control_.report(upwardShare * std::log(high_ / firstTried) / std::log(most / firstTried));
+      control_.report(upwardFraction * std::log(high_ / firstTried) / std::log(most / firstTried));
     }
   }
 

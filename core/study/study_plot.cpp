@@ -14,7 +14,7 @@ namespace gonio::study {
 namespace {
 
 /// Fraction of an axis that an end takes.
-constexpr double endShare = 0.07;
+constexpr double endFraction = 0.07;
 constexpr int mostDecades = 12;
 constexpr double decibelStep = 10;
 
@@ -288,9 +288,9 @@ std::vector<CostAndError> costsAndErrors(std::span<const StudyRecord> records, C
 
 std::optional<double> StudyAxis::position(double value) const {
   if (std::isnan(value)) return std::nullopt;
-  const double low = zeroEnd ? endShare : 0, high = infiniteEnd ? 1 - endShare : 1;
-  if (std::isinf(value)) return value > 0 ? 1 - endShare / 3 : endShare / 3;
-  if (scale.logarithmic && value <= 0) return endShare / 3;
+  const double low = zeroEnd ? endFraction : 0, high = infiniteEnd ? 1 - endFraction : 1;
+  if (std::isinf(value)) return value > 0 ? 1 - endFraction / 3 : endFraction / 3;
+  if (scale.logarithmic && value <= 0) return endFraction / 3;
   return low + (high - low) * std::clamp(scale.fraction(value), 0.0, 1.0);
 }
 
@@ -298,12 +298,12 @@ std::vector<StudyAxis::Tick> StudyAxis::ticks() const {
   constexpr int wanted = 7;
   constexpr double clear = 0.1;  // of the axis, from the labels of values beyond the scale
   std::vector<Tick> ticks;
-  if (zeroEnd) ticks.push_back({endShare / 3, scale.logarithmic ? "0" : "-∞"});
+  if (zeroEnd) ticks.push_back({endFraction / 3, scale.logarithmic ? "0" : "-∞"});
   for (const double value : plots::scaleTicks(scale, wanted))
     if (const double at = *position(value); !(zeroEnd && at < clear) && !(infiniteEnd && at > 1 - clear))
       ticks.push_back({at, shortNumber(value)});
   if (!scale.logarithmic) ticks.push_back({*position(0), "0"});
-  if (infiniteEnd) ticks.push_back({1 - endShare / 3, "∞"});
+  if (infiniteEnd) ticks.push_back({1 - endFraction / 3, "∞"});
   return ticks;
 }
 

@@ -36,8 +36,9 @@ struct StudyRecord {
   std::size_t bytes = 0;
   double encodeSeconds = 0;      ///< time to build the representation from the table; 0 for the table itself, NaN if
                                  ///< it was not made here, as for the published non-parametric factors
-  EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
-  double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads
+  EvaluationTime evaluation;     ///< ns per pair on one thread, in batches; NaN if not measured
+  double frameMilliseconds = 0;  ///< median time of a frame of comparisonScene() by the path tracer with all threads;
+                                 ///< NaN if not measured
   std::vector<double> errors;    ///< against the measurement, in the order of metrics::allBrdfMetrics()
   double renderedSnr = 0;        ///< in comparisonScene(), dB; +infinity for equal pictures, NaN for a black reference
 };

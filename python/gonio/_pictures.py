@@ -137,9 +137,9 @@ class Record:
     encode_seconds: float
     """Time from the table to the representation, s; NaN for "published-nonparametric", which was fitted elsewhere."""
     evaluation_ns: float
-    """Time of one evaluation on one thread, in batches, ns; 0 if the study was not timed."""
+    """Time of one evaluation on one thread, in batches, ns; NaN if the study was not timed."""
     frame_ms: float
-    """Time of a frame of the scene "sphere-studio" on all threads, ms; 0 if the study was not timed."""
+    """Time of a frame of the scene "sphere-studio" on all threads, ms; NaN if the study was not timed."""
     errors: dict[str, float] = field(repr=False)
     """Error by the id of the metric, for every metric."""
     rendered_snr: float

@@ -25,7 +25,7 @@ vec3 ownModel(vec3 wi, vec3 wo, int material) {
 #endif
 
 #ifdef BLEND_OWN
-uniform float blendOwnShare;  // of the sum; blendWeights are without it
+uniform float blendOwnFraction;  // of the sum; blendWeights are without it
 uniform int blendOwnIndex;
 vec3 ownForm(vec3 wi, vec3 wo);
 #endif
@@ -93,7 +93,7 @@ vec3 evaluateBlend(vec3 wi, vec3 wo) {
 #ifdef BLEND_MOVES
   own = max(min(own, vec3(0.0)), own + (target - ownModel(wi, wo, blendOwnIndex)));
 #endif
-  sum += blendOwnShare * own;
+  sum += blendOwnFraction * own;
 #endif
   return max(sum, vec3(0.0));
 }

@@ -26,6 +26,24 @@ using figures::FigureRepresentation;
 
 namespace {
 
+/// Removes, moves and renames entries as the user does in their list. @param changed called after each change.
+template <typename Entry, typename Changed>
+void followList(widgets::EntryList& list, std::vector<Entry>& entries, QObject* owner, const Changed& changed) {
+  QObject::connect(&list, &widgets::EntryList::removeRequested, owner, [&entries, changed](int row) {
+    entries.erase(entries.begin() + row);
+    changed();
+  });
+  QObject::connect(&list, &widgets::EntryList::moveRequested, owner, [&entries, changed](int from, int to) {
+    std::swap(entries[std::size_t(from)], entries[std::size_t(to)]);
+    changed();
+  });
+  QObject::connect(&list.model(), &widgets::EntryListModel::labelEdited, owner,
+                   [&entries, changed](int row, const QString& label) {
+                     entries[std::size_t(row)].label = label.toStdString();
+                     changed();
+                   });
+}
+
 /// The model of the edit shown in the panels; null if there is none.
 const models::Model* modelInUse(const Document& document) {
   const auto* edit = document.active<editing::DifferentialEdit>();
@@ -54,18 +72,7 @@ FigureRepresentations::FigureRepresentations(const Document& document, QWidget* 
 
 void FigureRepresentations::connectList() {
   connect(&m_list->addMenu(), &QMenu::aboutToShow, this, &FigureRepresentations::fillMenu);
-  connect(m_list, &widgets::EntryList::removeRequested, this, [this](int row) {
-    m_representations.erase(m_representations.begin() + row);
-    show();
-    Q_EMIT changed();
-  });
-  connect(m_list, &widgets::EntryList::moveRequested, this, [this](int from, int to) {
-    std::swap(m_representations[std::size_t(from)], m_representations[std::size_t(to)]);
-    show();
-    Q_EMIT changed();
-  });
-  connect(&m_list->model(), &widgets::EntryListModel::labelEdited, this, [this](int row, const QString& label) {
-    m_representations[std::size_t(row)].label = label.toStdString();
+  followList(*m_list, m_representations, this, [this] {
     show();
     Q_EMIT changed();
   });
@@ -165,18 +172,7 @@ FigureMaterials::FigureMaterials(const Parts& parts, QWidget* parent)
 
 void FigureMaterials::connectList() {
   connect(&m_list->addMenu(), &QMenu::aboutToShow, this, &FigureMaterials::fillMenu);
-  connect(m_list, &widgets::EntryList::removeRequested, this, [this](int row) {
-    m_materials.erase(m_materials.begin() + row);
-    show();
-    Q_EMIT changed();
-  });
-  connect(m_list, &widgets::EntryList::moveRequested, this, [this](int from, int to) {
-    std::swap(m_materials[std::size_t(from)], m_materials[std::size_t(to)]);
-    show();
-    Q_EMIT changed();
-  });
-  connect(&m_list->model(), &widgets::EntryListModel::labelEdited, this, [this](int row, const QString& label) {
-    m_materials[std::size_t(row)].label = label.toStdString();
+  followList(*m_list, m_materials, this, [this] {
     show();
     Q_EMIT changed();
   });

@@ -3,24 +3,12 @@
 #include "app/gonio/study/study_run.h"
 
 #include <QPointer>
-#include <limits>
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::app {
-
-namespace {
-
-/// Marks times that were not measured.
-void eraseTimes(study::StudyRecord& record) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  record.evaluation = {none, none, none};
-  record.frameMilliseconds = none;
-}
-
-}  // namespace
 
 StudyRun::StudyRun(Subject subject, Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent),
@@ -130,12 +118,6 @@ void StudyRun::start(std::size_t material) {
         },
         Qt::QueuedConnection);
   };
-  if (!options.timed)
-    options.measured = [report = options.measured](const study::MeasuredRepresentation& one) {
-      study::MeasuredRepresentation untimed = one;
-      eraseTimes(untimed.record);
-      report(untimed);
-    };
   const QString name = loaded ? m_document.name() : QString::fromStdString(m_model.materials()[material]);
   const QString title = m_ids.size() < 2 ? tr("Measuring representations of %1").arg(name)
                                          : tr("Measuring %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size());

@@ -234,9 +234,7 @@ void StudyWindow::connectRun(StudyRun& run) {
     if (&run == m_run) refreshResults();
   });
   connect(&run, &StudyRun::runningChanged, this, [this, &run] {
-    // Also rows that kept their places under the pointer.
-    if (&run == m_run && !run.isRunning())
-      m_sorted->sort(m_table->header()->sortIndicatorSection(), m_table->header()->sortIndicatorOrder());
+    if (&run == m_run && !run.isRunning()) sortRows();  // also rows that kept their places under the pointer
     refresh();
     refreshSheet();
   });
@@ -247,9 +245,13 @@ void StudyWindow::showRun(StudyRun& run) {
   m_run = &run;
   m_subjects->setCurrentIndex(&run == m_openRun ? 0 : 1);
   m_sorted->setSourceModel(&run.model());
-  m_sorted->sort(m_table->header()->sortIndicatorSection(), m_table->header()->sortIndicatorOrder());
+  sortRows();
   showColumns();
   refreshResults();
+}
+
+void StudyWindow::sortRows() {
+  m_sorted->sort(m_table->header()->sortIndicatorSection(), m_table->header()->sortIndicatorOrder());
 }
 
 void StudyWindow::showColumns() {

@@ -96,6 +96,7 @@ class StudyWindow : public QDialog {
   void use(int row);
   void exportSvg();
   study::StudyAxes axes() const;
+  void sortRows();
   void showColumns();
   void refreshResults();
   void refresh();

@@ -12,9 +12,8 @@ namespace gonio::app {
 
 /// Keys of a window that shortcuts cannot express.
 ///
-/// - Undo and redo: text fields consume these keys even if they have nothing to undo. In that case they are passed on,
-/// so
-///   that they undo and redo steps of the document. Ctrl+E is always passed on: text fields use it to move to the end
+/// - Undo and redo: text fields consume these keys even if they have nothing to undo. In that case they are passed on
+///   and undo and redo steps of the document. Ctrl+E is always passed on: text fields use it to move to the end
 ///   of the line (like End), but in the window it exports the BRDF.
 /// - Tab follows the reading order: along a row, then to the row below, and to the next panel after the whole panel.
 ///   Because panels recreate rows, collapse and move, the order is computed from the positions at each key press. This
@@ -38,7 +37,7 @@ class WindowKeys : public QObject {
 
   QWidget* m_window;
   std::function<void(bool)> m_flicker;
-  bool m_held = false;  ///< the key \.
+  bool m_held = false;  ///< whether the key \ is held
 };
 
 }  // namespace gonio::app

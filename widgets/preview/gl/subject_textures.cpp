@@ -63,7 +63,7 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
     uploadedOwn_ = blend.own;
     own_->bind(gl, program);
     weights[blend.ownIndex] -= float(blend.ownFraction);
-    program.setUniformValue("blendOwnShare", float(blend.ownFraction));
+    program.setUniformValue("blendOwnFraction", float(blend.ownFraction));
     program.setUniformValue("blendOwnIndex", int(blend.ownIndex));
   }
   program.setUniformValueArray("blendTables", units.data(), count);
