@@ -114,6 +114,11 @@ class StudyScatterTest : public QObject {
     QCOMPARE(shown.scatter.current(), -1);
     shown.scatter.setRecords(records(), {});
     QVERIFY(!hint->isVisible());
+    // Nor are there points of costs that were not measured.
+    study::StudyRecord untimed = records()[1];
+    untimed.evaluation.median = std::nan("");
+    shown.scatter.setRecords({untimed}, {});
+    QVERIFY(hint->isVisible() && !shown.scatter.place(0));
   }
 
   void marksAreDrawn() {

@@ -136,9 +136,10 @@ void StudyScatter::refresh() {
   if (hasFocus()) addMark(m_current, {}, QPen(style.accent, 2, Qt::DotLine), currentSize, false);
   addMark(m_shown, tr("shown"), QPen(style.accent, 2), fitRingSize, false);
   addMark(m_best, tr("best"), QPen(style.text, 1.5, Qt::DashLine), fitRingSize + 4, true);
-  m_hint->setVisible(m_records.empty());
-  m_chart->legend->setVisible(!m_records.empty());
-  for (QCPAxis* axis : m_chart->axisRect()->axes()) axis->setVisible(!m_records.empty());
+  const bool hasPoints = std::ranges::any_of(m_geometry.places, [](const auto& place) { return place.has_value(); });
+  m_hint->setVisible(!hasPoints);
+  m_chart->legend->setVisible(hasPoints);
+  for (QCPAxis* axis : m_chart->axisRect()->axes()) axis->setVisible(hasPoints);
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -31,7 +31,7 @@ class StudyScatter : public QWidget {
   /// The point at which the keys are; -1: none.
   void setCurrent(int record);
   int current() const { return m_current; }
-  /// Text shown in the middle if there are no points.
+  /// Text shown in the middle if there are no points, or if none has values on both axes.
   void setHint(const QString& hint);
   /// Position of a point in the widget, pixels; nullopt if its values cannot be shown on the axes.
   std::optional<QPointF> place(int record) const;

@@ -467,7 +467,9 @@ void StudyWindow::refresh() {
   const int shown = m_run == m_openRun ? m_shown : -1;
   m_run->model().setMarks(shown, m_best);
   m_scatter->setMarks(pointOf(shown), pointOf(m_best));
-  m_scatter->setHint(hint());
+  m_scatter->setHint(m_points.empty() ? hint()
+                                      : tr("No times were measured.\nTick Times and press Measure the Rest, or select "
+                                           "the size as the cost."));
   m_empty->setVisible(model.rowCount() == 0 || (model.isEmpty() && !running));
   m_empty->setText(hint());
   m_status->setText(m_run->status());
