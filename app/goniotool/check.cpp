@@ -12,7 +12,7 @@ namespace gonio::tool {
 namespace {
 
 int check(const std::string& file, const Tool& tool) {
-  const materials::Material material = openMaterial(file, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(file, tool.control("reading"));
   const std::vector<metrics::PlausibilityCheck> checks =
       metrics::checkPlausibility(*material.brdf, tool.control("checking"));
   Json list = Json::array();

@@ -34,7 +34,7 @@ struct DisplayPicture {
 
 constexpr int gap = 8, captionHeight = 20, legendHeight = 36, barHeight = 10;
 
-constexpr DisplayColour ink{230, 230, 230}, paper{28, 28, 30};
+constexpr rendering::DisplayColour ink{230, 230, 230}, paper{28, 28, 30};
 
 class Canvas {
  public:
@@ -42,13 +42,13 @@ class Canvas {
     fill(0, 0, width, height, paper);
   }
 
-  void set(int x, int y, const DisplayColour& color) {
+  void set(int x, int y, const rendering::DisplayColour& color) {
     if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
     std::uint8_t* pixel = &picture_.bytes[(std::size_t(y) * picture_.width + std::size_t(x)) * 4];
     std::copy(color.begin(), color.end(), pixel);
     pixel[3] = 255;
   }
-  void fill(int left, int top, int width, int height, const DisplayColour& color) {
+  void fill(int left, int top, int width, int height, const rendering::DisplayColour& color) {
     for (int y = top; y < top + height; ++y)
       for (int x = left; x < left + width; ++x) set(x, y, color);
   }
@@ -87,7 +87,8 @@ std::string legendNumber(double value) {
 }
 
 void drawLegend(Canvas& canvas, int left, int top, int width, double end) {
-  for (int x = 0; x < width; ++x) canvas.fill(left + x, top, 1, barHeight, viridis(double(x) / std::max(1, width - 1)));
+  for (int x = 0; x < width; ++x)
+    canvas.fill(left + x, top, 1, barHeight, rendering::viridis(double(x) / std::max(1, width - 1)));
   for (int tick = 0; tick <= 2; ++tick) {
     const std::string label = legendNumber(end * tick / 2);
     const int labelWidth = textWidth(label), at = left + tick * (width - 1) / 2;
@@ -98,13 +99,13 @@ void drawLegend(Canvas& canvas, int left, int top, int width, double end) {
 
 /// Two renderings of the same size side by side, and their error map with a legend (errorMaps()).
 DisplayPicture comparisonPicture(const Image& reference, const Image& test, const std::string& referenceName,
-                                 const std::string& testName, double exposure, ToneMap toneMap) {
+                                 const std::string& testName, double exposure, rendering::ToneMap toneMap) {
   const int width = reference.width, height = reference.height, step = width + gap;
   Canvas canvas(3 * step + gap, captionHeight + height + legendHeight);
-  const double end = errorRange(reference, {&test, 1});
-  const std::array<std::vector<std::uint8_t>, 3> panels{toDisplayBytes(reference, exposure, toneMap),
-                                                        toDisplayBytes(test, exposure, toneMap),
-                                                        errorMap(reference, test, end)};
+  const double end = rendering::errorRange(reference, {&test, 1});
+  const std::array<std::vector<std::uint8_t>, 3> panels{rendering::toDisplayBytes(reference, exposure, toneMap),
+                                                        rendering::toDisplayBytes(test, exposure, toneMap),
+                                                        rendering::errorMap(reference, test, end)};
   for (int panel = 0; panel < 3; ++panel) {
     const std::vector<std::uint8_t>& bytes = panels[std::size_t(panel)];
     for (int y = 0; y < height; ++y)
@@ -126,28 +127,33 @@ struct CompareArguments {
 
 void writeComparison(const Image& reference, const Image& test, const materials::Material& a,
                      const materials::Material& b, const std::string& out) {
-  const DisplayPicture picture = comparisonPicture(reference, test, a.name, b.name, 0, ToneMap::clamp);
+  const DisplayPicture picture = comparisonPicture(reference, test, a.name, b.name, 0, rendering::ToneMap::clamp);
   io::writePng(picture.bytes, picture.width, picture.height, out);
 }
 
 int compare(const CompareArguments& options, const Tool& tool) {
   if (!options.image.empty()) checkPicture(options.image, false);
   options.picture.renderOptions();  // reports a wrong size before the work
-  const materials::Material a = openMaterial(options.reference, tool.control("reading the first material"));
-  const materials::Material b = openMaterial(options.test, tool.control("reading the second material"));
+  const materials::Material a = documents::openMaterial(options.reference, tool.control("reading the first material"));
+  const materials::Material b = documents::openMaterial(options.test, tool.control("reading the second material"));
   const std::vector<double> errors = metrics::brdfErrors(*a.brdf, *b.brdf);
   const double brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf, *b.brdf);
-  const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(),
-                                      tool.control("rendering the first material"));
-  const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second material"));
+  const rendering::RenderedComparison comparison(*a.brdf, options.picture.renderOptions(),
+                                                 tool.control("rendering the first material"));
+  const rendering::ComparisonPicture picture =
+      comparison.render(*b.brdf, tool.control("rendering the second material"));
   const double snr = comparison.signalToNoiseRatio(picture);
   const double psnr = comparison.peakSignalToNoiseRatio(picture);
   const std::vector<double> imageErrors = metrics::imageErrors(comparison.reference(), picture.image);
   if (!options.image.empty()) writeComparison(comparison.reference(), picture.image, a, b, options.image);
-  Json json{{"errors", errorsJson(errors)},       {"renderedSnr", decibelsJson(snr)},
-            {"renderedPsnr", decibelsJson(psnr)}, {"imageMetrics", imageErrorsJson(imageErrors)},
-            {"scene", comparisonSceneName},       {"brdfSnr", decibelsJson(brdfSnr)},
-            {"samples", options.picture.samples}, {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
+  Json json{{"errors", errorsJson(errors)},
+            {"renderedSnr", decibelsJson(snr)},
+            {"renderedPsnr", decibelsJson(psnr)},
+            {"imageMetrics", imageErrorsJson(imageErrors)},
+            {"scene", rendering::comparisonSceneName},
+            {"brdfSnr", decibelsJson(brdfSnr)},
+            {"samples", options.picture.samples},
+            {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
   if (!options.image.empty()) json["image"] = options.image;
   print(tool, json,
         "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (comparison scene), BRDF SNR " +

@@ -23,7 +23,7 @@ int convert(const ConvertArguments& arguments, const Tool& tool) {
       throw UsageError("convert: --whole-circle is for .binary, found " + arguments.out);
     options.grid = {.phiDCount = 360, .reciprocal = false};
   }
-  const materials::EditedMaterial material = editing::openWithEdits(arguments.material, tool.control("reading"));
+  const materials::EditedMaterial material = documents::openWithEdits(arguments.material, tool.control("reading"));
   const WrittenMaterial written = writeMaterial(material, arguments.out, tool, options);
   const std::string_view format = materials::writableFormat(arguments.out, *material.shown.brdf, options).name;
   Json json{

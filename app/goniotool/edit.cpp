@@ -21,7 +21,7 @@ struct EditArguments {
   std::string composition;
 };
 
-bool writesDocument(const EditArguments& options) { return editing::isDocumentName(options.out); }
+bool writesDocument(const EditArguments& options) { return documents::isDocumentName(options.out); }
 
 /// One or three finite numbers, separated by commas.
 Rgb parseValue(const std::string& text, const std::string& assignment) {
@@ -82,8 +82,8 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
   return json;
 }
 
-editing::EditDocument documentOf(const materials::Material& material, const editing::Edit& edit) {
-  editing::EditDocument document;
+documents::EditDocument documentOf(const materials::Material& material, const editing::Edit& edit) {
+  documents::EditDocument document;
   document.sourcePath = material.source.path.string();
   document.sourceSha256 = material.source.sha256;
   document.edits = {edit};
@@ -95,7 +95,7 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
     throw UsageError("edit: " + options.material +
                      " is a document, which contains its own edits: leave out --model, --set and --control");
   const materials::EditedMaterial material =
-      editing::openWithEdits(options.material, tool.control("applying the edits"));
+      documents::openWithEdits(options.material, tool.control("applying the edits"));
   const WrittenMaterial written = writeMaterial(material, options.out, tool);
   Json json{{"edits", material.edits.size()},
             {"averagedAzimuths", averagedAzimuths(*material.shown.brdf, options.out)},
@@ -158,12 +158,12 @@ void probeControl(const std::string& assignment, const models::Model& model) {
 }
 
 int edit(const EditArguments& options, const Tool& tool) {
-  const bool fromDocument = isDocument(options.material);
+  const bool fromDocument = documents::isDocument(options.material);
   if (fromDocument) {
     materials::checkWritableSuffix(options.out);
     return replayDocument(options, tool);
   }
-  if (!writesDocument(options)) materials::checkWritableSuffix(options.out, editing::documentSuffix);
+  if (!writesDocument(options)) materials::checkWritableSuffix(options.out, documents::documentSuffix);
   if (options.model.empty()) throw UsageError("edit: --model is missing; it names the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
   // Wrong assignments are reported before the work starts.
@@ -172,7 +172,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   for (const std::string& assignment : options.controls) probeControl(assignment, model);
   compositionOf(options, model);
 
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   const auto base = fitting::fitBase(material.brdf, material.tabulated(tool.control("tabulating")));
   const fitting::FitResult fitted = fitting::fit(base, model, {}, tool.control("fitting"));
   tool.throwIfStopped();
@@ -184,7 +184,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   const editing::Edit edit{change, "", options.strength};
   EditedFile file;
   if (writesDocument(options)) {
-    editing::writeDocument(documentOf(material, edit), options.out);
+    documents::writeDocument(documentOf(material, edit), options.out);
   } else {
     materials::EditedMaterial edited = materials::unedited(material);
     edited.edits = {edit};
@@ -224,7 +224,7 @@ void addEdit(CLI::App& app, Tool& tool) {
   command
       ->add_option("--out", options->out,
                    outputHelp("Material file to write") + ", or the edit without measured data (" +
-                       std::string(editing::documentSuffix) + ")")
+                       std::string(documents::documentSuffix) + ")")
       ->group(outputGroup)
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });

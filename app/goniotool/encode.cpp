@@ -50,7 +50,7 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
   if (options.components > basis.count())
     throw Error(options.basis + ": found " + std::to_string(basis.count()) + " components, expected at least " +
                 std::to_string(options.components) + "; use fewer --coefficients");
-  const auto material = openMaterial(options.material, tool.control("reading"));
+  const auto material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table =
       onGrid(material.tabulated(tool.control("tabulating")), basis.mapping.grid, tool.control("sampling"));
   const auto start = std::chrono::steady_clock::now();
@@ -81,7 +81,7 @@ struct PatchArguments {
 /// cannot be read or a training material has another grid than the first one.
 int encodePatches(const PatchArguments& options, const Tool& tool) {
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
-  const auto material = openMaterial(options.material, tool.control("reading"));
+  const auto material = documents::openMaterial(options.material, tool.control("reading"));
   auto start = std::chrono::steady_clock::now();
   const std::vector<std::string> files = study::trainingFilesOrLibrary(options.train, options.excluded);
   const auto training = study::trainingMaterials(files, study::trainingGrid(files));
@@ -160,7 +160,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts quantised values; leave out --single");
   const auto dictionary = dictionaryOf(options);
-  const auto material = openMaterial(options.material, tool.control("reading"));
+  const auto material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table =
       onGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble.grid, tool.control("sampling"));
   const Encoder encoder(dictionary->ensemble);

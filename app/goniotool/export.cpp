@@ -68,11 +68,11 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
 constexpr const char* sphereName = "sphere";
 
 /// What is written beside the material; nothing where it is not asked for.
-std::optional<Scene> exportScene(const ExportArguments& arguments, const exports::ExportTarget& target) {
+std::optional<rendering::Scene> exportScene(const ExportArguments& arguments, const exports::ExportTarget& target) {
   if (arguments.scene.empty() && arguments.environment.empty()) return std::nullopt;
   if (!target.scene) throw UsageError("export: --scene is for " + sceneTargetList());
-  Scene scene = openScene(arguments.scene.empty() ? sphereName : arguments.scene);
-  if (!arguments.environment.empty()) scene.environment = openEnvironment(arguments.environment);
+  rendering::Scene scene = rendering::openScene(arguments.scene.empty() ? sphereName : arguments.scene);
+  if (!arguments.environment.empty()) scene.environment = rendering::openEnvironment(arguments.environment);
   return scene;
 }
 
@@ -80,12 +80,12 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const exports::ExportTarget& target = *exports::findExportTarget(arguments.target);
   const exports::ExportOptions options = exportOptions(arguments, target);
   const auto start = std::chrono::steady_clock::now();
-  const std::optional<Scene> scene = exportScene(arguments, target);
-  const materials::EditedMaterial source = editing::openWithEdits(arguments.material, tool.control("reading"));
+  const std::optional<rendering::Scene> scene = exportScene(arguments, target);
+  const materials::EditedMaterial source = documents::openWithEdits(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
   const std::vector<std::filesystem::path> paths = target.paths(name, scene ? &*scene : nullptr);
   if (!tool.force)
-    for (const std::filesystem::path& path : paths) checkOutput(path, editing::filesOf(arguments.material));
+    for (const std::filesystem::path& path : paths) checkOutput(path, documents::filesOf(arguments.material));
   exports::checkTargets(paths, {}, tool.force);
   if (scene) exports::checkSceneName(*target.scene, name.filename().string());
   exports::ExportResult made = exports::makeExport(target, source, options, tool.control("exporting"));

@@ -31,7 +31,7 @@ struct FactorBaselineArguments {
 /// The ids of all baselines, for --method.
 std::vector<std::string> baselineIds() {
   std::vector<std::string> ids;
-  for (const factorization::Baseline& baseline : factorization::baselines()) ids.emplace_back(baseline.id);
+  for (const baselines::Baseline& baseline : baselines::allBaselines()) ids.emplace_back(baseline.id);
   return ids;
 }
 
@@ -40,12 +40,12 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   if (materials::hasSuffixOf(formats::pdvFormat, options.out))
     throw UsageError("factor: " + options.method + " has no factor file: --out must be a table (.binary)");
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
-  const factorization::Baseline& baseline = factorization::findBaseline(options.method);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const baselines::Baseline& baseline = baselines::findBaseline(options.method);
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const auto start = std::chrono::steady_clock::now();
   const std::array<std::size_t, 1> budgets{options.bytes};
-  const factorization::ComparedModel model =
+  const baselines::ComparedModel model =
       baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
   const double seconds = secondsSince(start);
   const FactorQuality quality = factorQuality(material, *model.brdf, options.samples, tool);
@@ -80,7 +80,7 @@ struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
   std::string method = pdvMethod, weights{pdvWeightNames[1]}, deviations = nodesOfMaterial;
   std::size_t bytes = bytesOfTenTerms;
-  int terms = 10, samples = smallComparisonPicture().samples;
+  int terms = 10, samples = rendering::smallComparisonPicture().samples;
   bool keepFurther = false, formGiven = false, transformGiven = false, asPublished = false, joint = false,
        compact = false;
 
@@ -128,7 +128,7 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
 PdvFactors otherFactors(const std::string& other, const FactorArguments& options, const PdvFactors& target,
                         const Tool& tool) {
   if (formats::isPdv(other)) return formats::readPdv(other);
-  const materials::Material material = openMaterial(other, tool.control("reading " + other));
+  const materials::Material material = documents::openMaterial(other, tool.control("reading " + other));
   return factorizePdv(*material.tabulated(tool.control("tabulating")),
                       {.form = target.form,
                        .transform = target.transform,
@@ -167,7 +167,7 @@ void checkOptions(const FactorArguments& options) {
 
 int factor(const FactorArguments& options, const Tool& tool) {
   checkOptions(options);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);

@@ -58,7 +58,9 @@ void applyPictures(const FigureArguments& options, FigurePictures& pictures) {
   if (options.samples) pictures.samples = *options.samples;
   if (options.exposure) pictures.exposure = *options.exposure;
   if (options.toneMap)
-    pictures.toneMap = *options.toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp;
+    pictures.toneMap = *options.toneMap == rendering::toneMapName(rendering::ToneMap::filmic)
+                           ? rendering::ToneMap::filmic
+                           : rendering::ToneMap::clamp;
 }
 
 FigureDescription describe(const FigureArguments& options) {
@@ -104,7 +106,7 @@ std::vector<std::string> outputsOf(const FigureArguments& options) {
 void checkOutputs(const FigureArguments& options, const FigureDescription& figure, const Tool& tool) {
   std::vector<fs::path> read;
   for (const std::string& source : figureSources(figure))
-    for (const fs::path& file : editing::filesOf(source)) read.push_back(file);
+    for (const fs::path& file : documents::filesOf(source)) read.push_back(file);
   for (const std::string& name : options.out) figureFormatOf(name);
   std::set<fs::path> names;
   for (const std::string& name : outputsOf(options)) {
@@ -244,14 +246,16 @@ void addPageOptions(CLI::App& command, FigureArguments& options) {
 void addPictureOptions(CLI::App& command, FigureArguments& options) {
   command.add_option("--scene", options.scene, "Bundled scene, scene file or mesh (sphere)")->type_name("NAME|FILE");
   command
-      .add_option("--environment", options.environment,
-                  "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)")
+      .add_option(
+          "--environment", options.environment,
+          "Environment: " + rendering::bundledEnvironmentList() + " or an image file (environment of the scene)")
       ->type_name("NAME|FILE");
   command.add_option("--size", options.size, "Size of the images, pixels (256)");
   command.add_option("--samples", options.samples, "Samples per pixel (64)");
   command.add_option("--exposure", options.exposure, "Exposure of the images, stops (0)");
   command.add_option("--tone-map", options.toneMap, "Tone map of the images: clamp or filmic (clamp)")
-      ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
+      ->check(CLI::IsMember({std::string(rendering::toneMapName(rendering::ToneMap::clamp)),
+                             std::string(rendering::toneMapName(rendering::ToneMap::filmic))}));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
   sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));
   Json fits = Json::array();
   for (const study::RankedFit& row : ranking) fits.push_back(rankedFitJson(row));
-  const Json json{{"fits", fits}, {"metric", options.metric}, {"scene", comparisonSceneName}};
+  const Json json{{"fits", fits}, {"metric", options.metric}, {"scene", rendering::comparisonSceneName}};
   print(tool, json, rankingText(ranking, sortMetric));
   return 0;
 }
@@ -135,7 +135,7 @@ int fit(const FitArguments& options, const Tool& tool) {
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort needs --all");
   checkGamma(options);
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }
 

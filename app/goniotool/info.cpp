@@ -66,15 +66,15 @@ struct InfoArguments {
 };
 
 int info(const InfoArguments& options, const Tool& tool) {
-  const RenderOptions pictures = options.picture.renderOptions();  // reports a wrong size before the work
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const rendering::RenderOptions pictures = options.picture.renderOptions();  // reports a wrong size before the work
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
   json["shownAs"] = formOf<TabulatedBrdf>(*material.brdf) ? "table" : "native";
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {
-      const RenderedComparison comparison(*material.brdf, pictures, tool.control("rendering the material"));
+      const rendering::RenderedComparison comparison(*material.brdf, pictures, tool.control("rendering the material"));
       json["tableSnr"] =
           decibelsJson(comparison.signalToNoiseRatio(comparison.render(*table, tool.control("rendering the table"))));
     }

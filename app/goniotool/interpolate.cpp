@@ -28,16 +28,16 @@ constexpr int maxMaterials = 16, maxSteps = 1000;
 
 struct InterpolateArguments {
   std::vector<std::string> materials;
-  std::string space{interpolationSpaceNames[0]}, model = "ggx", dictionary, out;
+  std::string space{interpolation::interpolationSpaceNames[0]}, model = "ggx", dictionary, out;
   std::vector<double> weights;
   double at = 0.5;
   int steps = 0, terms = 10;
   std::size_t coefficients = 1024;
   bool atGiven = false;
 
-  InterpolationSpace spaceChosen() const {
-    const auto& names = interpolationSpaceNames;
-    return InterpolationSpace(std::find(names.begin(), names.end(), space) - names.begin());
+  interpolation::InterpolationSpace spaceChosen() const {
+    const auto& names = interpolation::interpolationSpaceNames;
+    return interpolation::InterpolationSpace(std::find(names.begin(), names.end(), space) - names.begin());
   }
 };
 
@@ -65,14 +65,14 @@ void checkOptions(const InterpolateArguments& options) {
     throw UsageError(std::string("interpolate: ") + error.what());
   }
   if (hasSuffixOf(formats::pdvFormat, options.out)) {
-    if (options.spaceChosen() != InterpolationSpace::factors)
+    if (options.spaceChosen() != interpolation::InterpolationSpace::factors)
       throw UsageError("interpolate: " + options.out + " is a factor file, which needs --space factors");
   } else if (hasSuffixOf(formats::codeFormat, options.out)) {
-    if (options.spaceChosen() != InterpolationSpace::dictionary)
+    if (options.spaceChosen() != interpolation::InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a code file, which needs --space dictionary");
-  } else if (options.spaceChosen() == InterpolationSpace::factors) {
+  } else if (options.spaceChosen() == interpolation::InterpolationSpace::factors) {
     materials::checkWritableSuffix(options.out, formats::pdvFormat.suffix());
-  } else if (options.spaceChosen() == InterpolationSpace::dictionary) {
+  } else if (options.spaceChosen() == interpolation::InterpolationSpace::dictionary) {
     materials::checkWritableSuffix(options.out, formats::codeFormat.suffix());
   } else {
     materials::checkWritableSuffix(options.out);
@@ -80,7 +80,7 @@ void checkOptions(const InterpolateArguments& options) {
 }
 
 /// The code of a file over another dictionary than the one that comes with Gonio.
-InterpolationMaterial openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
+interpolation::InterpolationMaterial openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
   const formats::CodeFile file = formats::readCode(path);
   withFileInErrors(path, [&] { formats::checkDictionary(file, dictionary); });
   return {.table = dictionary::decode(dictionary.ensemble, file.code),
@@ -88,10 +88,11 @@ InterpolationMaterial openCode(const std::string& path, const materials::NamedEn
 }
 
 /// @param other a dictionary that was given, or null.
-InterpolationMaterial openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
+interpolation::InterpolationMaterial openEnd(const std::string& material, const materials::NamedEnsemble* other,
+                                             const Tool& tool) {
   if (other && hasSuffixOf(formats::codeFormat, material)) return openCode(material, *other);
-  const materials::Material opened = openMaterial(material, tool.control("reading " + material));
-  InterpolationMaterial end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
+  const materials::Material opened = documents::openMaterial(material, tool.control("reading " + material));
+  interpolation::InterpolationMaterial end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
   if (formats::isPdv(material))
     end.factors = std::make_shared<const factorization::PdvFactors>(formats::readPdv(material));
   if (!other) end.code = opened.code;
@@ -112,7 +113,7 @@ std::string fileOf(const InterpolateArguments& options, std::size_t step) {
 void checkSeries(const InterpolateArguments& options) {
   std::vector<std::filesystem::path> read;
   for (const std::string& material : options.materials)
-    std::ranges::copy(editing::filesOf(material), std::back_inserter(read));
+    std::ranges::copy(documents::filesOf(material), std::back_inserter(read));
   for (int step = 0; step < options.steps; ++step) checkOutput(fileOf(options, std::size_t(step)), read);
 }
 
@@ -124,16 +125,17 @@ std::string materialsText(std::span<const double> weights, std::span<const std::
 }
 
 /// Writes the blend as a material and returns the report. A blend of tables is one, cell by cell.
-Json writeBlend(const Interpolation& interpolation, InterpolationSpace space, std::span<const double> weights,
-                std::span<const std::string> names, const std::string& out, const Tool& tool) {
+Json writeBlend(const interpolation::Interpolation& interpolation, interpolation::InterpolationSpace space,
+                std::span<const double> weights, std::span<const std::string> names, const std::string& out,
+                const Tool& tool) {
   materials::EditedMaterial material =
       materials::unedited(std::filesystem::path(out).stem().string(), interpolation.brdf(weights));
-  material.base.name =
-      materialsText(weights, names) + ", space " + std::string(interpolationSpaceNames[std::size_t(space)]);
+  material.base.name = materialsText(weights, names) + ", space " +
+                       std::string(interpolation::interpolationSpaceNames[std::size_t(space)]);
   material.base.source = {.format = "blend", .sha256 = "none"};
   const bool tables = std::ranges::all_of(interpolation.ends(), [](const auto& end) { return !end.base; });
   if (tables) material.shown.table = interpolation.table(weights, tool.control("blending"));
-  const auto own = nativeFormBlend(interpolation, space, weights, tool.control("blending"));
+  const auto own = interpolation::nativeFormBlend(interpolation, space, weights, tool.control("blending"));
   if (own) material.base.brdf = own->brdf;
   Json json = writeMaterial(material, out, tool).json();
   if (own && json["losses"].empty()) json["nodes"] = own->nodesOf;
@@ -141,9 +143,9 @@ Json writeBlend(const Interpolation& interpolation, InterpolationSpace space, st
 }
 
 /// Writes one blend; returns what is reported about it.
-Json blend(const Interpolation& interpolation, InterpolationSpace space, const models::ModelSpec& spec,
-           std::uint64_t dictionary, std::span<const double> weights, std::span<const std::string> names,
-           const std::string& out, const Tool& tool) {
+Json blend(const interpolation::Interpolation& interpolation, interpolation::InterpolationSpace space,
+           const models::ModelSpec& spec, std::uint64_t dictionary, std::span<const double> weights,
+           std::span<const std::string> names, const std::string& out, const Tool& tool) {
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
@@ -177,18 +179,19 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   if (!tool.force) checkSeries(options);
   const bool isGiven = !options.dictionary.empty();
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
-  if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
+  if (isGiven || options.spaceChosen() == interpolation::InterpolationSpace::dictionary)
     dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledEnsemble();
-  std::vector<InterpolationMaterial> ends;
+  std::vector<interpolation::InterpolationMaterial> ends;
   for (const std::string& material : options.materials)
     ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));
-  InterpolationOptions preparation;
+  interpolation::InterpolationOptions preparation;
   if (dictionary) preparation.ensemble = {dictionary, &dictionary->ensemble};
   preparation.encode.coefficients = preparation.codeCoefficients = options.coefficients;
   preparation.model = &models::findModel(options.model);
   preparation.pdv.terms = options.terms;
   const auto start = std::chrono::steady_clock::now();
-  const auto interpolation = prepareInterpolation(options.spaceChosen(), ends, preparation, tool.control("preparing"));
+  const auto interpolation =
+      interpolation::prepareInterpolation(options.spaceChosen(), ends, preparation, tool.control("preparing"));
   const double seconds = secondsSince(start);
   Json steps = Json::array();
   std::string text;
@@ -233,7 +236,8 @@ void addInterpolate(CLI::App& app, Tool& tool) {
                    "Number of files in a series from the first to the second: OUT-0, OUT-1, ...")
       ->check(CLI::Range(2, maxSteps));
   command->add_option("--space", options->space, "Interpolation space (linear)")
-      ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(interpolation::interpolationSpaceNames.begin(),
+                                                     interpolation::interpolationSpaceNames.end())));
   command->add_option("--model", options->model, "Model for --space parameters or --space differential (ggx)")
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Number of terms for --space factors (10)")

@@ -71,8 +71,8 @@ int averagedAzimuths(const Brdf& material, const std::string& out) {
 
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control) {
-  if (nanometres == 0) return openMaterial(argument, control).brdf;
-  const materials::EditedMaterial opened = editing::openWithEdits(argument, control);
+  if (nanometres == 0) return documents::openMaterial(argument, control).brdf;
+  const materials::EditedMaterial opened = documents::openWithEdits(argument, control);
   const RglBrdf* file = formOf<RglBrdf>(*opened.base.brdf);
   if (!file || !file->tables()->data.spectra)
     throw Error(argument + ": found a material without spectra, expected a spectral RGL file for --wavelength");

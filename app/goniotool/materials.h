@@ -33,8 +33,8 @@ std::string basisDigest(const std::filesystem::path& basis);
 
 inline constexpr const char* materialHelp = "A material: a file, a .gonio document, or library:SOURCE/NAME";
 
-using editing::isDocument;
-using editing::openMaterial;
+using documents::isDocument;
+using documents::openMaterial;
 
 /// For help texts: ".pdv".
 inline std::string suffixOf(const materials::MaterialFormat& format) { return std::string(format.suffix()); }

@@ -113,7 +113,7 @@ int measureCurves(const MeasureFactorsArguments& options, const Tool& tool) {
   checkOutputsOf(options);
   if (options.material.empty() && options.values.empty()) return writeDirections(options, tool);
   std::optional<materials::Material> material;
-  if (!options.material.empty()) material = openMaterial(options.material, tool.control("reading"));
+  if (!options.material.empty()) material = documents::openMaterial(options.material, tool.control("reading"));
   const acquisition::FactorReadings readings = readingsOf(options, material);
   const FactorMeasurement curves = factorMeasurement(readings.plan, readings.values);
   const FactorSupport support = supportOf(curves);
@@ -136,7 +136,8 @@ int measureCurves(const MeasureFactorsArguments& options, const Tool& tool) {
   std::function<WrittenMaterial()> writePrediction;
   if (!options.predict.empty()) writePrediction = preparePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
-    const FactorQuality quality = factorQuality(*material, *predicted, smallComparisonPicture().samples, tool);
+    const FactorQuality quality =
+        factorQuality(*material, *predicted, rendering::smallComparisonPicture().samples, tool);
     addQuality(json, quality);
     text += "prediction: BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) +
             " dB\n" + errorsText(quality.errors);
@@ -164,7 +165,7 @@ struct MeasureArguments {
 
 int measure(MeasureArguments options, const Tool& tool) {
   const acquisition::SamplingPlan plan = acquisition::readPlan(options.plan);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   options.noise.misalignment = radians(options.misalignmentDegrees);
   const acquisition::MeasuredValues values = acquisition::measure(*material.brdf, plan, options.noise);
   acquisition::writeValues(plan, values, options.out);

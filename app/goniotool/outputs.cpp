@@ -29,7 +29,7 @@ void checkOutputs(const CLI::App& command) {
       if (option->get_group() == outputGroup)
         written.emplace_back(argument);
       else
-        std::ranges::copy(editing::filesOf(argument), std::back_inserter(read));
+        std::ranges::copy(documents::filesOf(argument), std::back_inserter(read));
     }
   for (const fs::path& out : written) checkOutput(out, read);
 }

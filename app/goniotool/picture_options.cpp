@@ -38,7 +38,7 @@ std::pair<int, int> pictureSize(const std::string& text) {
   return {width, height};
 }
 
-void PictureOptions::apply(Scene& scene) const {
+void PictureOptions::apply(rendering::Scene& scene) const {
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
     const double length = glm::length(direction);
@@ -46,18 +46,18 @@ void PictureOptions::apply(Scene& scene) const {
       throw UsageError("--light: found a direction of length " + number(length) + ", expected a finite one above 0");
     scene.environment = nullptr;
     scene.pointLights.clear();
-    std::erase_if(scene.objects, [](const SceneObject& object) { return object.emits(); });
+    std::erase_if(scene.objects, [](const rendering::SceneObject& object) { return object.emits(); });
     scene.directionalLights = {{.toLight = glm::normalize(direction)}};
     return;
   }
-  if (!environment.empty()) scene.environment = openEnvironment(environment);
+  if (!environment.empty()) scene.environment = rendering::openEnvironment(environment);
   scene.environmentRotation += radians(rotation);
   scene.showEnvironment = scene.showEnvironment || showEnvironment || blurBackground;
   scene.blurBackground = scene.blurBackground || blurBackground;
 }
 
-RenderOptions PictureOptions::renderOptions() const {
-  RenderOptions result;
+rendering::RenderOptions PictureOptions::renderOptions() const {
+  rendering::RenderOptions result;
   std::tie(result.width, result.height) = pictureSize(size);
   result.samples = samples;
   result.seed = seed;
@@ -65,11 +65,11 @@ RenderOptions PictureOptions::renderOptions() const {
 }
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
-  auto* environment =
-      command
-          .add_option("--environment", options->environment,
-                      "Environment: " + bundledEnvironmentList() + " or an image file (environment of the scene)")
-          ->type_name("NAME|FILE");
+  auto* environment = command
+                          .add_option("--environment", options->environment,
+                                      "Environment: " + rendering::bundledEnvironmentList() +
+                                          " or an image file (environment of the scene)")
+                          ->type_name("NAME|FILE");
   command
       .add_option("--light", options->light,
                   "Replace all lights with a distant light; X Y Z points towards the light, y up, z towards the camera")
@@ -87,7 +87,8 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
   command.add_option("--exposure", options->exposure, "Exposure of PNG images, stops (0)")
       ->check(CLI::Range(-30.0, 30.0));
   command.add_option("--tone-map", options->toneMap, "Tone map of PNG images: clamp or filmic (clamp)")
-      ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
+      ->check(CLI::IsMember({std::string(rendering::toneMapName(rendering::ToneMap::clamp)),
+                             std::string(rendering::toneMapName(rendering::ToneMap::filmic))}));
 }
 
 void checkPicture(const std::string& out, bool mayBeExr) {
@@ -103,7 +104,7 @@ void writePicture(const Image& image, const PictureOptions& options, const std::
   if (suffixOf(out) == ".exr")
     io::writeExr(image, out, attributes);
   else
-    io::writePng(toDisplayBytes(image, options.exposure, options.tone()), image.width, image.height, out);
+    io::writePng(rendering::toDisplayBytes(image, options.exposure, options.tone()), image.width, image.height, out);
 }
 
 }  // namespace gonio::tool

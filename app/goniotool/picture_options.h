@@ -28,9 +28,12 @@ struct PictureOptions {
   /// With `light`, replaces all lights of the scene by this distant light. Otherwise replaces its environment by
   /// `environment` if that is not empty, and applies rotation and background.
   /// @throws Error if the environment is neither bundled nor a readable picture; UsageError for other invalid options.
-  void apply(Scene& scene) const;
-  RenderOptions renderOptions() const;
-  ToneMap tone() const { return toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp; }
+  void apply(rendering::Scene& scene) const;
+  rendering::RenderOptions renderOptions() const;
+  rendering::ToneMap tone() const {
+    return toneMap == rendering::toneMapName(rendering::ToneMap::filmic) ? rendering::ToneMap::filmic
+                                                                         : rendering::ToneMap::clamp;
+  }
 };
 
 /// Width and height of "256" or "640x480". @throws UsageError.

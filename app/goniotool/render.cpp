@@ -14,32 +14,32 @@ namespace gonio::tool {
 
 namespace {
 
-using Materials = std::vector<std::shared_ptr<const RenderMaterial>>;
+using Materials = std::vector<std::shared_ptr<const rendering::RenderMaterial>>;
 
 struct RenderArguments {
   std::vector<std::string> materials, on, off;
   std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
   bool effects = false, costs = false, strategies = false, everything = false;
-  double remainder = EffectThresholds().remainder, wavelength = 0;
+  double remainder = rendering::EffectThresholds().remainder, wavelength = 0;
 };
 
-EffectOverrides overridesOf(const RenderArguments& options) {
-  EffectOverrides overrides;
-  if (options.everything) overrides = everyEffect();
+rendering::EffectOverrides overridesOf(const RenderArguments& options) {
+  rendering::EffectOverrides overrides;
+  if (options.everything) overrides = rendering::everyEffect();
   for (const auto& [ids, value] : {std::pair{&options.on, true}, {&options.off, false}})
-    for (const std::string& id : *ids) overrides[std::size_t(effectOfId(id))] = value;
+    for (const std::string& id : *ids) overrides[std::size_t(rendering::effectOfId(id))] = value;
   return overrides;
 }
 
 std::vector<std::string> effectIds() {
   std::vector<std::string> ids;
-  for (std::size_t i = 0; i < effectCount; ++i) ids.emplace_back(effectId(Effect(i)));
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) ids.emplace_back(rendering::effectId(rendering::Effect(i)));
   return ids;
 }
 
-void requirePlaces(const Scene& scene, std::size_t materials) {
-  const std::size_t places = std::size_t(std::max(1, materialSlotCount(scene)));
+void requirePlaces(const rendering::Scene& scene, std::size_t materials) {
+  const std::size_t places = std::size_t(std::max(1, rendering::materialSlotCount(scene)));
   if (materials > places)
     throw UsageError("MATERIAL: found " + std::to_string(materials) + ", expected at most " + std::to_string(places) +
                      ", as many as the scene '" + scene.name + "' shows");
@@ -48,7 +48,7 @@ void requirePlaces(const Scene& scene, std::size_t materials) {
 Materials openMaterials(const RenderArguments& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
-    materials.push_back(std::make_shared<const RenderMaterial>(
+    materials.push_back(std::make_shared<const rendering::RenderMaterial>(
         openAtWavelength(material, options.wavelength, tool.control("reading " + material))));
   return materials;
 }
@@ -60,37 +60,37 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 struct Rendered {
-  Film film;
+  rendering::Film film;
   double seconds = 0;
 };
 
-Rendered renderPicture(const PathTracer& tracer, const RenderOptions& size, const Tool& tool) {
-  Rendered result{Film(size.width, size.height)};
+Rendered renderPicture(const rendering::PathTracer& tracer, const rendering::RenderOptions& size, const Tool& tool) {
+  Rendered result{rendering::Film(size.width, size.height)};
   const auto start = std::chrono::steady_clock::now();
   tracer.accumulate(result.film, size.samples, tool.control("rendering"));
   result.seconds = secondsSince(start);
   return result;
 }
 
-std::vector<StrategyCost> measureStrategies(const PathTracer& tracer, const Materials& materials,
-                                            const RenderOptions& size, const Tool& tool) {
-  return measureStrategyCosts(
+std::vector<rendering::StrategyCost> measureStrategies(const rendering::PathTracer& tracer, const Materials& materials,
+                                                       const rendering::RenderOptions& size, const Tool& tool) {
+  return rendering::measureStrategyCosts(
       tracer.scene(), materials, tracer.plan(),
       {.width = size.width, .height = size.height, .samples = size.samples, .referenceSamples = 64 * size.samples},
       tool.control("measuring strategies"));
 }
 
 /// Adds the figures of each sampling strategy to the result.
-void reportStrategies(std::span<const StrategyCost> costs, Json& json, std::string& text) {
+void reportStrategies(std::span<const rendering::StrategyCost> costs, Json& json, std::string& text) {
   Json list = Json::array();
-  for (const StrategyCost& cost : costs) {
-    list.push_back({{"strategy", strategyId(cost.strategy)},
+  for (const rendering::StrategyCost& cost : costs) {
+    list.push_back({{"strategy", rendering::strategyId(cost.strategy)},
                     {"seconds", cost.seconds},
                     {"error", cost.error},
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
-    text += std::string("  sampling ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; estimated: error " + number(100 * cost.equalTimeError) +
+    text += std::string("  sampling ") + rendering::strategyId(cost.strategy) + ": " + number(cost.seconds) +
+            " s, error " + number(100 * cost.error) + " %; estimated: error " + number(100 * cost.equalTimeError) +
             " % in the time of 'both', " + number(cost.equalErrorTime) + " s to reach the error of 'both'\n";
   }
   json["strategies"] = list;
@@ -100,21 +100,22 @@ int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out is missing: name an image to write, or use --effects, --effect-costs or --strategy-costs");
   if (!options.out.empty()) checkPicture(options.out);
-  const RenderOptions size = options.picture->renderOptions();
-  Scene scene = openScene(options.scene, int(options.materials.size()));
+  const rendering::RenderOptions size = options.picture->renderOptions();
+  rendering::Scene scene = rendering::openScene(options.scene, int(options.materials.size()));
   requirePlaces(scene, options.materials.size());
   options.picture->apply(scene);
-  const Materials materials = bindMaterials(scene, openMaterials(options, tool));
-  const EffectOverrides overrides = overridesOf(options);
-  const EffectThresholds thresholds{.remainder = options.remainder};
-  const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides, thresholds), size.seed);
-  std::optional<EffectCosts> costs;
+  const Materials materials = rendering::bindMaterials(scene, openMaterials(options, tool));
+  const rendering::EffectOverrides overrides = overridesOf(options);
+  const rendering::EffectThresholds thresholds{.remainder = options.remainder};
+  const rendering::PathTracer tracer(scene, materials, rendering::planEffects(scene, materials, overrides, thresholds),
+                                     size.seed);
+  std::optional<rendering::EffectCosts> costs;
   if (options.costs)
-    costs = measureEffectCosts(
+    costs = rendering::measureEffectCosts(
         scene, materials, overrides,
         {.width = size.width, .height = size.height, .samples = size.samples, .thresholds = thresholds},
         tool.control("measuring effects"));
-  const EffectCosts* shownCosts = costs ? &*costs : nullptr;
+  const rendering::EffectCosts* shownCosts = costs ? &*costs : nullptr;
   Json json{{"scene", scene.name},
             {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},
             {"reflections", tracer.plan().reflections},
@@ -122,13 +123,14 @@ int render(const RenderArguments& options, const Tool& tool) {
   std::string text;
   // Before the image is written: an interrupted command leaves none.
   const auto strategies =
-      options.strategies ? measureStrategies(tracer, materials, size, tool) : std::vector<StrategyCost>();
+      options.strategies ? measureStrategies(tracer, materials, size, tool) : std::vector<rendering::StrategyCost>();
   if (!options.out.empty()) {
     const Rendered rendered = renderPicture(tracer, size, tool);
-    writePicture(rendered.film.image(), *options.picture, options.out,
-                 pictureAttributes(scene, tracer.plan(), joined(options.materials), size.samples, size.seed));
-    const RayCounters& rays = rendered.film.counters;
-    const Fireflies fireflies = rendered.film.fireflies();
+    writePicture(
+        rendered.film.image(), *options.picture, options.out,
+        rendering::pictureAttributes(scene, tracer.plan(), joined(options.materials), size.samples, size.seed));
+    const rendering::RayCounters& rays = rendered.film.counters;
+    const rendering::Fireflies fireflies = rendered.film.fireflies();
     json.update({{"seconds", rendered.seconds},
                  {"samples", size.samples},
                  {"width", size.width},

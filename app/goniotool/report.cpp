@@ -32,9 +32,9 @@ std::string addTableQuality(Json& json, const Brdf& measurement, const Tabulated
 FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool) {
   FactorQuality quality{brdfQuality(*material.brdf, factors)};
   quality.evaluationNs = study::measureEvaluation(factors).median;
-  RenderOptions picture = smallComparisonPicture();
+  rendering::RenderOptions picture = rendering::smallComparisonPicture();
   picture.samples = samples;
-  const RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));
+  const rendering::RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));
   quality.renderedSnr =
       comparison.signalToNoiseRatio(comparison.render(factors, tool.control("rendering the factors")));
   return quality;
@@ -52,16 +52,16 @@ std::string qualityText(const FactorQuality& quality, double seconds) {
          number(seconds) + " s, " + number(quality.evaluationNs) + " ns per evaluation\n" + errorsText(quality.errors);
 }
 
-Json planJson(const EffectPlan& plan, const EffectCosts* costs) {
+Json planJson(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < effectCount; ++i) {
-    const EffectDecision& decision = plan.decisions[i];
-    Json one{{"effect", effectId(Effect(i))},
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) {
+    const rendering::EffectDecision& decision = plan.decisions[i];
+    Json one{{"effect", rendering::effectId(rendering::Effect(i))},
              {"simulated", decision.simulated},
              {"calledFor", decision.calledFor},
              {"reason", decision.reason}};
     if (costs) {
-      const EffectCost& cost = costs->effects[i];
+      const rendering::EffectCost& cost = costs->effects[i];
       one["seconds"] = cost.seconds;
       one["secondsNoise"] = cost.secondsNoise;
       one["difference"] = cost.difference;
@@ -72,16 +72,16 @@ Json planJson(const EffectPlan& plan, const EffectCosts* costs) {
   return list;
 }
 
-std::string timeText(const EffectCost& cost) {
+std::string timeText(const rendering::EffectCost& cost) {
   const std::string time = number(cost.seconds) + " +- " + number(cost.secondsNoise) + " s";
   return cost.isWithinNoise() ? time + " (within noise)" : time;
 }
 
-std::string planText(const EffectPlan& plan, const EffectCosts* costs) {
+std::string planText(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs) {
   std::string text;
-  for (std::size_t i = 0; i < effectCount; ++i) {
-    const EffectDecision& decision = plan.decisions[i];
-    text += std::string("  ") + effectId(Effect(i)) + ": " + (decision.simulated ? "yes" : "no");
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) {
+    const rendering::EffectDecision& decision = plan.decisions[i];
+    text += std::string("  ") + rendering::effectId(rendering::Effect(i)) + ": " + (decision.simulated ? "yes" : "no");
     if (decision.simulated != decision.calledFor) text += " (forced)";
     text += ", " + decision.reason;
     if (costs)

@@ -85,8 +85,8 @@ std::string qualityText(const FactorQuality& quality, double seconds);
 
 /// [{effect, simulated, calledFor, reason}]; `calledFor` is whether the analysis requires the effect, without
 /// overrides. With measured costs also seconds, secondsNoise, difference and noise.
-Json planJson(const EffectPlan& plan, const EffectCosts* costs = nullptr);
+Json planJson(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs = nullptr);
 /// One line per effect.
-std::string planText(const EffectPlan& plan, const EffectCosts* costs = nullptr);
+std::string planText(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs = nullptr);
 
 }  // namespace gonio::tool

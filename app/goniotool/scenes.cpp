@@ -15,16 +15,16 @@ struct ScenesArguments {
 };
 
 int scenes(const ScenesArguments& options, const Tool& tool) {
-  std::vector<std::shared_ptr<const RenderMaterial>> slotMaterials;
+  std::vector<std::shared_ptr<const rendering::RenderMaterial>> slotMaterials;
   for (const std::string& material : options.materials)
-    slotMaterials.push_back(
-        std::make_shared<const RenderMaterial>(openMaterial(material, tool.control("reading")).brdf));
-  if (slotMaterials.empty()) slotMaterials.push_back(diffuseMaterial(Rgb(0.5)));
+    slotMaterials.push_back(std::make_shared<const rendering::RenderMaterial>(
+        documents::openMaterial(material, tool.control("reading")).brdf));
+  if (slotMaterials.empty()) slotMaterials.push_back(rendering::diffuseMaterial(Rgb(0.5)));
   Json list = Json::array();
   std::string text;
-  for (const std::string& name : options.scenes.empty() ? bundledSceneNames() : options.scenes) {
-    const Scene scene = openScene(name, int(slotMaterials.size()));
-    const EffectPlan plan = planEffects(scene, bindMaterials(scene, slotMaterials));
+  for (const std::string& name : options.scenes.empty() ? rendering::bundledSceneNames() : options.scenes) {
+    const rendering::Scene scene = rendering::openScene(name, int(slotMaterials.size()));
+    const rendering::EffectPlan plan = rendering::planEffects(scene, rendering::bindMaterials(scene, slotMaterials));
     list.push_back({{"scene", scene.name},
                     {"description", scene.description},
                     {"objects", scene.objects.size()},

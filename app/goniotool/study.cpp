@@ -105,7 +105,7 @@ MaterialStudy::MaterialStudy(const StudyArguments& options, std::span<const std:
 }
 
 StudiedMaterial MaterialStudy::result(const std::string& path) {
-  const materials::Material material = openMaterial(path, tool_.control("reading " + path));
+  const materials::Material material = documents::openMaterial(path, tool_.control("reading " + path));
   const std::string stem = stemOf(path), source = material.source.sha256;
   const std::vector<Representation> representations = representationsFor(stem);
   if (options_.resume)

@@ -18,16 +18,16 @@ namespace {
 
 struct NeuralArguments {
   std::string material, out, weights;
-  neural::NeuralFitOptions training;
+  baselines::NeuralFitOptions training;
   std::size_t row = 0;
-  int samples = smallComparisonPicture().samples;
+  int samples = rendering::smallComparisonPicture().samples;
 };
 
 /// Row `row` of a file of rows of 675 float32, as the weights of Sztrajman et al. are exchanged.
-neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
+baselines::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
   return withFileInErrors(path, [&] {
     const io::FileSource file(path);
-    neural::NeuralFit fit;
+    baselines::NeuralFit fit;
     constexpr std::size_t rowBytes = sizeof fit.weights;
     if (file.size() == 0 || file.size() % rowBytes != 0 || row >= file.size() / rowBytes)
       throw Error("found " + std::to_string(file.size()) + " bytes, expected rows of " + std::to_string(rowBytes) +
@@ -41,11 +41,11 @@ neural::NeuralFit publishedWeights(const std::string& path, std::size_t row) {
 int trainNeural(const NeuralArguments& options, const Tool& tool) {
   if (!options.out.empty() && !materials::hasSuffixOf(formats::neuralFormat, options.out))
     materials::checkWritableSuffix(options.out);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
-  const neural::NeuralFit fit = options.weights.empty()
-                                    ? neural::fitNeural(*table, options.training, tool.control("training"))
-                                    : publishedWeights(options.weights, options.row);
+  const baselines::NeuralFit fit = options.weights.empty()
+                                       ? baselines::fitNeural(*table, options.training, tool.control("training"))
+                                       : publishedWeights(options.weights, options.row);
   const auto brdf = std::make_shared<const NeuralBrdf>(fit.weights);
   const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
   WrittenMaterial written;

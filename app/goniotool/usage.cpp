@@ -87,7 +87,7 @@ std::string materialFooter() {
   return "MATERIAL is one of:\n  " +
          filledLines("a file, recognised by its content: " + formatsText(), helpColumns - 4, "    ") +
          "\n  a row of a table of non-parametric factors, such as npf.bin#chrome\n  a " +
-         std::string(editing::documentSuffix) +
+         std::string(documents::documentSuffix) +
          " document, with its edits\n  a bundled material, such as library:merl-copy/chrome or "
          "library:rgl/paper_blue\n";
 }

@@ -16,7 +16,7 @@
 #include "core/factorization/nonparametric.h"
 #include "core/support/error.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -56,7 +56,8 @@ Models buildBilgili(const TabulatedBrdf& table, Budgets budgets, const TaskContr
 }
 
 Models buildKautzMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
-  const HalfDifferenceSamples samples = sampleHalfDifference(table, kautzMcCoolAxes(), control);
+  const factorization::HalfDifferenceSamples samples =
+      factorization::sampleHalfDifference(table, kautzMcCoolAxes(), control);
   const KautzMcCoolFactors all =
       factorizeKautzMcCool(samples, kautzMcCoolTerms(samples.axes, largest(budgets)), control);
   Models models;
@@ -68,7 +69,8 @@ Models buildKautzMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskC
 }
 
 Models buildNonnegative(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
-  const HalfDifferenceSamples samples = sampleHalfDifference(table, kautzMcCoolAxes(), control);
+  const factorization::HalfDifferenceSamples samples =
+      factorization::sampleHalfDifference(table, kautzMcCoolAxes(), control);
   Models models;
   for (const std::size_t budget : budgets) {
     const KautzMcCoolFactors factors =
@@ -79,7 +81,8 @@ Models buildNonnegative(const TabulatedBrdf& table, Budgets budgets, const TaskC
 }
 
 Models buildTensor(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control, auto decompose) {
-  const auto samples = sampleHalfDifferenceTensor(sampleHalfDifference(table, kautzMcCoolAxes(), control));
+  const auto samples =
+      sampleHalfDifferenceTensor(factorization::sampleHalfDifference(table, kautzMcCoolAxes(), control));
   Models models;
   for (const std::size_t budget : budgets) {
     HalfDifferenceTensor tensor = decompose(samples, budget);
@@ -108,17 +111,20 @@ Models buildCosineSeries(const TabulatedBrdf& table, Budgets budgets, const Task
 }
 
 Models buildMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
-  const McCoolFactors factors = factorizeMcCool(sampleHalfDifference(table, mcCoolAxes(), control), control);
+  const McCoolFactors factors =
+      factorizeMcCool(factorization::sampleHalfDifference(table, mcCoolAxes(), control), control);
   return Models(budgets.size(), {makeMcCoolBrdf(factors), factors.bytes()});
 }
 
 Models buildNonparametric(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
-  const NonparametricFit fit = fitNonparametric(sampleHalfDifference(table, nonparametricAxes(), control), {}, control);
-  return Models(budgets.size(), {makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
+  const factorization::NonparametricFit fit = factorization::fitNonparametric(
+      factorization::sampleHalfDifference(table, factorization::nonparametricAxes(), control), {}, control);
+  return Models(budgets.size(), {factorization::makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
 }
 
 Models buildGaussianProcess(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
-  const HalfDifferenceSamples samples = sampleHalfDifference(table, gaussianAxes(), control);
+  const factorization::HalfDifferenceSamples samples =
+      factorization::sampleHalfDifference(table, gaussianAxes(), control);
   Models models;
   for (const std::size_t budget : budgets) {
     GaussianProcess process = fitGaussianProcess(samples, gaussianNodes(budget), control);
@@ -132,7 +138,7 @@ constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 /// Size of the exact decomposition of the 3 x 90 by 30 x 7 matrix into 210 terms.
 constexpr std::size_t exactMatrixBytes = 403'200;
 
-constexpr Baseline allBaselines[] = {
+constexpr Baseline rows[] = {
     {"kautz-mccool", "Kautz and McCool 1999", "singular value decomposition in half-difference coordinates",
      "Kautz and McCool 1999, Interactive Rendering with Arbitrary BRDFs using Separable Approximations",
      exactMatrixBytes, buildKautzMcCool},
@@ -166,14 +172,13 @@ constexpr Baseline allBaselines[] = {
 
 }  // namespace
 
-std::span<const Baseline> baselines() { return allBaselines; }
+std::span<const Baseline> allBaselines() { return rows; }
 
 const Baseline& findBaseline(std::string_view id) {
-  if (const auto found = std::ranges::find(allBaselines, id, &Baseline::id); found != std::end(allBaselines))
-    return *found;
+  if (const auto found = std::ranges::find(rows, id, &Baseline::id); found != std::end(rows)) return *found;
   std::string known;
-  for (const Baseline& baseline : allBaselines) known += (known.empty() ? "" : ", ") + std::string(baseline.id);
+  for (const Baseline& baseline : rows) known += (known.empty() ? "" : ", ") + std::string(baseline.id);
   throw Error("found the baseline '" + std::string(id) + "', expected one of " + known);
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

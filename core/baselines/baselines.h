@@ -13,7 +13,7 @@
 
 /// Compact representations from the literature (factorisations, a bivariate table, a cosine series, a Gaussian
 /// process), for comparison with the PDV factors at an equal number of bytes.
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 struct ComparedModel {
   /// sample() uses the factors for the baselines of Lawrence et al. and Bilgili et al., and is cosine-weighted for the
@@ -36,8 +36,8 @@ struct Baseline {
 };
 
 /// All baselines.
-std::span<const Baseline> baselines();
+std::span<const Baseline> allBaselines();
 /// The baseline with an id. @throws Error that lists the ids.
 const Baseline& findBaseline(std::string_view id);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

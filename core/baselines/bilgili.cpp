@@ -12,16 +12,16 @@
 #include "core/factorization/masked_rank_one.h"
 #include "core/math/monotone_cubic.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
 /// All cells count: a hole takes the value of the theta_h before. Left free, products grow without bounds there, and
 /// pairs between a hole and a measured node would read them.
-MaskedTensor logLuminance(const HalfOutSamples& s) {
+factorization::MaskedTensor logLuminance(const HalfOutSamples& s) {
   const HalfOutAxes& axes = s.axes;
   const std::size_t slice = axes.phiH.size() * axes.thetaO.size();
-  MaskedTensor tensor;
+  factorization::MaskedTensor tensor;
   tensor.sizes[0] = int(axes.thetaH.size());
   tensor.sizes[1] = int(axes.phiH.size());
   tensor.sizes[2] = int(axes.thetaO.size());
@@ -142,15 +142,15 @@ int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget) {
 
 BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control) {
   BilgiliFactors result{.axes = samples.axes};
-  MaskedTensor left = logLuminance(samples);
+  factorization::MaskedTensor left = logLuminance(samples);
   const double total = left.squaredNorm();
   if (!left.values.empty()) result.highest = *std::max_element(left.values.begin(), left.values.end());
   result.residuals.push_back(total > 0 ? 1 : 0);
   for (int l = 0; l < terms; ++l) {
     control.throwIfStopped();
     control.report(double(l) / terms);
-    RankOne best = bestRankOne(left, {.maxSweeps = 60, .tolerance = 1e-6});
-    subtract(left, best);
+    factorization::RankOne best = factorization::bestRankOne(left, {.maxSweeps = 60, .tolerance = 1e-6});
+    factorization::subtract(left, best);
     result.terms.push_back({std::move(best.a), std::move(best.b), std::move(best.c)});
     result.residuals.push_back(total > 0 ? std::sqrt(left.squaredNorm() / total) : 0);
   }
@@ -171,4 +171,4 @@ std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
   return std::make_shared<const BilgiliBrdf>(std::move(factors));
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

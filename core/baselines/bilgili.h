@@ -7,7 +7,7 @@
 
 #include "core/baselines/half_vector_sampler.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// A BRDF represented by its luminance Y, as a sum of products of curves in half-out coordinates,
 ///   ln(1 + Y) = sum_l a_l(theta_h) b_l(|phi_h|) c_l(theta_o), rho = max(0, kd + ks Y),
@@ -48,4 +48,4 @@ BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const H
 /// tabulated at the first sample (0.2 s for 60 terms).
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

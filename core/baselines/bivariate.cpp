@@ -8,7 +8,7 @@
 #include "core/brdf/brdf.h"
 #include "core/math/parallel.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::shared_ptr<const Brdf> makeBivariateBrdf(BivariateTable table) {
   });
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

@@ -9,7 +9,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/support/task_control.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// A BRDF of two angles only, rho(theta_h, theta_d): the mean over the measured azimuths phi_d. Romeiro, Vasilyev and
 /// Zickler 2008, "Passive Reflectometry". Exact if rho does not depend on phi_d; variation with the azimuth
@@ -32,4 +32,4 @@ BivariateTable averageBivariate(const TabulatedBrdf& table, int side, const Task
 /// Bilinear in (sqrt theta_h, theta_d).
 std::shared_ptr<const Brdf> makeBivariateBrdf(BivariateTable table);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

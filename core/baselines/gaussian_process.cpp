@@ -10,7 +10,7 @@
 #include "core/brdf/data_transform.h"
 #include "core/math/decompositions.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -41,9 +41,9 @@ struct Observations {
   Eigen::RowVector3d mean;
 };
 
-Observations observationsOf(const HalfDifferenceSamples& s) {
+Observations observationsOf(const factorization::HalfDifferenceSamples& s) {
   std::vector<Eigen::Vector3d> points, values;
-  const HalfDifferenceAxes& axes = s.axes;
+  const factorization::HalfDifferenceAxes& axes = s.axes;
   for (std::size_t h = 0; h < axes.thetaH.size(); ++h)
     for (std::size_t d = 0; d < axes.thetaD.size(); ++d)
       for (std::size_t p = 0; p < axes.phiD.size(); ++p) {
@@ -141,9 +141,10 @@ Eigen::Vector3d gaussianPoint(const HalfDifference& at) {
           std::sin(at.thetaH) * std::sin(at.thetaD) * sine * sine};
 }
 
-HalfDifferenceAxes gaussianAxes() { return makeHalfDifferenceAxes(45, 30, 7); }
+factorization::HalfDifferenceAxes gaussianAxes() { return factorization::makeHalfDifferenceAxes(45, 30, 7); }
 
-GaussianProcess fitGaussianProcess(const HalfDifferenceSamples& samples, int nodes, const TaskControl& control) {
+GaussianProcess fitGaussianProcess(const factorization::HalfDifferenceSamples& samples, int nodes,
+                                   const TaskControl& control) {
   const Observations all = observationsOf(samples);
   if (all.points.cols() == 0) return {{}, {}, Eigen::Vector3f::Ones(), Eigen::Vector3f::Zero()};
   const Eigen::Vector3d lengths = likelyLengths(all, control);
@@ -174,4 +175,4 @@ std::shared_ptr<const Brdf> makeGaussianProcessBrdf(GaussianProcess process) {
   });
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

@@ -8,7 +8,7 @@
 
 #include "core/factorization/half_difference_samples.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// A Gaussian process over half-difference coordinates (Rasmussen and Williams 2006, "Gaussian Processes for Machine
 /// Learning"): the posterior mean of y = ln(1 + rho) in each channel,
@@ -31,15 +31,16 @@ int gaussianNodes(std::size_t byteBudget);
 Eigen::Vector3d gaussianPoint(const HalfDifference& at);
 
 /// The axes that fitGaussianProcess() expects: 45 x 30 x 7 nodes.
-HalfDifferenceAxes gaussianAxes();
+factorization::HalfDifferenceAxes gaussianAxes();
 
 /// Fits a process: lengths by the marginal likelihood of 300 samples (coordinate search), nodes by the largest
 /// posterior variance in turn (pivoted Cholesky decomposition), weights by the projected-process approximation
 /// (Rasmussen and Williams, section 8.3.4) to all samples with a noise of 1 % of the standard deviation. Deterministic.
 /// A few seconds for 512 nodes. @throws Cancelled.
-GaussianProcess fitGaussianProcess(const HalfDifferenceSamples& samples, int nodes, const TaskControl& control = {});
+GaussianProcess fitGaussianProcess(const factorization::HalfDifferenceSamples& samples, int nodes,
+                                   const TaskControl& control = {});
 
 /// About 5 ns per node and pair.
 std::shared_ptr<const Brdf> makeGaussianProcessBrdf(GaussianProcess process);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

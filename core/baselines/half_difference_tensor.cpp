@@ -11,23 +11,23 @@
 #include "core/factorization/canonical_polyadic.h"
 #include "core/math/monotone_cubic.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
-std::array<int, 3> modeSizes(const HalfDifferenceAxes& axes) {
+std::array<int, 3> modeSizes(const factorization::HalfDifferenceAxes& axes) {
   return {int(axes.thetaH.size()), int(axes.thetaD.size()), int(axes.phiD.size())};
 }
 
 /// Bytes of the four curves of a term.
-std::size_t cpTermBytes(const HalfDifferenceAxes& axes) {
+std::size_t cpTermBytes(const factorization::HalfDifferenceAxes& axes) {
   return (axes.thetaH.size() + axes.thetaD.size() + axes.phiD.size() + 3) * sizeof(float);
 }
 
 constexpr std::size_t boundBytes = sizeof(float);  // of `highest`
 
 /// Bytes of the core tensor, and of the matrices of the angles and of the channels.
-std::size_t hosvdBytes(const HalfDifferenceAxes& axes, const std::array<int, 3>& ranks) {
+std::size_t hosvdBytes(const factorization::HalfDifferenceAxes& axes, const std::array<int, 3>& ranks) {
   const std::array<int, 3> sizes = modeSizes(axes);
   std::size_t coreSize = 3, matrices = 3 * 3;
   for (std::size_t mode = 0; mode < 3; ++mode) {
@@ -51,7 +51,7 @@ Eigen::MatrixXd cosineTransform(int size) {
 }
 
 /// The decomposition of `tensor` that these values and bytes are.
-HalfDifferenceTensor decomposed(const HalfDifferenceTensor& tensor, Tensor values, std::size_t bytes) {
+HalfDifferenceTensor decomposed(const HalfDifferenceTensor& tensor, factorization::Tensor values, std::size_t bytes) {
   HalfDifferenceTensor result{
       .axes = tensor.axes, .values = std::move(values), .highest = tensor.highest, .residual = 0, .bytes = bytes};
   const double norm = tensor.values.norm();
@@ -62,7 +62,7 @@ HalfDifferenceTensor decomposed(const HalfDifferenceTensor& tensor, Tensor value
 }
 
 Rgb valueAt(const HalfDifferenceTensor& tensor, const HalfDifference& at) {
-  const HalfDifferenceAxes& axes = tensor.axes;
+  const factorization::HalfDifferenceAxes& axes = tensor.axes;
   // Reciprocity and the plane of incidence fold the azimuth to [0, pi / 2].
   const double phiD = std::abs(at.phiD);
   const NodeInterval h = findInterval(axes.thetaH, at.thetaH), d = findInterval(axes.thetaD, at.thetaD),
@@ -84,9 +84,10 @@ Rgb valueAt(const HalfDifferenceTensor& tensor, const HalfDifference& at) {
 
 }  // namespace
 
-HalfDifferenceTensor sampleHalfDifferenceTensor(const HalfDifferenceSamples& samples) {
+HalfDifferenceTensor sampleHalfDifferenceTensor(const factorization::HalfDifferenceSamples& samples) {
   const auto [heights, differences, azimuths] = modeSizes(samples.axes);
-  HalfDifferenceTensor result{.axes = samples.axes, .values = Tensor({heights, differences, azimuths, 3})};
+  HalfDifferenceTensor result{.axes = samples.axes,
+                              .values = factorization::Tensor({heights, differences, azimuths, 3})};
   const std::size_t stepC = result.values.count() / 3;
   std::size_t column = 0;
   for (std::size_t p = 0; p < std::size_t(azimuths); ++p)
@@ -105,17 +106,18 @@ HalfDifferenceTensor sampleHalfDifferenceTensor(const HalfDifferenceSamples& sam
   return result;
 }
 
-int cpTerms(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+int cpTerms(const factorization::HalfDifferenceAxes& axes, std::size_t byteBudget) {
   const std::size_t room = byteBudget > boundBytes ? byteBudget - boundBytes : 0;
   return int(std::clamp(room / cpTermBytes(axes), std::size_t(1), std::size_t(maxCpTerms)));
 }
 
 HalfDifferenceTensor decomposeCp(const HalfDifferenceTensor& tensor, int terms, const TaskControl& control) {
-  const CanonicalPolyadic found = decomposeCanonicalPolyadic(tensor.values, terms, {.maxIterations = 100}, control);
-  return decomposed(tensor, compose(found), std::size_t(terms) * cpTermBytes(tensor.axes) + boundBytes);
+  const factorization::CanonicalPolyadic found =
+      factorization::decomposeCanonicalPolyadic(tensor.values, terms, {.maxIterations = 100}, control);
+  return decomposed(tensor, factorization::compose(found), std::size_t(terms) * cpTermBytes(tensor.axes) + boundBytes);
 }
 
-std::array<int, 3> hosvdRanks(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+std::array<int, 3> hosvdRanks(const factorization::HalfDifferenceAxes& axes, std::size_t byteBudget) {
   const std::array<int, 3> sizes = modeSizes(axes);
   std::array<int, 3> ranks{1, 1, 1};
   for (int step = 1; step <= sizes[0]; ++step) {
@@ -129,20 +131,21 @@ std::array<int, 3> hosvdRanks(const HalfDifferenceAxes& axes, std::size_t byteBu
 }
 
 HalfDifferenceTensor decomposeHosvd(const HalfDifferenceTensor& tensor, const std::array<int, 3>& ranks) {
-  const HigherOrderSvd found = decomposeHigherOrderSvd(tensor.values, {ranks[0], ranks[1], ranks[2], 3});
-  return decomposed(tensor, compose(found), hosvdBytes(tensor.axes, ranks));
+  const factorization::HigherOrderSvd found =
+      factorization::decomposeHigherOrderSvd(tensor.values, {ranks[0], ranks[1], ranks[2], 3});
+  return decomposed(tensor, factorization::compose(found), hosvdBytes(tensor.axes, ranks));
 }
 
-std::size_t cosineCoefficients(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+std::size_t cosineCoefficients(const factorization::HalfDifferenceAxes& axes, std::size_t byteBudget) {
   const std::size_t all = 3 * axes.thetaH.size() * axes.thetaD.size() * axes.phiD.size();
   const std::size_t room = byteBudget > boundBytes ? byteBudget - boundBytes : 0;
   return std::clamp(room / cosineBytes, std::size_t(1), all);
 }
 
 HalfDifferenceTensor truncateCosineSeries(const HalfDifferenceTensor& tensor, std::size_t coefficients) {
-  Tensor series = tensor.values;
+  factorization::Tensor series = tensor.values;
   for (int mode = 0; mode < series.modes(); ++mode)
-    series = modeProduct(series, cosineTransform(series.size(mode)), mode);
+    series = factorization::modeProduct(series, cosineTransform(series.size(mode)), mode);
   coefficients = std::min(coefficients, series.count());
   std::vector<std::size_t> order(series.count());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -153,7 +156,7 @@ HalfDifferenceTensor truncateCosineSeries(const HalfDifferenceTensor& tensor, st
   std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(coefficients - 1), order.end(), isLarger);
   for (std::size_t i = coefficients; i < order.size(); ++i) series[order[i]] = 0;
   for (int mode = 0; mode < series.modes(); ++mode)
-    series = transposedModeProduct(series, cosineTransform(series.size(mode)), mode);
+    series = factorization::transposedModeProduct(series, cosineTransform(series.size(mode)), mode);
   return decomposed(tensor, std::move(series), coefficients * cosineBytes + boundBytes);
 }
 
@@ -164,4 +167,4 @@ std::shared_ptr<const Brdf> makeHalfDifferenceTensorBrdf(HalfDifferenceTensor te
   });
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

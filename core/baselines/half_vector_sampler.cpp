@@ -10,7 +10,7 @@
 #include "core/math/monotone_cubic.h"
 #include "core/math/sampling.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -23,19 +23,19 @@ std::vector<double> powerNodes(int count, double last, double exponent) {
 }  // namespace
 
 HalfOutAxes makeHalfOutAxes(int thetaHCount, int phiHCount, int thetaOCount) {
-  return {.thetaH = powerNodes(thetaHCount, maxPolarAngle, 2),
+  return {.thetaH = powerNodes(thetaHCount, factorization::maxPolarAngle, 2),
           .phiH = powerNodes(phiHCount, pi, 1),
-          .thetaO = powerNodes(thetaOCount, maxPolarAngle, 1)};
+          .thetaO = powerNodes(thetaOCount, factorization::maxPolarAngle, 1)};
 }
 
 HalfOutSamples sampleHalfOut(const TabulatedBrdf& table, const HalfOutAxes& axes, const TaskControl& control) {
   const auto readingsOf = [&](std::size_t h, std::size_t p, std::size_t o) {
     const auto [pair, valid] = fromHalfOut({.thetaO = axes.thetaO[o], .thetaH = axes.thetaH[h], .phiH = axes.phiH[p]});
     const Direction mirrored(pair.wi.x, -pair.wi.y, pair.wi.z);
-    return NodeReadings<2>{
+    return factorization::NodeReadings<2>{
         .pair = pair, .at = {toHalfDifference(pair.wi, pair.wo), toHalfDifference(mirrored, pair.wo)}, .valid = valid};
   };
-  return sampleNodes(table, axes, axes.phiH.size(), axes.thetaO.size(), readingsOf, control);
+  return factorization::sampleNodes(table, axes, axes.phiH.size(), axes.thetaO.size(), readingsOf, control);
 }
 
 double projectedMeasure(const HalfOutSamples& samples, std::size_t h, std::size_t p, std::size_t o) {
@@ -45,7 +45,8 @@ double projectedMeasure(const HalfOutSamples& samples, std::size_t h, std::size_
   const double thetaO = axes.thetaO[o], thetaH = axes.thetaH[h];
   const double cosD = glm::dot(fromSpherical(thetaO, 0), fromSpherical(thetaH, axes.phiH[p]));
   return samples.cosI[i] * std::cos(thetaO) * std::sin(thetaO) * std::sin(thetaH) * halfOutJacobian(cosD) *
-         nodeSpacing(axes.thetaH, h) * nodeSpacing(axes.phiH, p) * nodeSpacing(axes.thetaO, o);
+         factorization::nodeSpacing(axes.thetaH, h) * factorization::nodeSpacing(axes.phiH, p) *
+         factorization::nodeSpacing(axes.thetaO, o);
 }
 
 namespace {
@@ -253,4 +254,4 @@ double TensorHalfVectorSampler::pdf(const Direction& wi, const Direction& wo) co
   return tensorCosineFraction * cosine + (1 - tensorCosineFraction) * sum / halfOutJacobian(std::max(cosD, 1e-12));
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

@@ -7,7 +7,7 @@
 #include "core/brdf/brdf.h"
 #include "core/factorization/half_difference_samples.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// Nodes in half-out coordinates (core/coordinates/half_out.h), rad, each strictly increasing from 0.
 struct HalfOutAxes {
@@ -27,7 +27,7 @@ struct HalfOutAxes {
 HalfOutAxes makeHalfOutAxes(int thetaHCount, int phiHCount, int thetaOCount);
 
 /// BRDF values at all nodes: the mean of the values at phi_h and -phi_h.
-using HalfOutSamples = NodeSamples<HalfOutAxes>;
+using HalfOutSamples = factorization::NodeSamples<HalfOutAxes>;
 
 /// About 0.1 s for 200,000 nodes. @throws Cancelled.
 HalfOutSamples sampleHalfOut(const TabulatedBrdf& table, const HalfOutAxes& axes, const TaskControl& control = {});
@@ -127,4 +127,4 @@ class TensorHalfVectorSampler {
   std::vector<Slice> slices_;  ///< one per node of theta_o
 };
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

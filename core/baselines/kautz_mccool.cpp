@@ -11,7 +11,7 @@
 #include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -19,27 +19,28 @@ using Eigen::Index;
 
 /// Roots of the weights of rows (theta_h, channel) and columns (theta_d, phi_d): their product is the projected measure
 /// of the cell, with cos theta_i cos theta_o taken at phi_d = pi / 2, where it is a product.
-Eigen::VectorXd rowScales(const HalfDifferenceAxes& axes) {
+Eigen::VectorXd rowScales(const factorization::HalfDifferenceAxes& axes) {
   Eigen::VectorXd scales(Index(3 * axes.thetaH.size()));
   for (Index row = 0; row < scales.size(); ++row) {
     const std::size_t h = std::size_t(row) / 3;
-    scales[row] = std::sqrt(solidAngle(axes.thetaH, h)) * std::cos(axes.thetaH[h]);
+    scales[row] = std::sqrt(factorization::solidAngle(axes.thetaH, h)) * std::cos(axes.thetaH[h]);
   }
   return scales;
 }
-Eigen::VectorXd columnScales(const HalfDifferenceAxes& axes) {
+Eigen::VectorXd columnScales(const factorization::HalfDifferenceAxes& axes) {
   Eigen::VectorXd scales(Index(axes.thetaD.size() * axes.phiD.size()));
   for (Index column = 0; column < scales.size(); ++column) {
     const std::size_t d = std::size_t(column) / axes.phiD.size(), p = std::size_t(column) % axes.phiD.size();
-    scales[column] = std::sqrt(solidAngle(axes.thetaD, d) * std::cos(axes.thetaD[d]) * nodeSpacing(axes.phiD, p)) *
+    scales[column] = std::sqrt(factorization::solidAngle(axes.thetaD, d) * std::cos(axes.thetaD[d]) *
+                               factorization::nodeSpacing(axes.phiD, p)) *
                      std::cos(axes.thetaD[d]);
   }
   return scales;
 }
 
 /// Holes take the value of the theta_h before: the mirror direction itself always has one but at the horizon.
-Eigen::MatrixXd filled(const HalfDifferenceSamples& s) {
-  const HalfDifferenceAxes& axes = s.axes;
+Eigen::MatrixXd filled(const factorization::HalfDifferenceSamples& s) {
+  const factorization::HalfDifferenceAxes& axes = s.axes;
   Eigen::MatrixXd matrix(Index(3 * axes.thetaH.size()), Index(axes.thetaD.size() * axes.phiD.size()));
   for (Index column = 0; column < matrix.cols(); ++column) {
     Rgb known(0);
@@ -71,7 +72,7 @@ Rgb sumAt(const KautzMcCoolFactors& f, const HalfDifference& at) {
   return sum;
 }
 
-std::size_t termBytes(const HalfDifferenceAxes& axes) {
+std::size_t termBytes(const factorization::HalfDifferenceAxes& axes) {
   return (3 * axes.thetaH.size() + axes.thetaD.size() * axes.phiD.size()) * sizeof(float);
 }
 
@@ -85,14 +86,15 @@ KautzMcCoolFactors KautzMcCoolFactors::truncated(int terms) const {
           .residuals = {residuals.begin(), residuals.begin() + count + 1}};
 }
 
-HalfDifferenceAxes kautzMcCoolAxes() { return makeHalfDifferenceAxes(90, 30, 7); }
+factorization::HalfDifferenceAxes kautzMcCoolAxes() { return factorization::makeHalfDifferenceAxes(90, 30, 7); }
 
-int kautzMcCoolTerms(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+int kautzMcCoolTerms(const factorization::HalfDifferenceAxes& axes, std::size_t byteBudget) {
   const std::size_t exact = std::min(3 * axes.thetaH.size(), axes.thetaD.size() * axes.phiD.size());
   return int(std::clamp(byteBudget / termBytes(axes), std::size_t(1), exact));
 }
 
-KautzMcCoolFactors factorizeKautzMcCool(const HalfDifferenceSamples& samples, int terms, const TaskControl& control) {
+KautzMcCoolFactors factorizeKautzMcCool(const factorization::HalfDifferenceSamples& samples, int terms,
+                                        const TaskControl& control) {
   control.throwIfStopped();
   const Eigen::VectorXd rows = rowScales(samples.axes), columns = columnScales(samples.axes);
   const ThinSvd svd = thinSvd(rows.asDiagonal() * filled(samples) * columns.asDiagonal());
@@ -107,12 +109,12 @@ KautzMcCoolFactors factorizeKautzMcCool(const HalfDifferenceSamples& samples, in
   return result;
 }
 
-KautzMcCoolFactors factorizeNonnegativeHalfDifference(const HalfDifferenceSamples& samples, int terms,
+KautzMcCoolFactors factorizeNonnegativeHalfDifference(const factorization::HalfDifferenceSamples& samples, int terms,
                                                       const TaskControl& control) {
   const Eigen::VectorXd rows = rowScales(samples.axes), columns = columnScales(samples.axes);
   const Eigen::MatrixXd matrix = rows.asDiagonal() * filled(samples) * columns.asDiagonal();
-  const NonnegativeFactors found =
-      factorizeNonnegative(matrix, terms, {.maxIterations = 1000, .tolerance = 1e-7}, control);
+  const factorization::NonnegativeFactors found =
+      factorization::factorizeNonnegative(matrix, terms, {.maxIterations = 1000, .tolerance = 1e-7}, control);
   KautzMcCoolFactors result{.axes = samples.axes};
   result.half = rows.cwiseInverse().asDiagonal() * found.left;
   result.difference = columns.cwiseInverse().asDiagonal() * found.right.transpose();
@@ -128,4 +130,4 @@ std::shared_ptr<const Brdf> makeKautzMcCoolBrdf(KautzMcCoolFactors factors) {
   });
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

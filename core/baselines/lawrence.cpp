@@ -12,27 +12,27 @@
 #include "core/factorization/nonnegative_matrix.h"
 #include "core/math/monotone_cubic.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
 using Eigen::Index;
 
-const NonnegativeOptions updates{.maxIterations = 1000, .tolerance = 1e-7};
+const factorization::NonnegativeOptions updates{.maxIterations = 1000, .tolerance = 1e-7};
 
 /// Roots of the solid angles of rows and of the projected ones of columns: a cell's error counts by its fraction of
 /// the light.
 Eigen::VectorXd rowScales(const HalfOutAxes& axes) {
   Eigen::VectorXd scales(Index(axes.thetaH.size() * axes.phiH.size()));
   for (Index row = 0; row < scales.size(); ++row)
-    scales[row] = std::sqrt(solidAngle(axes.thetaH, std::size_t(row) / axes.phiH.size()));
+    scales[row] = std::sqrt(factorization::solidAngle(axes.thetaH, std::size_t(row) / axes.phiH.size()));
   return scales;
 }
 Eigen::VectorXd columnScales(const HalfOutAxes& axes) {
   Eigen::VectorXd scales(Index(3 * axes.thetaO.size()));
   for (Index column = 0; column < scales.size(); ++column) {
     const std::size_t o = std::size_t(column) / 3;
-    scales[column] = std::sqrt(solidAngle(axes.thetaO, o) * std::cos(axes.thetaO[o]));
+    scales[column] = std::sqrt(factorization::solidAngle(axes.thetaO, o) * std::cos(axes.thetaO[o]));
   }
   return scales;
 }
@@ -95,7 +95,7 @@ class LawrenceBrdf final : public Brdf {
       values[i] = Rgb(0);
       if (isBelowHorizon(wi) || isBelowHorizon(wo)) continue;
       if (const HalfOut at = toHalfOut(wi, wo); at.valid)
-        values[i] = cosineWeightedAt(factors_, at) / std::max(wi.z, std::cos(maxPolarAngle));
+        values[i] = cosineWeightedAt(factors_, at) / std::max(wi.z, std::cos(factorization::maxPolarAngle));
     }
   }
   bool isReciprocal() const override { return false; }
@@ -128,8 +128,8 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
   const HalfOutAxes& axes = samples.axes;
   const auto heights = Index(axes.thetaH.size()), azimuths = Index(axes.phiH.size());
   const Eigen::VectorXd rows = rowScales(axes), columns = columnScales(axes);
-  NonnegativeFactors outer = factorizeNonnegative(rows.asDiagonal() * cosineWeighted(samples) * columns.asDiagonal(),
-                                                  ranks.terms, updates, {.stop = control.stop});
+  factorization::NonnegativeFactors outer = factorization::factorizeNonnegative(
+      rows.asDiagonal() * cosineWeighted(samples) * columns.asDiagonal(), ranks.terms, updates, {.stop = control.stop});
   outer.right = outer.right * columns.cwiseInverse().asDiagonal();
   LawrenceFactors result{.axes = axes,
                          .ranks = ranks,
@@ -141,7 +141,8 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
   for (int j = 0; j < ranks.terms; ++j) {
     // Rows of the outer factor run over phi_h fastest: seen as a matrix each column is one theta_h.
     const Eigen::MatrixXd column = outer.left.col(j).reshaped(azimuths, heights).transpose();
-    const NonnegativeFactors inner = factorizeNonnegative(column, ranks.products, updates, {.stop = control.stop});
+    const factorization::NonnegativeFactors inner =
+        factorization::factorizeNonnegative(column, ranks.products, updates, {.stop = control.stop});
     result.polar.middleCols(j * ranks.products, ranks.products) = heightScales.cwiseInverse().asDiagonal() * inner.left;
     result.azimuth.middleCols(j * ranks.products, ranks.products) = inner.right.transpose();
     control.report(double(j + 1) / ranks.terms);
@@ -153,4 +154,4 @@ std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors) {
   return std::make_shared<const LawrenceBrdf>(std::move(factors));
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

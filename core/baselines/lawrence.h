@@ -7,7 +7,7 @@
 
 #include "core/baselines/half_vector_sampler.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// Numbers of products of the factored form.
 struct LawrenceRanks {
@@ -47,4 +47,4 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
 /// Linear between the nodes, so never negative. sample() uses the factors (core/baselines/half_vector_sampler.h).
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

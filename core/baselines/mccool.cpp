@@ -10,7 +10,7 @@
 #include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 namespace {
 
@@ -50,7 +50,7 @@ struct NormalEquations {
 };
 
 /// Weighted mean of the values.
-Rgb meanValue(const HalfDifferenceSamples& s) {
+Rgb meanValue(const factorization::HalfDifferenceSamples& s) {
   Rgb sum(0);
   double weights = 0;
   for (std::size_t h = 0, i = 0; h < s.axes.thetaH.size(); ++h)
@@ -63,7 +63,8 @@ Rgb meanValue(const HalfDifferenceSamples& s) {
   return weights > 0 ? sum / weights : Rgb(0);
 }
 
-NormalEquations accumulate(const HalfDifferenceSamples& s, const McCoolFactors& f, const TaskControl& control) {
+NormalEquations accumulate(const factorization::HalfDifferenceSamples& s, const McCoolFactors& f,
+                           const TaskControl& control) {
   const Index count = Index(f.theta.size() + f.thetaH.size());
   NormalEquations equations{.matrix = Eigen::MatrixXd::Zero(count, count), .right = {}};
   equations.right.fill(Eigen::VectorXd::Zero(count));
@@ -96,11 +97,11 @@ void holdSmooth(Eigen::MatrixXd& matrix, Index begin, Index end, double weight) 
 
 }  // namespace
 
-HalfDifferenceAxes mcCoolAxes() { return makeHalfDifferenceAxes(90, 90, 10); }
+factorization::HalfDifferenceAxes mcCoolAxes() { return factorization::makeHalfDifferenceAxes(90, 90, 10); }
 
-McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskControl& control) {
+McCoolFactors factorizeMcCool(const factorization::HalfDifferenceSamples& samples, const TaskControl& control) {
   McCoolFactors f{.thetaH = samples.axes.thetaH};
-  for (int i = 0; i < curveNodes; ++i) f.theta.push_back(maxPolarAngle * i / (curveNodes - 1));
+  for (int i = 0; i < curveNodes; ++i) f.theta.push_back(factorization::maxPolarAngle * i / (curveNodes - 1));
   const Rgb mean = meanValue(samples);
   for (int channel = 0; channel < 3; ++channel) {
     McCoolFactors::Channel& c = f.channels[std::size_t(channel)];
@@ -150,4 +151,4 @@ std::shared_ptr<const Brdf> makeMcCoolBrdf(McCoolFactors factors) {
   });
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

@@ -8,7 +8,7 @@
 
 #include "core/factorization/half_difference_samples.h"
 
-namespace gonio::factorization {
+namespace gonio::baselines {
 
 /// A BRDF as one product of positive curves, in each channel
 ///   rho + bias = p(theta_i) q(theta_h) p(theta_o).
@@ -34,12 +34,12 @@ struct McCoolFactors {
 };
 
 /// The axes used in comparisons: 90 x 90 x 10 nodes; p also has 90 nodes.
-HalfDifferenceAxes mcCoolAxes();
+factorization::HalfDifferenceAxes mcCoolAxes();
 
 /// About 0.1 s. @throws Cancelled.
-McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskControl& control = {});
+McCoolFactors factorizeMcCool(const factorization::HalfDifferenceSamples& samples, const TaskControl& control = {});
 
 /// The logarithms are linear between the nodes.
 std::shared_ptr<const Brdf> makeMcCoolBrdf(McCoolFactors factors);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::baselines

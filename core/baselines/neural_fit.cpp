@@ -12,7 +12,7 @@
 #include "core/math/sampling.h"
 #include "core/support/error.h"
 
-namespace gonio::neural {
+namespace gonio::baselines {
 
 namespace {
 
@@ -215,4 +215,4 @@ NeuralFit fitNeural(const Brdf& material, const NeuralFitOptions& options, const
   return fit;
 }
 
-}  // namespace gonio::neural
+}  // namespace gonio::baselines

@@ -10,7 +10,7 @@
 #include "core/brdf/neural_brdf.h"
 #include "core/support/task_control.h"
 
-namespace gonio::neural {
+namespace gonio::baselines {
 
 inline constexpr int inputCount = int(NeuralBrdf::inputs), hiddenCount = int(NeuralBrdf::hidden),
                      outputCount = int(NeuralBrdf::outputs), weightCount = int(NeuralBrdf::weightCount);
@@ -70,4 +70,4 @@ struct NeuralFit {
 /// option is not positive or no direction has data; Cancelled.
 NeuralFit fitNeural(const Brdf& material, const NeuralFitOptions& options = {}, const TaskControl& control = {});
 
-}  // namespace gonio::neural
+}  // namespace gonio::baselines

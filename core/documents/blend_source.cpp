@@ -14,22 +14,26 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 namespace {
 
 constexpr double readShare = 0.5;
 
-bool hasModel(InterpolationSpace space) {
-  return space == InterpolationSpace::parameters || space == InterpolationSpace::differential;
+bool hasModel(interpolation::InterpolationSpace space) {
+  return space == interpolation::InterpolationSpace::parameters ||
+         space == interpolation::InterpolationSpace::differential;
 }
 
-std::string_view nameOf(InterpolationSpace space) { return interpolationSpaceNames[std::size_t(space)]; }
+std::string_view nameOf(interpolation::InterpolationSpace space) {
+  return interpolation::interpolationSpaceNames[std::size_t(space)];
+}
 
-InterpolationSpace spaceFromJson(const JsonObject& object) {
-  const auto found = std::find(interpolationSpaceNames.begin(), interpolationSpaceNames.end(), object.text("space"));
-  if (found == interpolationSpaceNames.end()) object.fail("space", "the name of an interpolation space");
-  return InterpolationSpace(found - interpolationSpaceNames.begin());
+interpolation::InterpolationSpace spaceFromJson(const JsonObject& object) {
+  const auto found = std::find(interpolation::interpolationSpaceNames.begin(),
+                               interpolation::interpolationSpaceNames.end(), object.text("space"));
+  if (found == interpolation::interpolationSpaceNames.end()) object.fail("space", "the name of an interpolation space");
+  return interpolation::InterpolationSpace(found - interpolation::interpolationSpaceNames.begin());
 }
 
 /// The JSON that identifies one material: the hash of its file and its edits.
@@ -63,29 +67,31 @@ std::string nodesNote(const std::string& name, double accuracy) {
 
 materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
   BlendSource found = blend;
-  std::vector<InterpolationMaterial> ends;
+  std::vector<interpolation::InterpolationMaterial> ends;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
     const double each = readShare / double(blend.materials.size());
     const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
     const materials::Material source = readSource(blend.materials[i], path, part);
     found.materials[i].sourceSha256 = source.source.sha256;
     const auto table = source.tabulated({control.stop, {}});
-    const EditList& edits = blend.materials[i].edits;
+    const editing::EditList& edits = blend.materials[i].edits;
     ends.push_back(interpolationMaterial(source, source.brdf ? source.brdf : table, table,
-                                         bakeEdits(table, edits, {control.stop, {}}), edits));
+                                         editing::bakeEdits(table, edits, {control.stop, {}}), edits));
   }
-  const auto interpolation =
-      prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
+  const auto interpolation = interpolation::prepareInterpolation(blend.space, ends, blendOptions(blend.model),
+                                                                 control.between(readShare, 0.9));
   return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 
 }  // namespace
 
-InterpolationMaterial interpolationMaterial(const materials::Material& material,
-                                            const std::shared_ptr<const Brdf>& base,
-                                            const std::shared_ptr<const TabulatedBrdf>& unedited,
-                                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits) {
-  InterpolationMaterial end{.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+interpolation::InterpolationMaterial interpolationMaterial(const materials::Material& material,
+                                                           const std::shared_ptr<const Brdf>& base,
+                                                           const std::shared_ptr<const TabulatedBrdf>& unedited,
+                                                           const std::shared_ptr<const TabulatedBrdf>& edited,
+                                                           const editing::EditList& edits) {
+  interpolation::InterpolationMaterial end{
+      .table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
   if (!formOf<TabulatedBrdf>(*base)) {
     end.base = base;
     end.edits = edits;
@@ -93,8 +99,8 @@ InterpolationMaterial interpolationMaterial(const materials::Material& material,
   return end;
 }
 
-InterpolationOptions blendOptions(const models::Model* model) {
-  InterpolationOptions options;
+interpolation::InterpolationOptions blendOptions(const models::Model* model) {
+  interpolation::InterpolationOptions options;
   options.model = model;
   const auto dictionary = materials::bundledEnsemble();
   options.ensemble = {dictionary, &dictionary->ensemble};
@@ -150,7 +156,7 @@ std::string blendSha256(const BlendSource& blend) {
   return io::sha256Hex(std::string_view(io::jsonText(identity)));
 }
 
-materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
+materials::Material blendedMaterial(const BlendSource& blend, const interpolation::Interpolation& interpolation,
                                     const TaskControl& control) {
   checkLimits(blend);
   materials::Material material;
@@ -165,13 +171,13 @@ materials::Material blendedMaterial(const BlendSource& blend, const Interpolatio
   material.source.format = "blend";
   material.source.description = fractions + "; space " + std::string(nameOf(blend.space));
   material.source.sha256 = blendSha256(blend);
-  if (const auto own = nativeFormBlend(interpolation, blend.space, blend.weights, control)) {
+  if (const auto own = interpolation::nativeFormBlend(interpolation, blend.space, blend.weights, control)) {
     material.brdf = own->brdf;
     if (std::isfinite(own->accuracy))
       material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodesOf]), own->accuracy));
     return material;
   }
-  if (mixesNativeForms(blend.space) &&
+  if (interpolation::mixesNativeForms(blend.space) &&
       std::ranges::any_of(interpolation.ends(), [](const auto& end) { return end.base != nullptr; })) {
     material.brdf = interpolation.brdf(blend.weights);
     return material;
@@ -202,4 +208,4 @@ materials::Material readSource(const EditDocument& document, const std::filesyst
   return material;
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

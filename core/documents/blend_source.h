@@ -6,29 +6,30 @@
 #include "core/interpolation/interpolation.h"
 #include "core/materials/material.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 /// The source of a document without a material file of its own: a blend of materials. In a document's "source":
 ///   {"blend": {"space": "linear", "model": "ggx", "materials": [
 ///      {"weight": 0.4, "source": {..}, "edits": [..]}, ..]}, "sha256": ..}
 /// "model" is present in spaces that use one. The materials are documents themselves and may be blends.
 struct BlendSource {
-  InterpolationSpace space = InterpolationSpace::linear;
+  interpolation::InterpolationSpace space = interpolation::InterpolationSpace::linear;
   const models::Model* model = nullptr;  ///< for the spaces `parameters` and `differential`; ignored in others
   std::vector<EditDocument> materials;   ///< their views are ignored
   std::vector<double> weights;
 };
 
 /// The options of blends in the editor: the bundled dictionary (read at the first call, 0.1 s) and three PDV terms.
-InterpolationOptions blendOptions(const models::Model* model = nullptr);
+interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
 /// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
 /// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same
 /// object as `unedited` if no edit changes it.
-InterpolationMaterial interpolationMaterial(const materials::Material& material,
-                                            const std::shared_ptr<const Brdf>& base,
-                                            const std::shared_ptr<const TabulatedBrdf>& unedited,
-                                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);
+interpolation::InterpolationMaterial interpolationMaterial(const materials::Material& material,
+                                                           const std::shared_ptr<const Brdf>& base,
+                                                           const std::shared_ptr<const TabulatedBrdf>& unedited,
+                                                           const std::shared_ptr<const TabulatedBrdf>& edited,
+                                                           const editing::EditList& edits);
 
 /// @throws Error if an edit's values do not match its model.
 nlohmann::json toJson(const BlendSource& blend);
@@ -54,7 +55,7 @@ std::string blendSha256(const BlendSource& blend);
 /// form where nativeFormBlend() finds one; for RGL files a note states the accuracy. Otherwise it is a weighted sum if
 /// some material is not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the
 /// prepared interpolation of `blend`. @throws Error as checkLimits(), Cancelled.
-materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
+materials::Material blendedMaterial(const BlendSource& blend, const interpolation::Interpolation& interpolation,
                                     const TaskControl& control = {});
 
 /// The source files of a document, including those of its blends, without bundled materials. Paths are as in the
@@ -67,4 +68,4 @@ std::vector<std::filesystem::path> sourceFiles(const EditDocument& document);
 materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
                                const TaskControl& control = {});
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

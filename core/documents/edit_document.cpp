@@ -12,7 +12,7 @@
 #include "core/support/error.h"
 #include "core/support/text.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 namespace {
 
@@ -46,20 +46,20 @@ bool isSha256(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-nlohmann::json toJson(const DifferentialEdit& edit) {
+nlohmann::json toJson(const editing::DifferentialEdit& edit) {
   if (!edit.model) throw Error("an edit without a model cannot be written");
   const models::ModelSpec& spec = edit.model->spec();
   nlohmann::json json = {{"type", differentialType},
                          {"model", spec.id},
                          {"fitted", models::parametersToJson(spec, edit.fitted)},
                          {"edited", models::parametersToJson(spec, edit.edited)},
-                         {"composition", compositionIds[std::size_t(edit.composition)]}};
-  if (edit.controls != models::defaultParameters(artistControls()))
-    json["controls"] = models::parametersToJson(artistControls(), edit.controls);
+                         {"composition", editing::compositionIds[std::size_t(edit.composition)]}};
+  if (edit.controls != models::defaultParameters(editing::artistControls()))
+    json["controls"] = models::parametersToJson(editing::artistControls(), edit.controls);
   return json;
 }
 
-nlohmann::json toJson(const Edit& edit) {
+nlohmann::json toJson(const editing::Edit& edit) {
   nlohmann::json json = std::visit([](const auto& content) { return toJson(content); }, edit.content);
   json["strength"] = edit.strength;
   json["enabled"] = edit.enabled;
@@ -67,18 +67,18 @@ nlohmann::json toJson(const Edit& edit) {
   return json;
 }
 
-Composition compositionFromJson(const JsonObject& object, const models::Model& model) {
+editing::Composition compositionFromJson(const JsonObject& object, const models::Model& model) {
   const std::string id = object.text("composition");
-  const auto found = std::ranges::find(compositionIds, id);
-  if (found == compositionIds.end()) object.fail("composition", "additive, log-plus or lobes");
-  const auto composition = Composition(found - compositionIds.begin());
-  if (composition == Composition::lobes && !model.hasLobes())
+  const auto found = std::ranges::find(editing::compositionIds, id);
+  if (found == editing::compositionIds.end()) object.fail("composition", "additive, log-plus or lobes");
+  const auto composition = editing::Composition(found - editing::compositionIds.begin());
+  if (composition == editing::Composition::lobes && !model.hasLobes())
     object.fail("composition", "additive or log-plus: " + std::string(model.spec().id) + " is not a sum of lobes");
   return composition;
 }
 
-DifferentialEdit differentialEditFromJson(const JsonObject& object) {
-  DifferentialEdit edit;
+editing::DifferentialEdit differentialEditFromJson(const JsonObject& object) {
+  editing::DifferentialEdit edit;
   edit.model = &modelFromJson(object);
   const auto values = [&](const models::ModelSpec& spec, const char* key) {
     return models::parametersFromJson(spec, object.member(key, "an object"), object.place(key));
@@ -86,19 +86,19 @@ DifferentialEdit differentialEditFromJson(const JsonObject& object) {
   edit.fitted = values(edit.model->spec(), "fitted");
   edit.edited = values(edit.model->spec(), "edited");
   if (object.contains("controls")) {
-    edit.controls = values(artistControls(), "controls");
-    models::clampToHardRange(artistControls(), edit.controls);
+    edit.controls = values(editing::artistControls(), "controls");
+    models::clampToHardRange(editing::artistControls(), edit.controls);
   }
   if (object.contains("composition")) edit.composition = compositionFromJson(object, *edit.model);
   return edit;
 }
 
-Edit editFromJson(const nlohmann::json& json, const std::string& where) {
+editing::Edit editFromJson(const nlohmann::json& json, const std::string& where) {
   const JsonObject object(json, where);
   const std::string type = object.text("type");
-  Edit edit;
+  editing::Edit edit;
   if (type == factorsType)
-    edit.content = factorEditFromJson(json, where);
+    edit.content = editing::factorEditFromJson(json, where);
   else if (type == differentialType)
     edit.content = differentialEditFromJson(object);
   else
@@ -118,11 +118,11 @@ void withPlaceInErrors(const std::string& place, const Check& check) {
   }
 }
 
-EditList editsFromJson(const JsonObject& object, int version) {
+editing::EditList editsFromJson(const JsonObject& object, int version) {
   const nlohmann::json& edits = object.array("edits");
-  EditList list;
+  editing::EditList list;
   // One more than the limit is enough to see that there are too many.
-  for (std::size_t i = 0; i < std::min(edits.size(), maxEdits + 1); ++i)
+  for (std::size_t i = 0; i < std::min(edits.size(), editing::maxEdits + 1); ++i)
     list.push_back(
         editFromJson(migratedEdit(edits[i], version), object.place("edits") + "[" + std::to_string(i) + "]"));
   withPlaceInErrors(object.place("edits"), [&] { checkLimits(list); });
@@ -175,7 +175,7 @@ const models::Model& modelFromJson(const JsonObject& object) {
 
 nlohmann::json contentToJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();
-  for (const Edit& edit : document.edits) edits.push_back(toJson(edit));
+  for (const editing::Edit& edit : document.edits) edits.push_back(toJson(edit));
   nlohmann::json source = {{"sha256", document.sourceSha256}};
   if (document.blend)
     source["blend"] = toJson(*document.blend);
@@ -260,4 +260,4 @@ EditDocument resolved(EditDocument document, const std::filesystem::path& docume
                    [&](const EditDocument& one) { return resolveSource(one, documentPath).string(); });
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

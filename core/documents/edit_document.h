@@ -12,7 +12,7 @@
 #include "core/editing/edit.h"
 #include "core/support/json_object.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 struct BlendSource;
 
@@ -37,7 +37,7 @@ struct EditDocument {
   std::string sourceSha256;                                ///< of the source file; of a blend: blendSha256()
   std::shared_ptr<const BlendSource> blend = nullptr;      ///< instead of a path
   IncidentDirection incident = IncidentDirection::viewer;  ///< if the source is an RGL or UTIA file
-  std::vector<Edit> edits;
+  std::vector<editing::Edit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< camera, light, exposure; opaque to core; null: no view
 };
 
@@ -69,4 +69,4 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth = 
 /// The model named under "model". @throws Error that names the key.
 const models::Model& modelFromJson(const JsonObject& object);
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

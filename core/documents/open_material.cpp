@@ -10,7 +10,7 @@
 #include "core/io/text_lines.h"
 #include "core/support/error.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 bool isDocument(const std::string& path) {
   constexpr std::size_t maxStart = 4096;
@@ -36,7 +36,7 @@ materials::EditedMaterial editedMaterial(const std::filesystem::path& path, cons
                 (document.blend ? "(" + edited.base.source.description + ")" : edited.base.source.path.string()) +
                 " has changed: found SHA-256 " + edited.base.source.sha256 + ", expected " + document.sourceSha256);
   edited.shown = materials::withEdits(edited.base, document.edits, control);
-  if (isIdentity(document.edits) && !document.blend) return edited;
+  if (editing::isIdentity(document.edits) && !document.blend) return edited;
   edited.shown.name = path.stem().string();
   edited.shown.source.path = std::filesystem::absolute(path).lexically_normal();
   edited.shown.source.format = "gonio document";
@@ -63,4 +63,4 @@ std::vector<std::filesystem::path> filesOf(const std::string& path) {
   return files;
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

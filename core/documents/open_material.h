@@ -8,7 +8,7 @@
 
 #include "core/materials/edited_material.h"
 
-namespace gonio::editing {
+namespace gonio::documents {
 
 /// Whether a file is a .gonio document: its first character other than white space is '{'. False if it cannot be read.
 bool isDocument(const std::string& path);
@@ -28,4 +28,4 @@ materials::Material openMaterial(const std::string& path, const TaskControl& con
 /// blends. Empty if there is no such file, as for bundled materials.
 std::vector<std::filesystem::path> filesOf(const std::string& path);
 
-}  // namespace gonio::editing
+}  // namespace gonio::documents

@@ -49,7 +49,7 @@ std::uint64_t ExportResult::bytes() const {
   return sum;
 }
 
-std::vector<fs::path> ExportTarget::paths(const fs::path& name, const Scene* withScene) const {
+std::vector<fs::path> ExportTarget::paths(const fs::path& name, const rendering::Scene* withScene) const {
   std::vector<fs::path> result;
   for (const std::string_view suffix : suffixes) result.push_back(fs::path(name) += suffix);
   if (withScene)
@@ -85,7 +85,7 @@ ExportResult makeExport(const ExportTarget& target, const materials::EditedMater
   return made;
 }
 
-void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const fs::path& name) {
+void addScene(ExportResult& made, const ExportTarget& target, const rendering::Scene& scene, const fs::path& name) {
   for (ExportPart& part : sceneParts(*target.scene, scene, name.filename().string()))
     made.parts.push_back(std::move(part));
 }

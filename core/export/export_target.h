@@ -53,7 +53,8 @@ struct ExportTarget {
   ExportResult (*make)(const materials::EditedMaterial&, const ExportOptions&, const TaskControl&);
 
   /// The paths of all files: `name` with each suffix, including those of a scene, if given.
-  std::vector<std::filesystem::path> paths(const std::filesystem::path& name, const Scene* withScene = nullptr) const;
+  std::vector<std::filesystem::path> paths(const std::filesystem::path& name,
+                                           const rendering::Scene* withScene = nullptr) const;
   /// The name of an export from a file name that the user chose: removes a suffix of the target ("_rgb.bsdf") or its
   /// extension (".bsdf").
   std::filesystem::path nameOf(const std::filesystem::path& file) const;
@@ -69,7 +70,8 @@ const ExportTarget* findExportTarget(std::string_view id);
 ExportResult makeExport(const ExportTarget& target, const materials::EditedMaterial& source,
                         const ExportOptions& options = {}, const TaskControl& control = {});
 /// Adds the files of a scene. Precondition: target.scene is not null. @throws Error as checkSceneName().
-void addScene(ExportResult& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
+void addScene(ExportResult& made, const ExportTarget& target, const rendering::Scene& scene,
+              const std::filesystem::path& name);
 /// The files of an export for writeExport().
 std::vector<ExportFile> exportedFiles(const ExportResult& made, const std::filesystem::path& name);
 

@@ -26,8 +26,8 @@ const ExportTarget* findExportTarget(std::string_view id) {
   return found == targets.end() ? nullptr : &*found;
 }
 
-void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
-                   const TaskControl& control) {
+void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf,
+                   const rendering::RenderedComparison& comparison, const TaskControl& control) {
   made.snr = comparison.signalToNoiseRatio(comparison.render(*brdf, control));
   made.brdf = std::move(brdf);
 }
@@ -54,7 +54,7 @@ SurfaceValues writtenValues(SurfaceValues values) {
 ExportResult makeSurfaceExport(const SurfaceShader& shader, std::string_view suffix, SurfaceText text,
                                const materials::EditedMaterial& source, const ExportOptions& options,
                                const TaskControl& control) {
-  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.15));
+  const rendering::RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.15));
   const SurfaceValues values = writtenValues(fitSurface(shader, *source.shown.brdf, control.between(0.15, 0.85)));
   ExportResult made;
   measureExport(made, shader.brdf(values), comparison, control.between(0.85, 1));
@@ -71,7 +71,8 @@ std::pair<ExportResult, ReciprocalLobes> makeLobesExport(std::span<const std::si
                                                          const materials::EditedMaterial& source,
                                                          const ExportOptions& options, const TaskControl& control) {
   constexpr double rendered = 0.1;
-  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, rendered));
+  const rendering::RenderedComparison comparison =
+      materials::comparisonOf(source, options, control.between(0, rendered));
   const PictureCells cells(source.shown.brdf->isIsotropic());
   ExportResult best;
   ReciprocalLobes chosen;

@@ -53,8 +53,8 @@ ExportTarget valuesTarget();
 ExportTarget glslTarget();
 
 /// Renders `brdf` and sets the members `brdf` and `snr` of the export. @throws Cancelled.
-void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
-                   const TaskControl& control);
+void measureExport(ExportResult& made, std::shared_ptr<const Brdf> brdf,
+                   const rendering::RenderedComparison& comparison, const TaskControl& control);
 
 /// The origin with the accuracy: "chrome, exported by Gonio 1.0. ... Rendered SNR 31.2 dB (comparison scene)."
 std::string originText(const materials::EditedMaterial& source, double snr);

@@ -9,7 +9,7 @@
 
 #include "core/math/parallel.h"
 
-namespace gonio {
+namespace gonio::factorization {
 
 namespace {
 
@@ -28,8 +28,8 @@ struct Slabs {
         behind(product(sizes, std::size_t(mode) + 1, sizes.size())) {}
 };
 
-using Matrix = Eigen::Map<Eigen::MatrixXd>;
-using ConstMatrix = Eigen::Map<const Eigen::MatrixXd>;
+using SlabMatrix = Eigen::Map<Eigen::MatrixXd>;
+using ConstSlabMatrix = Eigen::Map<const Eigen::MatrixXd>;
 
 /// Every slab times `right`, which is size(mode) x the new size.
 template <typename Right>
@@ -44,8 +44,8 @@ Tensor slabProduct(const Tensor& tensor, const Right& right, int mode) {
     constexpr std::size_t block = 512;
     parallelForBlocks(slabs.behind, block, [&](std::size_t begin, std::size_t end) {
       const auto columns = Eigen::Index(end - begin);
-      Matrix(result.data() + begin * std::size_t(count), count, columns).noalias() =
-          right.transpose() * ConstMatrix(tensor.data() + begin * slabs.along, along, columns);
+      SlabMatrix(result.data() + begin * std::size_t(count), count, columns).noalias() =
+          right.transpose() * ConstSlabMatrix(tensor.data() + begin * slabs.along, along, columns);
     });
     return result;
   }
@@ -55,8 +55,8 @@ Tensor slabProduct(const Tensor& tensor, const Right& right, int mode) {
     for (std::size_t at = begin; at < end; ++at) {
       const std::size_t slab = at / parts, first = at % parts * rows;
       const auto height = Eigen::Index(std::min(rows, slabs.before - first)), row = Eigen::Index(first);
-      const ConstMatrix from(tensor.data() + slab * slabs.before * slabs.along, before, along);
-      Matrix to(result.data() + slab * slabs.before * std::size_t(count), before, count);
+      const ConstSlabMatrix from(tensor.data() + slab * slabs.before * slabs.along, before, along);
+      SlabMatrix to(result.data() + slab * slabs.before * std::size_t(count), before, count);
       to.middleRows(row, height).noalias() = from.middleRows(row, height) * right;
     }
   });
@@ -85,7 +85,7 @@ Eigen::MatrixXd unfold(const Tensor& tensor, int mode) {
   Eigen::MatrixXd result(along, before * Eigen::Index(slabs.behind));
   for (std::size_t slab = 0; slab < slabs.behind; ++slab)
     result.middleCols(Eigen::Index(slab) * before, before) =
-        ConstMatrix(tensor.data() + slab * slabs.before * slabs.along, before, along).transpose();
+        ConstSlabMatrix(tensor.data() + slab * slabs.before * slabs.along, before, along).transpose();
   return result;
 }
 
@@ -95,7 +95,7 @@ Tensor fold(const Eigen::MatrixXd& matrix, int mode, const std::vector<int>& siz
   const auto before = Eigen::Index(slabs.before), along = Eigen::Index(slabs.along);
   assert(matrix.rows() == along && matrix.size() == Eigen::Index(result.count()));
   for (std::size_t slab = 0; slab < slabs.behind; ++slab)
-    Matrix(result.data() + slab * slabs.before * slabs.along, before, along) =
+    SlabMatrix(result.data() + slab * slabs.before * slabs.along, before, along) =
         matrix.middleCols(Eigen::Index(slab) * before, before).transpose();
   return result;
 }
@@ -124,4 +124,4 @@ Eigen::MatrixXd khatriRaoProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd
   return result;
 }
 
-}  // namespace gonio
+}  // namespace gonio::factorization

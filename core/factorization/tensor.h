@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gonio {
+namespace gonio::factorization {
 
 /// An n-mode array of doubles; the first index runs fastest, so that unfoldings are those of Kolda and Bader 2009,
 /// "Tensor Decompositions and Applications". Equation numbers refer to Tongbuasirilai 2023, "Data-Driven Approaches for
@@ -62,4 +62,4 @@ Eigen::MatrixXd kroneckerProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd
 /// The Kronecker products of corresponding columns; both must have the same number of columns.
 Eigen::MatrixXd khatriRaoProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-}  // namespace gonio
+}  // namespace gonio::factorization

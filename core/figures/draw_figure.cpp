@@ -34,7 +34,7 @@ Raster colourBar() {
   constexpr int length = 256;
   Raster bar{.width = length, .height = 1, .rgba = {}};
   for (int x = 0; x < length; ++x) {
-    const DisplayColour colour = viridis(double(x) / (length - 1));
+    const rendering::DisplayColour colour = rendering::viridis(double(x) / (length - 1));
     bar.rgba.insert(bar.rgba.end(), {colour[0], colour[1], colour[2], 255});
   }
   return bar;
@@ -130,7 +130,7 @@ class FigurePainter {
     if (!cell.errorMap) return;
     Raster map = missingPicture();
     if (reference && measured)
-      map = {reference->width, reference->height, errorMap(*reference, measured->picture, errorMaximum_)};
+      map = {reference->width, reference->height, rendering::errorMap(*reference, measured->picture, errorMaximum_)};
     putOnPaper(map);
     add(PictureItem{*cell.errorMap, std::move(map)});
   }
@@ -171,7 +171,7 @@ InsetPixels insetPixels(const FigureInset& inset, int size) {
 }
 
 Raster displayedOnWhite(const Image& picture, const FigurePictures& pictures) {
-  Raster raster{picture.width, picture.height, toDisplayBytes(picture, pictures.exposure, pictures.toneMap)};
+  Raster raster{picture.width, picture.height, rendering::toDisplayBytes(picture, pictures.exposure, pictures.toneMap)};
   putOnPaper(raster);
   return raster;
 }

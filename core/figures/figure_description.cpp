@@ -203,7 +203,8 @@ FigurePictures picturesFrom(const JsonObject& object) {
   pictures.size = integerOr(object, "size", 1, FigurePictures::maxSize, pictures.size);
   pictures.samples = integerOr(object, "samples", 1, FigurePictures::maxSamples, pictures.samples);
   pictures.exposure = numberOr(object, "exposure", -FigurePictures::maxExposure, FigurePictures::maxExposure, 0);
-  pictures.toneMap = ToneMap(choiceOr(object, "toneMap", toneMapName(ToneMap::clamp), toneMapName(ToneMap::filmic), 0));
+  pictures.toneMap = rendering::ToneMap(choiceOr(object, "toneMap", rendering::toneMapName(rendering::ToneMap::clamp),
+                                                 rendering::toneMapName(rendering::ToneMap::filmic), 0));
   return pictures;
 }
 
@@ -223,7 +224,7 @@ nlohmann::ordered_json toJson(const FigurePictures& pictures) {
   json.update({{"size", pictures.size},
                {"samples", pictures.samples},
                {"exposure", pictures.exposure},
-               {"toneMap", toneMapName(pictures.toneMap)}});
+               {"toneMap", rendering::toneMapName(pictures.toneMap)}});
   return json;
 }
 
@@ -342,13 +343,14 @@ std::vector<std::string> figureSources(const FigureDescription& description) {
 
 void checkFigureOutput(const FigureDescription& description, const fs::path& path) {
   for (const std::string& source : figureSources(description))
-    if (io::isOneOf(path, editing::filesOf(source)))
+    if (io::isOneOf(path, documents::filesOf(source)))
       throw Error(path.string() + ": the figure is made from this file, expected another name");
 }
 
-Scene figureScene(const FigurePictures& pictures) {
-  Scene scene = openScene(pictures.scene.empty() ? comparisonSceneName : pictures.scene);
-  if (!pictures.environment.empty()) scene.environment = openEnvironment(pictures.environment);
+rendering::Scene figureScene(const FigurePictures& pictures) {
+  rendering::Scene scene =
+      rendering::openScene(pictures.scene.empty() ? rendering::comparisonSceneName : pictures.scene);
+  if (!pictures.environment.empty()) scene.environment = rendering::openEnvironment(pictures.environment);
   return scene;
 }
 

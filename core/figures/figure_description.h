@@ -85,7 +85,7 @@ struct FigurePictures {
   int size = 256;           ///< pixels per side
   int samples = 64;         ///< per pixel
   double exposure = 0;      ///< stops
-  ToneMap toneMap = ToneMap::clamp;
+  rendering::ToneMap toneMap = rendering::ToneMap::clamp;
 
   bool operator==(const FigurePictures&) const = default;
 };
@@ -143,7 +143,7 @@ void checkFigureOutput(const FigureDescription& description, const std::filesyst
 
 /// The scene with its environment replaced if the pictures name one. @throws Error if scene or environment cannot be
 /// opened.
-Scene figureScene(const FigurePictures& pictures);
+rendering::Scene figureScene(const FigurePictures& pictures);
 
 /// Checks a description that does not come from figureFromJson(). @throws Error that states the member, if there are no
 /// materials or no representations or a number is outside the range that files allow.

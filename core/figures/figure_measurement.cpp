@@ -40,7 +40,7 @@ using FileTimes = decltype(FigureMeasurement::fileTimes);
 FileTimes fileTimesOf(const FigureDescription& description) {
   FileTimes times;
   for (const std::string& source : figureSources(description))
-    for (const fs::path& file : editing::filesOf(source)) {
+    for (const fs::path& file : documents::filesOf(source)) {
       std::error_code ignored;  // reading the file reports the error
       times[source].push_back(fs::last_write_time(file, ignored));
     }
@@ -72,7 +72,7 @@ std::vector<study::Representation> missingOf(const FigureRow& row, const FigureD
 /// Measures the missing cells of a row.
 void completeRow(FigureRow& row, const FigureDescription& description, study::StudyOptions options,
                  const std::function<void()>& measured, const TaskControl& control) {
-  const materials::Material material = editing::openMaterial(row.path, control.between(0, 0.5 * readingFraction));
+  const materials::Material material = documents::openMaterial(row.path, control.between(0, 0.5 * readingFraction));
   const auto table = material.tabulated(control.between(0.5 * readingFraction, readingFraction));
   row.name = material.name;
   options.referenceRendered = [&](const Image& picture) { row.reference = std::make_shared<const Image>(picture); };
@@ -174,7 +174,8 @@ double errorMaximum(const FigureDescription& description, const FigureMeasuremen
     std::vector<Image> pictures;
     for (const auto& cell : row.cells)
       if (cell) pictures.push_back(cell->picture);
-    if (row.reference && !pictures.empty()) maximum = std::max(maximum, errorRange(*row.reference, pictures));
+    if (row.reference && !pictures.empty())
+      maximum = std::max(maximum, rendering::errorRange(*row.reference, pictures));
   }
   return maximum;
 }

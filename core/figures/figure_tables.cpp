@@ -36,7 +36,7 @@ std::string latexRow(const FigureDescription& description, const FigureRow& row,
 }  // namespace
 
 std::string figurePicturesText(const FigurePictures& pictures) {
-  const std::string scene = pictures.scene.empty() ? comparisonSceneName : pictures.scene;
+  const std::string scene = pictures.scene.empty() ? rendering::comparisonSceneName : pictures.scene;
   const std::string size = std::to_string(pictures.size);
   return scene + (pictures.environment.empty() ? "" : ", environment " + pictures.environment) + ", " + size + " x " +
          size + ", " + std::to_string(pictures.samples) + " samples";

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/formats/formats.h"
 
-namespace gonio::materials {
-
-std::span<const MaterialFormat* const> materialFormats() { return formats::allFormats; }
-
-}  // namespace gonio::materials
+std::span<const gonio::materials::MaterialFormat* const> gonio::materials::materialFormats() {
+  return formats::allFormats;
+}

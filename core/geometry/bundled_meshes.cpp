@@ -12,7 +12,7 @@
 #include "core/support/error.h"
 #include "core/support/text.h"
 
-namespace gonio {
+namespace gonio::geometry {
 
 namespace {
 
@@ -289,4 +289,4 @@ std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
   throw Error("found the mesh '" + name + "', expected one of " + names);
 }
 
-}  // namespace gonio
+}  // namespace gonio::geometry

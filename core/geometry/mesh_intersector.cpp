@@ -13,7 +13,7 @@
 
 #include "core/support/error.h"
 
-namespace gonio {
+namespace gonio::geometry {
 
 RTCDevice embreeDevice() {
   static const RTCDevice shared = rtcNewDevice(nullptr);
@@ -263,4 +263,4 @@ BoundingVolumes buildBoundingVolumes(std::span<const AxisBox> boxes) {
   return volumes;
 }
 
-}  // namespace gonio
+}  // namespace gonio::geometry

@@ -17,7 +17,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-namespace gonio {
+namespace gonio::geometry {
 
 /// The Embree device of the process; it exists until the process ends.
 RTCDevice embreeDevice();
@@ -126,4 +126,4 @@ struct BoundingVolumes {
 /// @throws Error if Embree runs out of memory.
 BoundingVolumes buildBoundingVolumes(std::span<const AxisBox> boxes);
 
-}  // namespace gonio
+}  // namespace gonio::geometry

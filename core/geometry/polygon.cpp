@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-namespace gonio {
+namespace gonio::geometry {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<TriangleIndices> triangulatePolygon(std::span<const glm::vec3> corne
   return EarClipping(std::move(p)).triangles();
 }
 
-}  // namespace gonio
+}  // namespace gonio::geometry

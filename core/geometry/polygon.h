@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace gonio {
+namespace gonio::geometry {
 
 /// Triangulates a polygon of n >= 3 corners, planar or nearly so, convex or not, into n - 2 triangles of its corners (0
 /// to n - 1) with the same winding, by ear clipping (Meisters 1975, "Polygons Have Ears"). A convex quadrangle is cut
@@ -16,4 +16,4 @@ namespace gonio {
 /// otherwise typically O(n^2), limited to 10000 n steps; then the rest becomes a fan.
 std::vector<TriangleIndices> triangulatePolygon(std::span<const glm::vec3> corners);
 
-}  // namespace gonio
+}  // namespace gonio::geometry

@@ -17,7 +17,7 @@
 #include "core/support/error.h"
 #include "core/support/text.h"
 
-namespace gonio {
+namespace gonio::geometry {
 
 namespace {
 
@@ -385,4 +385,4 @@ std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions,
   return normals;
 }
 
-}  // namespace gonio
+}  // namespace gonio::geometry

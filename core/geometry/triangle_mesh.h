@@ -14,7 +14,7 @@
 
 /// Topology of triangle meshes by the positions of vertices, since files repeat a vertex where texture coordinates or
 /// normals differ.
-namespace gonio {
+namespace gonio::geometry {
 
 /// A triangle of a mesh: three indices of vertices, counter-clockwise as seen from outside.
 using TriangleIndices = glm::uvec3;
@@ -141,4 +141,4 @@ Direction areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
 /// @param welded triangles with welded vertices (weldedVertices()), none degenerate. O(corners x faces per vertex).
 std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions, std::span<const TriangleIndices> welded);
 
-}  // namespace gonio
+}  // namespace gonio::geometry

@@ -6,7 +6,7 @@
 #include "core/interpolation/interpolation_spaces.h"
 #include "core/support/error.h"
 
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 Interpolation::Interpolation(std::span<const InterpolationMaterial> ends)
     : ends_(ends.begin(), ends.end()), tables_(tablesOf(ends)) {
@@ -30,7 +30,7 @@ std::optional<models::ParameterValues> Interpolation::parameters(std::span<const
   return blendedParameters(weights);
 }
 
-std::vector<DifferentialEdit> Interpolation::differentialEdits(std::span<const double> weights) const {
+std::vector<editing::DifferentialEdit> Interpolation::differentialEdits(std::span<const double> weights) const {
   checkWeights(weights, materials());
   return blendedEdits(weights);
 }
@@ -67,4 +67,4 @@ std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace spa
   }
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

@@ -18,7 +18,7 @@
 #include "core/models/model.h"
 
 /// Interpolation (blending) of materials.
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 /// The space in which materials are blended.
 enum class InterpolationSpace {
@@ -48,10 +48,10 @@ struct InterpolationMaterial {
   /// The material in its native form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files).
   /// Null: the material is the table.
   std::shared_ptr<const Brdf> base = nullptr;
-  EditList edits = {};
+  editing::EditList edits = {};
 
   /// The material that a weight of 1 gives.
-  std::shared_ptr<const Brdf> material() const { return base ? applyEdits(base, edits) : table; }
+  std::shared_ptr<const Brdf> material() const { return base ? editing::applyEdits(base, edits) : table; }
 };
 
 struct InterpolationOptions {
@@ -106,7 +106,7 @@ class Interpolation {
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
   /// One edit per material, which changes its fitted parameters to the blended ones, in `differential`: the blend is
   /// the weighted sum of the edited materials.
-  std::vector<DifferentialEdit> differentialEdits(std::span<const double> weights) const;
+  std::vector<editing::DifferentialEdit> differentialEdits(std::span<const double> weights) const;
   /// The blended curves, in `factors`.
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;
   /// The blended code, in `dictionary`. Takes about 100 ms if the codes use different dictionaries.
@@ -130,7 +130,7 @@ class Interpolation {
 
   // For any weights.
   virtual std::optional<models::ParameterValues> blendedParameters(std::span<const double>) const { return {}; }
-  virtual std::vector<DifferentialEdit> blendedEdits(std::span<const double>) const { return {}; }
+  virtual std::vector<editing::DifferentialEdit> blendedEdits(std::span<const double>) const { return {}; }
   virtual std::optional<factorization::PdvFactors> blendedFactors(std::span<const double>) const { return {}; }
   virtual std::optional<dictionary::SparseCode> blendedCode(std::span<const double>) const { return {}; }
 
@@ -147,4 +147,4 @@ std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace spa
                                                           const InterpolationOptions& options = {},
                                                           const TaskControl& control = {});
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

@@ -14,7 +14,7 @@
 #include "core/models/registry.h"
 #include "core/support/error.h"
 
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 namespace {
 
@@ -160,25 +160,25 @@ class DifferentialInterpolation final : public ParameterInterpolation {
       : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
-  std::vector<DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
+  std::vector<editing::DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
     const ParameterValues target = blendedParameters(weights).value();
-    std::vector<DifferentialEdit> edits;
+    std::vector<editing::DifferentialEdit> edits;
     for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
     return edits;
   }
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     std::vector<std::shared_ptr<const Brdf>> moved;
-    for (DifferentialEdit& move : blendedEdits(weights))
-      moved.push_back(applyEdits(ends()[moved.size()].material(), EditList{{std::move(move)}}));
+    for (editing::DifferentialEdit& move : blendedEdits(weights))
+      moved.push_back(editing::applyEdits(ends()[moved.size()].material(), editing::EditList{{std::move(move)}}));
     return weightedSum(std::move(moved), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
-    const std::vector<DifferentialEdit> edits = blendedEdits(weights);
+    const std::vector<editing::DifferentialEdit> edits = blendedEdits(weights);
     std::vector<Table> moved = sameGrid_;
     for (std::size_t i = 0; i < materials(); ++i) {
       if (!(weights[i] > 0)) continue;
       const double begin = double(i) / double(materials()), end = double(i + 1) / double(materials());
-      moved[i] = bakeEdits(sameGrid_[i], EditList{{edits[i]}}, control.between(begin, end));
+      moved[i] = editing::bakeEdits(sameGrid_[i], editing::EditList{{edits[i]}}, control.between(begin, end));
     }
     return weightedSum(moved, weights, {.stop = control.stop});
   }
@@ -304,4 +304,4 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
       ends, options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

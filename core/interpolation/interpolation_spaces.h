@@ -4,7 +4,7 @@
 
 #include "core/interpolation/interpolation.h"
 
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 /// The implementations of prepareInterpolation(), one for each space.
 
@@ -26,4 +26,4 @@ std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial
 std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
                                             const TaskControl& control);
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

@@ -9,7 +9,7 @@
 #include "core/rgl/rgl_edit.h"
 #include "core/sampling/fitted_densities.h"
 
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolatio
   return best;
 }
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

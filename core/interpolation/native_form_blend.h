@@ -7,7 +7,7 @@
 
 #include "core/interpolation/interpolation.h"
 
-namespace gonio::editing {
+namespace gonio::interpolation {
 
 /// A blend in the common form of its materials.
 struct NativeFormBlend {
@@ -33,4 +33,4 @@ bool mixesNativeForms(InterpolationSpace space);
 std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, InterpolationSpace space,
                                                std::span<const double> weights, const TaskControl& control = {});
 
-}  // namespace gonio::editing
+}  // namespace gonio::interpolation

@@ -106,7 +106,7 @@ class GltfReader {
   GltfReader(const json& root, std::span<const std::byte> binary, const std::optional<std::filesystem::path>& folder)
       : root_(root, ""), binary_(binary), folder_(folder) {}
 
-  MeshArrays read() {
+  geometry::MeshArrays read() {
     checkExtensions();
     if (root_.contains("scenes") && !root_.array("scenes").empty()) {
       const JsonObject scene = item(root_, "scenes", root_.contains("scene") ? index(root_, "scene") : 0);
@@ -203,11 +203,11 @@ class GltfReader {
     for (const glm::vec3& p : positions) arrays_.positions.emplace_back(placed * glm::dvec4(p, 1));
     const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(placed)));
     const bool isMirrored = glm::determinant(glm::dmat3(placed)) < 0;
-    for (TriangleIndices corners : trianglesOf(primitive, mode, positions.size())) {
+    for (geometry::TriangleIndices corners : trianglesOf(primitive, mode, positions.size())) {
       if (isMirrored) std::swap(corners[0], corners[1]);
       if (arrays_.triangles.size() >= maxGltfTriangles)
         throw Error("found more than " + std::to_string(maxGltfTriangles) + " triangles, the maximum");
-      TriangleIndices& triangle = arrays_.triangles.emplace_back();
+      geometry::TriangleIndices& triangle = arrays_.triangles.emplace_back();
       for (int c = 0; c < 3; ++c) {
         triangle[c] = std::uint32_t(first + corners[c]);
         // Missing ones have no length, so that they are made.
@@ -217,14 +217,15 @@ class GltfReader {
     }
   }
 
-  std::vector<TriangleIndices> trianglesOf(const JsonObject& primitive, std::size_t mode, std::size_t vertices) const {
+  std::vector<geometry::TriangleIndices> trianglesOf(const JsonObject& primitive, std::size_t mode,
+                                                     std::size_t vertices) const {
     std::vector<std::uint32_t> indices;
     if (primitive.contains("indices")) {
       indices = indicesOf(index(primitive, "indices"), vertices);
     } else {
       for (std::size_t i = 0; i < vertices; ++i) indices.push_back(std::uint32_t(i));
     }
-    std::vector<TriangleIndices> triangles;
+    std::vector<geometry::TriangleIndices> triangles;
     for (std::size_t i = 2; i < indices.size(); ++i) {
       if (mode == triangleList && i % 3 != 2) continue;
       const bool swapped = mode == triangleStrip && i % 2 == 1;
@@ -307,18 +308,18 @@ class GltfReader {
   JsonObject root_;
   std::span<const std::byte> binary_;
   const std::optional<std::filesystem::path>& folder_;
-  MeshArrays arrays_;
+  geometry::MeshArrays arrays_;
   std::size_t nodesSeen_ = 0;
   mutable std::vector<std::optional<std::vector<std::byte>>> buffers_;  ///< that have been opened
 };
 
 }  // namespace
 
-TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder) {
+geometry::TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder) {
   const std::vector<std::byte> bytes = source.readAll(maxGltfBytes);
   const GltfParts parts = gltfParts(bytes);
   const json root = parseJson({reinterpret_cast<const char*>(parts.text.data()), parts.text.size()});
-  return TriangleMesh(GltfReader(root, parts.binary, folder).read());
+  return geometry::TriangleMesh(GltfReader(root, parts.binary, folder).read());
 }
 
 }  // namespace gonio::io

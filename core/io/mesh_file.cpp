@@ -30,7 +30,7 @@ bool isMeshFile(const std::filesystem::path& path) {
   return std::ranges::find(meshSuffixes(), suffixOf(path)) != meshSuffixes().end();
 }
 
-TriangleMesh readMesh(const std::filesystem::path& path) {
+geometry::TriangleMesh readMesh(const std::filesystem::path& path) {
   const std::string suffix = suffixOf(path);
   if (suffix == ".obj") return readObj(path);
   return withFileInErrors(path, [&] {

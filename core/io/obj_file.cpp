@@ -114,7 +114,7 @@ class Reader {
  public:
   Reader(std::string_view text, const TaskControl& control) : text_(text), control_(control) {}
 
-  MeshArrays read() {
+  geometry::MeshArrays read() {
     // Faces may name vertices of later lines.
     forEachLine(text_, control_.between(0, 0.3), [&](std::string_view keyword, Words& words) {
       if (keyword == "v") arrays_.positions.push_back(threeNumbers(words));
@@ -158,8 +158,8 @@ class Reader {
       throw Error("found a face of " + std::to_string(corners_.size()) + " corners, expected three or more");
     if (arrays_.triangles.size() + corners_.size() - 2 > maxTriangles)
       throw Error("found more than " + std::to_string(maxTriangles) + " triangles, the maximum");
-    for (const TriangleIndices& triangle : triangulatePolygon(places_)) {
-      TriangleIndices& added = arrays_.triangles.emplace_back();
+    for (const geometry::TriangleIndices& triangle : geometry::triangulatePolygon(places_)) {
+      geometry::TriangleIndices& added = arrays_.triangles.emplace_back();
       for (int i = 0; i < 3; ++i) {
         const Corner& from = corners_[triangle[i]];
         added[i] = from.position;
@@ -171,7 +171,7 @@ class Reader {
 
   std::string_view text_;
   const TaskControl& control_;
-  MeshArrays arrays_;
+  geometry::MeshArrays arrays_;
   std::vector<glm::vec3> normals_;
   std::size_t positionsBefore_ = 0, normalsBefore_ = 0;
   bool anyNormal_ = false;
@@ -181,13 +181,13 @@ class Reader {
 
 }  // namespace
 
-TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
+geometry::TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
   const std::vector<std::byte> bytes = source.readAll(maxObjBytes);
   const std::string_view text = withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  return TriangleMesh(Reader(text, control.between(0, 0.7)).read());
+  return geometry::TriangleMesh(Reader(text, control.between(0, 0.7)).read());
 }
 
-TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control) {
+geometry::TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control) {
   return withFileInErrors(path, [&] { return readObj(FileSource(path), control); });
 }
 

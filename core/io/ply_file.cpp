@@ -173,7 +173,7 @@ class PlyReader {
   explicit PlyReader(std::string_view data)
       : header_(headerOf(data)), numbers_(data.substr(header_.end), header_.encoding) {}
 
-  MeshArrays read() {
+  geometry::MeshArrays read() {
     for (const PlyElement& element : header_.elements) {
       // Rows without numbers: the file could state any count of them.
       if (element.properties.empty() && element.name != "vertex") continue;
@@ -181,7 +181,7 @@ class PlyReader {
     }
     if (arrays_.triangles.empty()) throw Error("a PLY mesh: found no faces, expected at least one");
     if (!normals_.empty())
-      for (const TriangleIndices& triangle : arrays_.triangles)
+      for (const geometry::TriangleIndices& triangle : arrays_.triangles)
         for (int c = 0; c < 3; ++c) arrays_.normals.push_back(normals_[triangle[c]]);
     return std::move(arrays_);
   }
@@ -243,13 +243,13 @@ class PlyReader {
       if (!std::isfinite(glm::dot(places_.back(), glm::vec3(1))))
         throw Error("found a vertex with a coordinate that is not finite");
     }
-    for (const TriangleIndices& triangle : triangulatePolygon(places_))
+    for (const geometry::TriangleIndices& triangle : geometry::triangulatePolygon(places_))
       arrays_.triangles.push_back({corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});
   }
 
   PlyHeader header_;
   PlyNumbers numbers_;
-  MeshArrays arrays_;
+  geometry::MeshArrays arrays_;
   std::vector<glm::vec3> normals_;
   std::vector<std::uint32_t> corners_;  ///< of the face at hand
   std::vector<glm::vec3> places_;       ///< their positions
@@ -257,12 +257,12 @@ class PlyReader {
 
 }  // namespace
 
-TriangleMesh readPly(const ByteSource& source) {
+geometry::TriangleMesh readPly(const ByteSource& source) {
   const std::vector<std::byte> bytes = source.readAll(maxPlyBytes);
-  return TriangleMesh(PlyReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read());
+  return geometry::TriangleMesh(PlyReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read());
 }
 
-std::vector<std::byte> encodePly(const TriangleMesh& mesh) {
+std::vector<std::byte> encodePly(const geometry::TriangleMesh& mesh) {
   using Corner = std::tuple<std::uint32_t, float, float, float>;
   std::map<Corner, std::int32_t> indices;
   std::vector<std::byte> vertices, faces;

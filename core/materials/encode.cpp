@@ -50,12 +50,12 @@ std::vector<const MaterialFormat*> withSuffix(const std::filesystem::path& path)
 
 }  // namespace
 
-RenderedComparison comparisonOf(const EditedMaterial& material, const EncodeOptions& options,
-                                const TaskControl& control) {
-  RenderOptions pictures;
+rendering::RenderedComparison comparisonOf(const EditedMaterial& material, const EncodeOptions& options,
+                                           const TaskControl& control) {
+  rendering::RenderOptions pictures;
   pictures.width = pictures.height = options.pictureSize;
   pictures.samples = options.samples;
-  return RenderedComparison(*material.shown.brdf, pictures, control);
+  return rendering::RenderedComparison(*material.shown.brdf, pictures, control);
 }
 
 std::optional<Encoded> copyOfFile(const EditedMaterial& material, const MaterialFormat& format) {
@@ -74,7 +74,7 @@ Encoded encode(const EditedMaterial& material, const MaterialFormat& format, con
   if (made.readBack == material.shown.brdf) return made;
   std::ranges::copy(unheld(material, format.holds), std::back_inserter(made.losses));
   if (std::isinf(made.snr)) {
-    const RenderedComparison pictures = comparisonOf(material, options, control.between(0.6, 0.8));
+    const rendering::RenderedComparison pictures = comparisonOf(material, options, control.between(0.6, 0.8));
     made.snr = pictures.signalToNoiseRatio(pictures.render(*made.readBack, control.between(0.8, 0.9)));
   }
   made.brdfSnr = metrics::brdfSignalToNoiseRatio(*material.shown.brdf, *made.readBack);

@@ -62,7 +62,7 @@ std::string shortfall(const Encoded& made, const MaterialFormat& format, const E
 
 /// Renders a material with the picture size and samples of the options, for RenderedComparison::signalToNoiseRatio().
 /// @throws Cancelled.
-RenderedComparison comparisonOf(const EditedMaterial& material, const EncodeOptions& options,
-                                const TaskControl& control);
+rendering::RenderedComparison comparisonOf(const EditedMaterial& material, const EncodeOptions& options,
+                                           const TaskControl& control);
 
 }  // namespace gonio::materials

@@ -10,7 +10,7 @@
 #include "core/rendering/environment.h"
 #include "core/support/error.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -184,4 +184,4 @@ std::shared_ptr<const EnvironmentMap> studioEnvironment() { return bundledEnviro
 std::shared_ptr<const EnvironmentMap> skyEnvironment() { return bundledEnvironment("sky"); }
 std::shared_ptr<const EnvironmentMap> furnaceEnvironment() { return bundledEnvironment("furnace"); }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

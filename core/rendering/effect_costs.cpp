@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -87,4 +87,4 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
   return costs;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

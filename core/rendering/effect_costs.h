@@ -6,7 +6,7 @@
 
 #include "core/rendering/path_tracer.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Comparison of the planned picture with a picture in which one effect is switched off if it is planned, else on.
 struct EffectCost {
@@ -40,4 +40,4 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
                                const EffectOverrides& overrides = {}, const EffectCostOptions& options = {},
                                const TaskControl& control = {});
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -9,7 +9,7 @@
 
 #include "core/support/error.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -325,4 +325,4 @@ EffectOverrides everyEffect() {
   return all;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -11,7 +11,7 @@
 #include "core/rendering/render_material.h"
 #include "core/rendering/scene_light.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Effects of light transport, in the order of display.
 enum class Effect {
@@ -86,4 +86,4 @@ std::map<std::string, std::string> pictureAttributes(const Scene& scene, const E
 /// Overrides that force all effects on, regardless of the analysis.
 EffectOverrides everyEffect();
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -17,7 +17,7 @@
 #include "core/support/error.h"
 #include "core/support/text.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -292,4 +292,4 @@ std::shared_ptr<const EnvironmentMap> blurredEnvironment(const std::shared_ptr<c
   return known.try_emplace(environment, std::move(blurred)).first->second;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -10,7 +10,7 @@
 
 #include "core/math/image.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Infinitely distant light, as a latitude-longitude map of linear RGB radiance. World axes: x right, y up; the default
 /// camera looks along -z. The position (u, v) in [0, 1]^2, v = 0 at the top, has the direction
@@ -112,4 +112,4 @@ inline constexpr double blurConcentration = 91.2;
 /// environment (about 0.1 s); callable from several threads. @param environment not null.
 std::shared_ptr<const EnvironmentMap> blurredEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -10,7 +10,7 @@
 #include "core/math/round_number.h"
 #include "core/math/types.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -78,4 +78,4 @@ ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures) {
   return result;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -9,7 +9,7 @@
 
 #include "core/math/image.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Display sRGB, 8 bits per channel.
 using DisplayColour = std::array<std::uint8_t, 3>;
@@ -40,4 +40,4 @@ ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures);
 double errorRange(const Image& reference, std::span<const Image> pictures);
 std::vector<std::uint8_t> errorMap(const Image& reference, const Image& picture, double range);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -7,7 +7,7 @@
 
 #include "core/math/parallel.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 SampleLuminances& SampleLuminances::operator+=(const SampleLuminances& other) {
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
@@ -81,4 +81,4 @@ Image RecordedPaths::picture(const Brdf& brdf, const TaskControl& control) const
   return image;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

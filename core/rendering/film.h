@@ -13,7 +13,7 @@
 #include "core/math/image.h"
 #include "core/support/task_control.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Numbers of traced rays, as a measure of the cost of effects.
 struct RayCounters {
@@ -134,4 +134,4 @@ class RecordedPaths {
   int samples_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::rendering

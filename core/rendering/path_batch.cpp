@@ -8,7 +8,7 @@
 
 #include "core/rendering/environment.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -303,4 +303,4 @@ Rgb PathTracer::PathBatch::foundLights(const Path& path) const {
   return sum;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -10,7 +10,7 @@
 #include "core/rendering/path_tracer.h"
 #include "core/rendering/scene_light.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Identifies the sample points of a path: its pixel and the index of its sample.
 struct PathSeed {
@@ -204,4 +204,4 @@ class PathTracer::PathBatch {
   std::vector<double> distances_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::rendering

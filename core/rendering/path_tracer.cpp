@@ -9,7 +9,7 @@
 #include "core/math/parallel.h"
 #include "core/rendering/path_batch.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 PathTracer::PathTracer(Scene scene, std::vector<std::shared_ptr<const RenderMaterial>> materials, EffectPlan plan,
                        std::uint64_t seed, Strategy strategy)
@@ -122,4 +122,4 @@ RecordedPaths PathTracer::record(int width, int height, int samples, const TaskC
   return {std::move(rows), film.image(), samples};
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

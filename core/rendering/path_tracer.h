@@ -6,7 +6,7 @@
 #include "core/rendering/film.h"
 #include "core/support/task_control.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// A path tracer (Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", section 8.2) that simulates
 /// only the effects of a plan. At each surface it samples one direction per light and one from the material; for lights
@@ -55,4 +55,4 @@ class PathTracer {
   std::vector<bool> findsLights_;  ///< [object]: whether directions sampled from its material can hit a light
 };
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -8,7 +8,7 @@
 
 #include "core/support/error.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -88,4 +88,4 @@ PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::share
   return estimate;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

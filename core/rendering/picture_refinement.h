@@ -7,7 +7,7 @@
 #include "core/rendering/path_tracer.h"
 #include "core/support/task_control.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Limits of a picture; it is complete when the first one is reached.
 struct RefinementLimits {
@@ -37,4 +37,4 @@ struct PictureEstimate {
 PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                 const EffectPlan& plan, int width, int height, const TaskControl& control = {});
 
-}  // namespace gonio
+}  // namespace gonio::rendering

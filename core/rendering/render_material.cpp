@@ -10,7 +10,7 @@
 #include "core/sampling/fitted_densities.h"
 #include "core/support/error.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::vector<std::shared_ptr<const RenderMaterial>> bindMaterials(
   return materials;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

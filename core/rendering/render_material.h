@@ -11,7 +11,7 @@
 #include "core/sampling/fitted_densities.h"
 #include "core/sampling/tabulated_density.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Upper bound A(F) of the radiance that a material reflects to a viewer from a light of radiance 1 that covers a
 /// fraction F of the cosine-weighted hemisphere, at the position where the material reflects most:
@@ -105,4 +105,4 @@ RenderMaterials materialsInSlots(const Scene& scene, const std::shared_ptr<const
 std::vector<std::shared_ptr<const RenderMaterial>> bindMaterials(
     const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> slotMaterials);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -122,4 +122,4 @@ double RenderedComparison::peakSignalToNoiseRatio(const ComparisonPicture& pictu
   return metrics::peakSignalToNoiseRatio(reference_.halves, picture.halves);
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -5,7 +5,7 @@
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/path_tracer.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 struct RenderOptions {
   int width = 256, height = 256;
@@ -77,4 +77,4 @@ class RenderedComparison {
   ComparisonPicture reference_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::rendering

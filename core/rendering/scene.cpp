@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gonio {
+namespace gonio::rendering {
 
 CameraFrame cameraFrame(const OrbitCamera& camera) {
   constexpr double orthographicHalfExtent = 1.15;
@@ -47,4 +47,4 @@ Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment, const Orbit
   return scene;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

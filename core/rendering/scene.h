@@ -9,7 +9,7 @@
 #include "core/rendering/environment.h"
 #include "core/rendering/shape.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// A camera that orbits `target` in world coordinates (y up). With both angles 0 it looks along -z.
 struct OrbitCamera {
@@ -100,4 +100,4 @@ int materialSlotCount(const Scene& scene);
 /// light if it is null.
 Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment = nullptr, const OrbitCamera& camera = {});
 
-}  // namespace gonio
+}  // namespace gonio::rendering

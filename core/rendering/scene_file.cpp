@@ -14,7 +14,7 @@
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -46,15 +46,16 @@ double numberOr(const JsonObject& object, std::string_view key, double min, doub
 
 /// Scaled, turned about +y (rad) and moved; `fits`: first into a sphere of radius 1 that stands on the plane one below
 /// the origin.
-Shape placedMesh(std::shared_ptr<const TriangleMesh> mesh, double scale, double turn, Direction centre, bool fits) {
+Shape placedMesh(std::shared_ptr<const geometry::TriangleMesh> mesh, double scale, double turn, Direction centre,
+                 bool fits) {
   if (fits) {
     scale /= mesh->boundingSphere().radius;
     const Direction middle = mesh->boundingSphere().centre, foot(middle.x, mesh->bounds().min.y, middle.z);
-    centre -= Direction(placement(scale, turn, Direction(0)) * glm::dvec4(foot, 1)) + Direction(0, 1, 0);
+    centre -= Direction(geometry::placement(scale, turn, Direction(0)) * glm::dvec4(foot, 1)) + Direction(0, 1, 0);
   }
-  const glm::dmat4 placed = placement(scale, turn, centre);
-  if (placed != glm::dmat4(1)) mesh = std::make_shared<const TriangleMesh>(transformed(*mesh, placed));
-  return std::make_shared<const MeshIntersector>(std::move(mesh));
+  const glm::dmat4 placed = geometry::placement(scale, turn, centre);
+  if (placed != glm::dmat4(1)) mesh = std::make_shared<const geometry::TriangleMesh>(transformed(*mesh, placed));
+  return std::make_shared<const geometry::MeshIntersector>(std::move(mesh));
 }
 
 /// From where all that is looked at fits into a square picture, with a margin.
@@ -127,8 +128,9 @@ Shape SceneReader::meshOf(const JsonObject& object) const {
   const std::string name = object.text("mesh");
   if (io::isMeshFile(name) && !folder_)
     object.fail("mesh", "the name of a bundled mesh (a scene read from text cannot refer to files)");
-  std::shared_ptr<const TriangleMesh> mesh =
-      io::isMeshFile(name) ? std::make_shared<const TriangleMesh>(io::readMesh(*folder_ / name)) : bundledMesh(name);
+  std::shared_ptr<const geometry::TriangleMesh> mesh =
+      io::isMeshFile(name) ? std::make_shared<const geometry::TriangleMesh>(io::readMesh(*folder_ / name))
+                           : geometry::bundledMesh(name);
   return placedMesh(std::move(mesh), numberOr(object, "scale", smallest, largest, 1),
                     radians(numberOr(object, "turn", -360, 360, 0)), tripleOr(object, "centre", {0, 0, 0}),
                     object.contains("fit") && object.flag("fit"));
@@ -237,8 +239,8 @@ Scene meshScene(const std::filesystem::path& path) {
   scene.description = "A mesh on the ground";
   scene.objects[0].name = scene.name;
   scene.objects[0].shape =
-      placedMesh(std::make_shared<const TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);
-  const TriangleMesh::Bounds& bounds = std::get<MeshShape>(scene.objects[0].shape)->mesh().bounds();
+      placedMesh(std::make_shared<const geometry::TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);
+  const geometry::TriangleMesh::Bounds& bounds = std::get<MeshShape>(scene.objects[0].shape)->mesh().bounds();
   scene.camera.target = (bounds.min + bounds.max) / 2.0;
   scene.camera.distance = fittingDistance(scene, scene.camera);
   return scene;
@@ -292,4 +294,4 @@ Scene openScene(const std::string& nameOrPath, int materials) {
   return scene;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -9,7 +9,7 @@
 
 #include "core/rendering/scene.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 struct BundledScene {
   std::string_view name, json;
@@ -33,4 +33,4 @@ Scene openScene(const std::string& nameOrPath, int materials = 1);
 /// The names of the bundled scenes, in the order of display.
 const std::vector<std::string>& bundledSceneNames();
 
-}  // namespace gonio
+}  // namespace gonio::rendering

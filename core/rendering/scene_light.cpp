@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -181,4 +181,4 @@ double maxFormFactor(const SceneObject& receiver, const SceneObject& other) {
   return ratio * ratio;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -4,7 +4,7 @@
 
 #include "core/rendering/scene.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Identifies a light source of a scene.
 struct SceneLight {
@@ -39,4 +39,4 @@ bool maySee(const SceneObject& receiver, const SceneObject& other);
 /// 1]: (r / d)^2, with r the radius of its bounding sphere and d the smallest distance of the receiver from its centre.
 double maxFormFactor(const SceneObject& receiver, const SceneObject& other);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -50,7 +50,7 @@ double nearest(const MeshShape& mesh, const Ray& ray, double tMin, double tMax) 
   return hit ? hit->t : noHit;
 }
 
-Direction farthestVertex(const TriangleMesh& mesh, const Direction& direction) {
+Direction farthestVertex(const geometry::TriangleMesh& mesh, const Direction& direction) {
   const auto along = [&](const glm::vec3& vertex) { return glm::dot(Direction(vertex), direction); };
   return Direction(*std::ranges::max_element(mesh.positions(), {}, along));
 }
@@ -89,7 +89,7 @@ std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray) {
 
 Direction offsetRayOrigin(const Shape& shape, const ShapeHit& hit) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
-    return offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);
+    return geometry::offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);
   const Sphere bound = boundingSphere(shape);
   const double maxCoordinate = glm::length(bound.centre) + bound.radius;
   return hit.position + 16 * std::numeric_limits<double>::epsilon() * maxCoordinate * hit.geometricNormal;
@@ -121,7 +121,7 @@ Sphere boundingSphere(const Shape& shape) {
                                  return Sphere{rectangle.centre, glm::length(rectangle.halfU + rectangle.halfV)};
                                },
                                [](const MeshShape& mesh) {
-                                 const TriangleMesh::Sphere& bound = mesh->mesh().boundingSphere();
+                                 const geometry::TriangleMesh::Sphere& bound = mesh->mesh().boundingSphere();
                                  return Sphere{bound.centre, bound.radius};
                                }},
                     shape);
@@ -136,7 +136,7 @@ bool encloses(const Shape& shape, const Direction& point) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return glm::length(point - sphere->centre) < sphere->radius;
   const auto* intersector = std::get_if<MeshShape>(&shape);
   if (!intersector || !(*intersector)->mesh().isConvex()) return false;
-  const TriangleMesh& mesh = (*intersector)->mesh();
+  const geometry::TriangleMesh& mesh = (*intersector)->mesh();
   for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
     const Direction corner(mesh.positions()[mesh.triangles()[i][0]]);
     if (!(glm::dot(mesh.geometricNormal(i), point - corner) < 0)) return false;
@@ -144,4 +144,4 @@ bool encloses(const Shape& shape, const Direction& point) {
   return true;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

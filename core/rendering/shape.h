@@ -9,7 +9,7 @@
 #include "core/geometry/mesh_intersector.h"
 #include "core/math/types.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// A sphere; only its outside reflects.
 struct Sphere {
@@ -30,7 +30,7 @@ struct Rectangle {
 };
 
 /// A mesh with its ray intersector.
-using MeshShape = std::shared_ptr<const MeshIntersector>;
+using MeshShape = std::shared_ptr<const geometry::MeshIntersector>;
 
 /// The shape of an object, in world coordinates (y up). All shapes block light from both sides.
 using Shape = std::variant<Sphere, Rectangle, MeshShape>;
@@ -66,4 +66,4 @@ bool isConvex(const Shape& shape);
 /// Conservative.
 bool encloses(const Shape& shape, const Direction& point);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

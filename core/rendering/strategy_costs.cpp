@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
   return costs;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -4,7 +4,7 @@
 
 #include "core/rendering/path_tracer.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 /// Time and error of a sampling strategy against a converged reference.
 struct StrategyCost {
@@ -32,4 +32,4 @@ std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
                                                const EffectPlan& plan, const StrategyCostOptions& options = {},
                                                const TaskControl& control = {});
 
-}  // namespace gonio
+}  // namespace gonio::rendering

@@ -7,7 +7,7 @@
 
 #include "core/math/parallel.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, To
   return bytes;
 }
 
-}  // namespace gonio
+}  // namespace gonio::rendering

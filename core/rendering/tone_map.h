@@ -9,7 +9,7 @@
 #include "core/math/colour.h"
 #include "core/math/image.h"
 
-namespace gonio {
+namespace gonio::rendering {
 
 enum class ToneMap {
   clamp,  ///< linear, clamped to 1
@@ -23,4 +23,4 @@ Rgb toneMapped(const Rgb& radiance, double exposure, ToneMap toneMap);
 /// alpha, as PNG and QImage::Format_RGBA8888 require; alpha is 255 if the image has none. Parallel.
 std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, ToneMap toneMap);
 
-}  // namespace gonio
+}  // namespace gonio::rendering

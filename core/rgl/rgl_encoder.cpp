@@ -274,7 +274,7 @@ class Encoder {
   const RglFileSource* source_;
   const RglOptions& options_;
   const ReferencePictures& pictures_;
-  std::optional<RenderedComparison> reference_;  ///< of the material, rendered when it is needed
+  std::optional<rendering::RenderedComparison> reference_;  ///< of the material, rendered when it is needed
   /// The smallest candidates with the SNR and a margin, and without; the one with the highest SNR.
   std::optional<Candidate> enough_, reached_, best_;
 };

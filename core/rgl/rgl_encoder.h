@@ -51,7 +51,7 @@ struct EncodedRgl {
 };
 
 /// Renders the material of an encodeRgl(), for RenderedComparison::signalToNoiseRatio(). @throws Cancelled.
-using ReferencePictures = std::function<RenderedComparison(const TaskControl&)>;
+using ReferencePictures = std::function<rendering::RenderedComparison(const TaskControl&)>;
 
 /// Encodes a material, with the viewer as incident direction (IncidentDirection::viewer), in the parameterisation that
 /// its error calls for. A material that an RGL file was edited to keeps the file's nodes if its values there reproduce

@@ -24,7 +24,7 @@ constexpr std::size_t maxFrames = 3;
 constexpr double enoughSeconds = 1;
 
 /// Renders frames until their time is known.
-double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
+double frameMilliseconds(const rendering::RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> frames;
   double total = 0;
@@ -38,7 +38,7 @@ double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf,
 }
 
 MeasuredRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
-                               const Brdf& measurement, const RenderedComparison& comparison,
+                               const Brdf& measurement, const rendering::RenderedComparison& comparison,
                                const StudyOptions& options, const TaskControl& stop) {
   MeasuredRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
@@ -55,7 +55,7 @@ MeasuredRepresentation measure(const Representation& representation, const Built
     record.evaluation = {none, none, none};
     record.frameMilliseconds = none;
   }
-  ComparisonPicture picture = comparison.render(*built.brdf, stop);
+  rendering::ComparisonPicture picture = comparison.render(*built.brdf, stop);
   record.renderedSnr = comparison.signalToNoiseRatio(picture);
   studied.picture = std::move(picture.image);
   stop.throwIfStopped();
@@ -75,8 +75,9 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
                                   const StudyOptions& options, const TaskControl& control) {
   std::vector<StudyRecord> records;
   try {
-    const RenderedComparison comparison(options.scene ? *options.scene : comparisonScene(), *subject.reference,
-                                        options.picture, control.between(0, referenceFraction));
+    const rendering::RenderedComparison comparison(options.scene ? *options.scene : rendering::comparisonScene(),
+                                                   *subject.reference, options.picture,
+                                                   control.between(0, referenceFraction));
     if (options.referenceRendered) options.referenceRendered(comparison.reference());
     RepresentationBuilder builder(subject, options.build, representations);
     const double fraction = (1 - referenceFraction) / double(std::max<std::size_t>(1, representations.size()));

@@ -23,9 +23,9 @@ struct MeasuredRepresentation {
 struct StudyOptions {
   BuildOptions build;
   /// Options of the pictures and of the timed frames. `density` is replaced by the reference's.
-  RenderOptions picture = smallComparisonPicture();
+  rendering::RenderOptions picture = rendering::smallComparisonPicture();
   /// Scene of the pictures instead of comparisonScene(); then the rendered SNRs are those of this scene.
-  std::optional<Scene> scene = {};
+  std::optional<rendering::Scene> scene = {};
   /// Whether to measure the times of an evaluation and a frame; false: they are NaN, and only one frame is rendered.
   bool timed = true;
   /// Called after each representation, in order, on the calling thread.
@@ -56,7 +56,7 @@ struct RankingOptions {
   fitting::FitOptions fit;
   std::vector<const models::Model*> models;  ///< empty: all registered models, in order
   /// Options of the pictures. `density` is replaced by the reference's.
-  RenderOptions picture = smallComparisonPicture();
+  rendering::RenderOptions picture = rendering::smallComparisonPicture();
   /// Called after each model, in order, on the calling thread.
   std::function<void(const RankedFit&)> modelDone = {};
 };

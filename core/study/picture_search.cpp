@@ -22,7 +22,7 @@ constexpr double upwardFraction = 0.7;
 class Search {
  public:
   Search(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
-         const dictionary::EncodeOptions& options, const RenderOptions& picture, const TaskControl& control)
+         const dictionary::EncodeOptions& options, const rendering::RenderOptions& picture, const TaskControl& control)
       : encoder_(encoder),
         table_(table),
         renderedSnr_(renderedSnr),
@@ -93,25 +93,26 @@ class Search {
   double renderedSnr_;
   const dictionary::EncodeOptions& options_;
   TaskControl control_;
-  RenderedComparison comparison_;
+  rendering::RenderedComparison comparison_;
   double low_ = 0, high_ = 0;  ///< counts that are not enough, and enough for one
 };
 
 }  // namespace
 
 std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::Model& model,
-                                    const fitting::FitOptions& options, const RenderOptions& picture,
+                                    const fitting::FitOptions& options, const rendering::RenderOptions& picture,
                                     const TaskControl& control) {
   std::vector<GammaTrial> trials;
   try {
-    const RenderedComparison comparison(*base.measurement, picture, {control.stop, {}});
+    const rendering::RenderedComparison comparison(*base.measurement, picture, {control.stop, {}});
     for (int i = 0; i < gammaCount; ++i) {
       fitting::FitOptions gammaOptions = options;
       gammaOptions.metric = metrics::BrdfMetric::gamma;
       gammaOptions.gamma = metrics::minGamma + i * gammaStep;
       fitting::FitResult result = fitting::fit(base, model, gammaOptions, {control.stop, {}});
       control.throwIfStopped();
-      const ComparisonPicture rendered = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
+      const rendering::ComparisonPicture rendered =
+          comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
       trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(rendered)});
       control.report(double(i + 1) / gammaCount);
     }
@@ -126,7 +127,7 @@ std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::
 
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control,
-                                  const RenderOptions& picture) {
+                                  const rendering::RenderOptions& picture) {
   Search search(encoder, table, renderedSnr, options, picture, control);
   std::vector<PictureEncoding> found = search.run();
   std::vector<dictionary::EncodedCandidate> candidates;

@@ -26,7 +26,7 @@ struct GammaTrial {
 /// possibly none; selectGamma() never throws Cancelled.
 std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::Model& model,
                                     const fitting::FitOptions& options = {},
-                                    const RenderOptions& picture = smallComparisonPicture(),
+                                    const rendering::RenderOptions& picture = rendering::smallComparisonPicture(),
                                     const TaskControl& control = {});
 
 struct PictureEncoding {
@@ -43,6 +43,6 @@ struct PictureEncoding {
 /// @throws Error as Encoder::encode(); Cancelled.
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control = {},
-                                  const RenderOptions& picture = {});
+                                  const rendering::RenderOptions& picture = {});
 
 }  // namespace gonio::study

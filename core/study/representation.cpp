@@ -39,7 +39,7 @@ std::vector<double> numbersOf(const Counts& counts) {
   return {counts.begin(), counts.end()};
 }
 
-std::vector<double> bytesOf(const std::vector<int>& terms, const factorization::Baseline& baseline) {
+std::vector<double> bytesOf(const std::vector<int>& terms, const baselines::Baseline& baseline) {
   std::vector<double> budgets;
   for (const int count : terms)
     if (budgets.empty() || budgets.back() < double(baseline.maxBytes))

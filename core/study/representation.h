@@ -65,11 +65,11 @@ struct RepresentationKind {
   int maxBudget = 0;             ///< of the budgets that a user can choose; 0: there are none
   std::string_view legend = {};  ///< name of its points in a legend; empty: the label
   RepresentationUse use = RepresentationUse::showInPreview;
-  bool needsFurtherData = false;                      ///< more than the material: a training set or a published table
-  bool isOptional = false;                            ///< not selected with its family, only by its own id
-  std::string_view formerId = {};                     ///< of older files; empty: none
-  const models::Model* model = nullptr;               ///< of a fit
-  const factorization::Baseline* baseline = nullptr;  ///< of a baseline
+  bool needsFurtherData = false;                  ///< more than the material: a training set or a published table
+  bool isOptional = false;                        ///< not selected with its family, only by its own id
+  std::string_view formerId = {};                 ///< of older files; empty: none
+  const models::Model* model = nullptr;           ///< of a fit
+  const baselines::Baseline* baseline = nullptr;  ///< of a baseline
 
   /// Whether the user chooses a budget.
   bool hasBudget() const { return maxBudget > 0; }

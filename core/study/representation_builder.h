@@ -36,7 +36,7 @@ struct BuildOptions {
   std::shared_ptr<const dictionary::PatchDictionary> patches = {};         ///< null: none
   /// Of the material in the published table (materials/npf_file.h); null: none.
   std::shared_ptr<const factorization::NonparametricFactors> publishedNonparametric = {};
-  neural::NeuralFitOptions neural = {};
+  baselines::NeuralFitOptions neural = {};
 };
 
 struct BuiltRepresentation {

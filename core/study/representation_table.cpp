@@ -214,7 +214,7 @@ Built publishedNonparametricFactors(Context& context, const Representation&, con
 }
 
 Built neuralNetwork(Context& context, const Representation&, const TaskControl& control) {
-  const neural::NeuralFit fit = neural::fitNeural(*context.subject.table, context.options.neural, control);
+  const baselines::NeuralFit fit = baselines::fitNeural(*context.subject.table, context.options.neural, control);
   return {.brdf = std::make_shared<const NeuralBrdf>(fit.weights),
           .nodes = nullptr,
           .bytes = formats::neuralFileBytes,
@@ -225,7 +225,7 @@ Built neuralNetwork(Context& context, const Representation&, const TaskControl& 
 Built baselineModel(Context& context, const Representation& representation, const TaskControl& control) {
   const auto start = Clock::now();
   const std::array<std::size_t, 1> budgets{std::size_t(representation.budget)};
-  const factorization::ComparedModel model =
+  const baselines::ComparedModel model =
       representation.kind->baseline->build(*context.subject.table, budgets, control).front();
   return {.brdf = model.brdf, .nodes = nullptr, .bytes = model.bytes, .encodeSeconds = secondsSince(start)};
 }
@@ -410,7 +410,7 @@ constexpr PointStyle baselineStyles[] = {
     {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::threeStar, true},
     {Marker::saltire, true},      {Marker::fourStar, true}};
 
-RepresentationKind rowOf(const factorization::Baseline& baseline, std::size_t index) {
+RepresentationKind rowOf(const baselines::Baseline& baseline, std::size_t index) {
   const bool hasBudget = baseline.maxBytes > 0;
   return {.id = baseline.id,
           .label = baseline.label,
@@ -426,7 +426,7 @@ std::vector<RepresentationKind> wholeTable() {
   std::vector<RepresentationKind> kinds(std::begin(rows), std::end(rows));
   for (const models::Model* model : models::allModels()) kinds.push_back(rowOf(*model));
   std::size_t count = 0;
-  for (const factorization::Baseline& baseline : factorization::baselines())
+  for (const baselines::Baseline& baseline : baselines::allBaselines())
     if (!std::ranges::count(rows, baseline.id, &RepresentationKind::id)) kinds.push_back(rowOf(baseline, count++));
   std::ranges::stable_sort(kinds, {}, [](const RepresentationKind& kind) {
     return std::ranges::find(families, kind.family) - std::begin(families);

@@ -203,8 +203,8 @@ std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> ma
 }
 
 std::string picturesText(int width, int height, int samples) {
-  return std::string(comparisonSceneName) + ", " + std::to_string(width) + " x " + std::to_string(height) + ", " +
-         std::to_string(samples) + " samples";
+  return std::string(rendering::comparisonSceneName) + ", " + std::to_string(width) + " x " + std::to_string(height) +
+         ", " + std::to_string(samples) + " samples";
 }
 
 io::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,

@@ -56,7 +56,7 @@ std::vector<std::string> trainingFilesOrLibrary(const std::vector<std::string>& 
 }
 
 HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files) {
-  const materials::Material first = editing::openMaterial(files.front());
+  const materials::Material first = documents::openMaterial(files.front());
   const TabulatedBrdf* table = formOf<TabulatedBrdf>(*first.brdf);
   return table ? table->grid() : HalfDifferenceGrid();
 }
@@ -66,7 +66,7 @@ dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& 
   materials.grid = grid;
   for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
   materials.load = [files, grid](std::size_t m) {
-    auto table = editing::openMaterial(files[m]).tabulated();
+    auto table = documents::openMaterial(files[m]).tabulated();
     if (!(table->grid() == grid))
       throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
                   " as for all materials of the training set");

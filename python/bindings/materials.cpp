@@ -17,8 +17,8 @@
 
 namespace gonio::python {
 
-std::shared_ptr<const RenderMaterial> PyMaterial::rendered() const {
-  std::call_once(made_, [this] { rendered_ = std::make_shared<const RenderMaterial>(brdf()); });
+std::shared_ptr<const rendering::RenderMaterial> PyMaterial::rendered() const {
+  std::call_once(made_, [this] { rendered_ = std::make_shared<const rendering::RenderMaterial>(brdf()); });
   return rendered_;
 }
 
@@ -47,7 +47,7 @@ namespace {
 
 PyMaterialPtr open(const std::string& path, const py::object& progress) {
   return std::make_shared<PyMaterial>(
-      resultOf(progress, [&](const TaskControl& control) { return editing::openWithEdits(path, control); }));
+      resultOf(progress, [&](const TaskControl& control) { return documents::openWithEdits(path, control); }));
 }
 
 py::array_t<double> evaluate(const PyMaterial& material, const Vectors& wi, const Vectors& wo) {
@@ -63,7 +63,7 @@ py::array_t<double> evaluate(const PyMaterial& material, const Vectors& wi, cons
   return values;
 }
 
-std::shared_ptr<const RenderMaterial> renderedOf(const PyMaterial& material) {
+std::shared_ptr<const rendering::RenderMaterial> renderedOf(const PyMaterial& material) {
   const py::gil_scoped_release released;
   return material.rendered();
 }
@@ -191,19 +191,19 @@ PyMaterialPtr fromTable(const py::array_t<float, py::array::c_style | py::array:
 /// A dict of the losses, one sentence each, and of the accuracies in dB.
 py::dict save(const PyMaterial& material, const std::string& path, const py::object& progress) {
   materials::Encoded made;
-  if (editing::isDocumentName(path)) {
+  if (documents::isDocumentName(path)) {
     const materials::MaterialSource& source = material.base().source;
     if (source.sha256.empty() || source.path.empty())
       throw Error(path + ": a document stores the path of the edited file, but " + material.shown().name +
                   " has no file; save it as a table (.binary)");
-    editing::EditDocument document;
+    documents::EditDocument document;
     document.sourcePath = source.path.string();
     document.sourceSha256 = source.sha256;
     document.edits = material.edits();
     document.incident = material.edited().incident;
-    editing::writeDocument(document, path);
+    documents::writeDocument(document, path);
   } else {
-    materials::checkWritableSuffix(path, editing::documentSuffix);
+    materials::checkWritableSuffix(path, documents::documentSuffix);
     made = resultOf(progress, [&](const TaskControl& control) {
       return materials::writeMaterial(material.edited(), path, {}, control);
     });

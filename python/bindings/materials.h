@@ -26,12 +26,12 @@ class PyMaterial {
     return edited_.shown.tabulated(control);
   }
   /// The material with a density for importance sampling, which is computed at the first call.
-  std::shared_ptr<const RenderMaterial> rendered() const;
+  std::shared_ptr<const rendering::RenderMaterial> rendered() const;
 
  private:
   materials::EditedMaterial edited_;
   mutable std::once_flag made_;
-  mutable std::shared_ptr<const RenderMaterial> rendered_;
+  mutable std::shared_ptr<const rendering::RenderMaterial> rendered_;
 };
 using PyMaterialPtr = std::shared_ptr<PyMaterial>;
 

@@ -66,12 +66,12 @@ PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original,
                 progress);
 }
 
-using Blends = std::shared_ptr<const Interpolation>;
+using Blends = std::shared_ptr<const interpolation::Interpolation>;
 
 /// The input of an interpolation for a material, with its factors or code if it consists of them.
 /// @param bundled whether the interpolation uses the bundled dictionary; the code is left out otherwise.
-InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
-  InterpolationMaterial end{.table = material.table(control)};
+interpolation::InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
+  interpolation::InterpolationMaterial end{.table = material.table(control)};
   end.factors = factorization::pdvFactorsOf(*material.brdf());
   if (bundled) end.code = material.shown().code;
   if (!material.shown().table) end.base = material.brdf();
@@ -80,22 +80,22 @@ InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const Task
 
 Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& space, const std::string& model,
                int terms, std::size_t coefficients, const PyDictionaryPtr& dictionary, const py::object& progress) {
-  const auto found = std::ranges::find(interpolationSpaceNames, space);
-  if (found == interpolationSpaceNames.end())
+  const auto found = std::ranges::find(interpolation::interpolationSpaceNames, space);
+  if (found == interpolation::interpolationSpaceNames.end())
     throw Error("space: found '" + space + "', expected linear, parameters, differential, factors or dictionary");
-  const auto chosen = InterpolationSpace(found - interpolationSpaceNames.begin());
-  InterpolationOptions options;
+  const auto chosen = interpolation::InterpolationSpace(found - interpolation::interpolationSpaceNames.begin());
+  interpolation::InterpolationOptions options;
   options.model = &models::findModel(model);
   options.pdv.terms = terms;
   options.encode.coefficients = options.codeCoefficients = coefficients;
   return resultOf(progress, [&](const TaskControl& control) {
-    if (chosen == InterpolationSpace::dictionary) {
+    if (chosen == interpolation::InterpolationSpace::dictionary) {
       const auto ensemble = dictionary ? dictionary : materials::bundledEnsemble();
       options.ensemble = {ensemble, &ensemble->ensemble};
     }
-    std::vector<InterpolationMaterial> ends;
+    std::vector<interpolation::InterpolationMaterial> ends;
     for (const PyMaterialPtr& material : materials) ends.push_back(endOf(*material, !dictionary, {control.stop, {}}));
-    return prepareInterpolation(chosen, ends, options, control);
+    return interpolation::prepareInterpolation(chosen, ends, options, control);
   });
 }
 
@@ -104,17 +104,18 @@ Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& s
 void bindEdits(py::module_& module) {
   module.def("edit", edit);
   module.def("edit_factors", editFactors);
-  py::class_<Interpolation, std::shared_ptr<Interpolation>>(module, "Interpolation");
+  py::class_<interpolation::Interpolation, std::shared_ptr<interpolation::Interpolation>>(module, "Interpolation");
   module.def("prepare_interpolation",
              [](const std::vector<PyMaterialPtr>& materials, const std::string& space, const std::string& model,
                 int terms, std::size_t coefficients, const std::shared_ptr<materials::NamedEnsemble>& dictionary,
                 const py::object& progress) {
-               return std::const_pointer_cast<Interpolation>(
+               return std::const_pointer_cast<interpolation::Interpolation>(
                    prepare(materials, space, model, terms, coefficients, dictionary, progress));
              });
   module.def(
       "blend",
-      [](const Interpolation& interpolation, const std::vector<double>& weights, const std::string& name) {
+      [](const interpolation::Interpolation& interpolation, const std::vector<double>& weights,
+         const std::string& name) {
         std::shared_ptr<const Brdf> brdf = interpolation.brdf(weights);
         if (const TabulatedBrdf* table = formOf<TabulatedBrdf>(*brdf))
           return newMaterial(name, "blend", std::shared_ptr<const TabulatedBrdf>(brdf, table));

@@ -20,21 +20,21 @@ namespace {
 
 /// A scene and the materials of its objects.
 struct Filled {
-  Scene scene;
-  RenderMaterials materials;
+  rendering::Scene scene;
+  rendering::RenderMaterials materials;
 };
 
 Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& environment,
             double rotation) {
-  Filled filled{.scene = openScene(name, int(given.size())), .materials = {}};
-  if (!environment.empty()) filled.scene.environment = openEnvironment(environment);
+  Filled filled{.scene = rendering::openScene(name, int(given.size())), .materials = {}};
+  if (!environment.empty()) filled.scene.environment = rendering::openEnvironment(environment);
   filled.scene.environmentRotation += rotation;
-  const auto places = std::size_t(std::max(1, materialSlotCount(filled.scene)));
+  const auto places = std::size_t(std::max(1, rendering::materialSlotCount(filled.scene)));
   if (given.size() > places)
     throw Error("materials: found " + std::to_string(given.size()) + ", expected at most " + std::to_string(places) +
                 ", as many as the scene '" + filled.scene.name + "' shows");
   for (const PyMaterialPtr& material : given) filled.materials.push_back(material->rendered());
-  filled.materials = bindMaterials(filled.scene, filled.materials);
+  filled.materials = rendering::bindMaterials(filled.scene, filled.materials);
   return filled;
 }
 
@@ -44,21 +44,23 @@ py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& sce
   if (samples < 1) throw Error("samples: expected 1 or more");
   return toArrays(resultOf(progress, [&](const TaskControl& control) {
     const Filled filled = fill(given, scene, environment, rotation);
-    const PathTracer tracer(filled.scene, filled.materials, planEffects(filled.scene, filled.materials), seed);
-    Film film(width, height);
+    const rendering::PathTracer tracer(filled.scene, filled.materials,
+                                       rendering::planEffects(filled.scene, filled.materials), seed);
+    rendering::Film film(width, height);
     tracer.accumulate(film, samples, control);
     return film.image();
   }));
 }
 
 py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment) {
-  const EffectPlan plan = resultOf(py::none(), [&](const TaskControl&) {
+  const rendering::EffectPlan plan = resultOf(py::none(), [&](const TaskControl&) {
     const Filled filled = fill(given, scene, environment, 0);
-    return planEffects(filled.scene, filled.materials);
+    return rendering::planEffects(filled.scene, filled.materials);
   });
   py::list list;
-  for (std::size_t i = 0; i < effectCount; ++i)
-    list.append(py::make_tuple(effectId(Effect(i)), plan.decisions[i].simulated, plan.decisions[i].reason));
+  for (std::size_t i = 0; i < rendering::effectCount; ++i)
+    list.append(py::make_tuple(rendering::effectId(rendering::Effect(i)), plan.decisions[i].simulated,
+                               plan.decisions[i].reason));
   return list;
 }
 
@@ -73,9 +75,9 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
     Result made;
     made.errors = metrics::brdfErrors(*a.brdf(), *b.brdf(), maxPolarAngle);
     made.brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf(), *b.brdf());
-    const RenderedComparison comparison(*a.brdf(), {.width = size, .height = size, .samples = samples, .density = {}},
-                                        control.between(0.2, 0.6));
-    ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
+    const rendering::RenderedComparison comparison(
+        *a.brdf(), {.width = size, .height = size, .samples = samples, .density = {}}, control.between(0.2, 0.6));
+    rendering::ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
     made.renderedSnr = comparison.signalToNoiseRatio(picture);
     made.renderedPsnr = comparison.peakSignalToNoiseRatio(picture);
     made.imageErrors = metrics::imageErrors(comparison.reference(), picture.image);
@@ -181,9 +183,9 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   if (!sceneName.empty() && !target.scene) throw Error("scene: the target " + id + " cannot write scenes");
   std::vector<exports::ExportFile> files;
   const exports::ExportResult made = resultOf(progress, [&](const TaskControl& control) {
-    std::optional<Scene> scene;
-    if (!sceneName.empty()) scene = openScene(sceneName);
-    if (scene && !environment.empty()) scene->environment = openEnvironment(environment);
+    std::optional<rendering::Scene> scene;
+    if (!sceneName.empty()) scene = rendering::openScene(sceneName);
+    if (scene && !environment.empty()) scene->environment = rendering::openEnvironment(environment);
     const std::filesystem::path name = target.nameOf(path);
     std::vector<std::filesystem::path> sources;
     if (const auto& source = material.base().source.path; std::filesystem::exists(source)) sources.push_back(source);
@@ -225,7 +227,7 @@ py::list targets() {
 void bindPictures(py::module_& module) {
   module.def("render", render);
   module.def("effects", effects);
-  module.def("scenes", bundledSceneNames);
+  module.def("scenes", rendering::bundledSceneNames);
   module.def("compare", compare);
   py::class_<StudyRequest>(module, "StudyRequest")
       .def(py::init<>())

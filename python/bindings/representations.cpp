@@ -73,17 +73,17 @@ py::array_t<double> publishedNodes(const std::vector<PyMaterialPtr>& given, cons
 
 py::dict baselineReferences() {
   py::dict references;
-  for (const Baseline& baseline : baselines())
+  for (const baselines::Baseline& baseline : baselines::allBaselines())
     references[py::str(std::string(baseline.id))] = std::string(baseline.reference);
   return references;
 }
 
 py::tuple factorizeByBaseline(const PyMaterial& material, const std::string& method, std::size_t bytes,
                               const py::object& progress) {
-  const Baseline& baseline = findBaseline(method);
+  const baselines::Baseline& baseline = baselines::findBaseline(method);
   if (bytes == 0) throw Error("bytes: expected 1 or more");
   double seconds = 0;
-  const ComparedModel model = resultOf(progress, [&](const TaskControl& control) {
+  const baselines::ComparedModel model = resultOf(progress, [&](const TaskControl& control) {
     const auto table = material.table(control.between(0, 0.1));
     const auto start = std::chrono::steady_clock::now();
     const std::array<std::size_t, 1> budgets{bytes};

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace gonio;
+using namespace gonio::rendering;
 using benchmarks::PreviewFixture;
 using editing::Composition;
 

@@ -20,6 +20,7 @@
 namespace {
 
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::CompareMode;
 using widgets::PreviewSubject;
 using widgets::PreviewWidget;

@@ -11,6 +11,7 @@
 #include "core/io/mesh_file.h"
 
 using namespace gonio;
+using namespace gonio::geometry;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
+using namespace gonio::rendering;
 
 namespace {
 

@@ -22,6 +22,7 @@
 namespace {
 
 using namespace gonio;
+using namespace gonio::rendering;
 using benchmarks::PreviewFixture;
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
@@ -94,11 +95,11 @@ void directionalFactorDrag(benchmark::State& state) { runFactorDrag(state, false
 void environmentFactorDrag(benchmark::State& state) { runFactorDrag(state, true); }
 
 /// The drag of a point between materials: new weights, the first frame.
-void runBlendDrag(benchmark::State& state, bool environment, editing::InterpolationSpace space) {
+void runBlendDrag(benchmark::State& state, bool environment, interpolation::InterpolationSpace space) {
   PreviewFixture& fixture = PreviewFixture::instance();
   const models::Model& model = *fixture.edit.model;
   static const auto materials = [&model] {
-    std::vector<editing::InterpolationMaterial> ends;
+    std::vector<interpolation::InterpolationMaterial> ends;
     for (const double roughness : {0.1, 0.2, 0.4, 0.7}) {
       models::ParameterValues values = models::defaultParameters(model.spec());
       values.values[*model.spec().find("roughness")] = Rgb(roughness);
@@ -128,17 +129,19 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   fixture.renderer.setSubject(widgets::measuredSubject(materials[0].table, density));
 }
 void directionalLinearBlend(benchmark::State& state) {
-  runBlendDrag(state, false, editing::InterpolationSpace::linear);
+  runBlendDrag(state, false, interpolation::InterpolationSpace::linear);
 }
-void environmentLinearBlend(benchmark::State& state) { runBlendDrag(state, true, editing::InterpolationSpace::linear); }
+void environmentLinearBlend(benchmark::State& state) {
+  runBlendDrag(state, true, interpolation::InterpolationSpace::linear);
+}
 void environmentDifferentialBlend(benchmark::State& state) {
-  runBlendDrag(state, true, editing::InterpolationSpace::differential);
+  runBlendDrag(state, true, interpolation::InterpolationSpace::differential);
 }
 void environmentParameterBlend(benchmark::State& state) {
-  runBlendDrag(state, true, editing::InterpolationSpace::parameters);
+  runBlendDrag(state, true, interpolation::InterpolationSpace::parameters);
 }
 void environmentFactorBlend(benchmark::State& state) {
-  runBlendDrag(state, true, editing::InterpolationSpace::factors);
+  runBlendDrag(state, true, interpolation::InterpolationSpace::factors);
 }
 
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code

@@ -150,11 +150,11 @@ inline void readBasisBytes(std::span<const std::byte> bytes) {
 }
 
 /// What was read has unit normals, and rays meet it.
-inline void checkMesh(TriangleMesh read) {
-  const auto mesh = std::make_shared<const TriangleMesh>(std::move(read));
+inline void checkMesh(geometry::TriangleMesh read) {
+  const auto mesh = std::make_shared<const geometry::TriangleMesh>(std::move(read));
   for (const glm::vec3& normal : mesh->cornerNormals())
     if (!(std::abs(glm::length(normal) - 1) < 1e-5f)) throw std::logic_error("a normal that is no direction");
-  const MeshIntersector intersector(mesh);
+  const geometry::MeshIntersector intersector(mesh);
   const glm::dvec3 first(mesh->positions()[mesh->triangles()[0][0]]);
   const glm::dvec3 eye = mesh->boundingSphere().centre + 3 * mesh->boundingSphere().radius * glm::dvec3(0.6, 0, 0.8);
   if (const auto hit = intersector.closest(eye, first - eye, 0, 2); hit && !std::isfinite(glm::length(hit->position)))
@@ -175,25 +175,25 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 }
 
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
-  const auto document = editing::documentFromText(std::string(textOf(bytes)));
+  const auto document = documents::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {
     if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content))
       differential->model->instantiate(differential->edited);
     else
       factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit.content).edited);
   }
-  editing::toJson(document).dump();
+  documents::toJson(document).dump();
 }
 
 /// What was read can be planned. Files that the text names are not opened.
 inline void readSceneBytes(std::span<const std::byte> bytes) {
-  const Scene scene = parseScene(std::string(textOf(bytes)), 2);
-  const std::vector<std::shared_ptr<const RenderMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
-  const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
+  const rendering::Scene scene = rendering::parseScene(std::string(textOf(bytes)), 2);
+  const std::vector<std::shared_ptr<const rendering::RenderMaterial>> grey(2, rendering::diffuseMaterial(Rgb(0.5)));
+  const rendering::EffectPlan plan = rendering::planEffects(scene, rendering::bindMaterials(scene, grey));
   if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
     throw std::logic_error("a scene without a plan");
-  for (const SceneObject& object : scene.objects)
-    if (const Sphere bound = boundingSphere(object.shape);
+  for (const rendering::SceneObject& object : scene.objects)
+    if (const rendering::Sphere bound = rendering::boundingSphere(object.shape);
         !(bound.radius > 0) || !std::isfinite(glm::length(bound.centre)))
       throw std::logic_error("a shape without a place");
 }

@@ -13,6 +13,7 @@
 
 namespace representation_fuzz_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::fuzz;
 
 Bytes wholeCircleSeed() {

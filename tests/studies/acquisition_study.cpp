@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int folds = 10;
-constexpr RenderOptions picture{.width = 128, .height = 128, .samples = 16};
+constexpr rendering::RenderOptions picture{.width = 128, .height = 128, .samples = 16};
 
 struct Selection {
   const char* id;
@@ -162,7 +162,7 @@ class HeldOut {
  private:
   std::string name_, collection_;
   std::shared_ptr<const TabulatedBrdf> table_;
-  RenderedComparison comparison_;
+  rendering::RenderedComparison comparison_;
 };
 
 /// `count` of the materials, at even distances; all where there are no more, or `count` is 0.

@@ -17,15 +17,15 @@ std::string collectionOf(const std::filesystem::path& file) {
 }
 
 ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string collection,
-                                 const RenderOptions& picture)
+                                 const rendering::RenderOptions& picture)
     : material_(file.stem()),
       collection_(std::move(collection)),
       table_(materials::readMaterial(file).tabulated()),
       comparison_(*table_, picture) {}
 
-ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::ComparedModel& built,
+ComparisonRecord ComparisonJudge::score(const std::string& model, const baselines::ComparedModel& built,
                                         double seconds) const {
-  const ComparisonPicture picture = comparison_.render(*built.brdf);
+  const rendering::ComparisonPicture picture = comparison_.render(*built.brdf);
   return {.material = material_,
           .collection = collection_,
           .model = model,

@@ -17,18 +17,18 @@ std::string collectionOf(const std::filesystem::path& file);
 class ComparisonJudge {
  public:
   /// Reads the material and renders its picture. @throws Error naming the file.
-  ComparisonJudge(const std::filesystem::path& file, std::string collection, const RenderOptions& picture);
+  ComparisonJudge(const std::filesystem::path& file, std::string collection, const rendering::RenderOptions& picture);
 
   const std::string& material() const { return material_; }
   const std::shared_ptr<const TabulatedBrdf>& table() const { return table_; }
 
   /// All but the budget.
-  ComparisonRecord score(const std::string& model, const factorization::ComparedModel& built, double seconds) const;
+  ComparisonRecord score(const std::string& model, const baselines::ComparedModel& built, double seconds) const;
 
  private:
   std::string material_, collection_;
   std::shared_ptr<const TabulatedBrdf> table_;
-  RenderedComparison comparison_;
+  rendering::RenderedComparison comparison_;
 };
 
 }  // namespace gonio::study

@@ -51,10 +51,10 @@ std::shared_ptr<const Brdf> edited(const EditTruth& truth, const DifferentialEdi
 }
 
 /// The best values of the controls, one after the other.
-Outcome bestOf(const EditTruth& truth, const RenderedComparison& comparison, DifferentialEdit change) {
+Outcome bestOf(const EditTruth& truth, const rendering::RenderedComparison& comparison, DifferentialEdit change) {
   Outcome best;
   const auto consider = [&](const DifferentialEdit& candidate) {
-    const ComparisonPicture picture = comparison.render(*edited(truth, candidate));
+    const rendering::ComparisonPicture picture = comparison.render(*edited(truth, candidate));
     const double snr = comparison.signalToNoiseRatio(picture);
     if (snr > best.snr) best = {snr, highlightHueError(comparison.reference(), picture.image), candidate};
   };
@@ -114,7 +114,8 @@ void writeWorst(const Method& method, std::vector<Outcome> column, const std::ve
   for (int i = 0; i < worstCount; ++i) {
     const Outcome& outcome = column[std::size_t(i)];
     const EditTruth& truth = truths[outcome.truth];
-    const RenderedComparison comparison(*truth.after, {.width = pictureSide, .height = pictureSide, .samples = 64});
+    const rendering::RenderedComparison comparison(*truth.after,
+                                                   {.width = pictureSide, .height = pictureSide, .samples = 64});
     blit(comparison.reference(), sheet, i * pictureSide, 0);
     blit(comparison.render(*edited(truth, outcome.edit)).image, sheet, i * pictureSide, pictureSide);
     std::printf(" %s %s (%.1f dB);", truth.kind.c_str(), truth.name.c_str(), outcome.snr);
@@ -122,7 +123,8 @@ void writeWorst(const Method& method, std::vector<Outcome> column, const std::ve
   std::printf("\n");
   std::string name = method.name();
   std::ranges::replace(name, ' ', '-');
-  io::writePng(toDisplayBytes(sheet, 0, ToneMap::filmic), sheet.width, sheet.height, folder / (name + ".png"));
+  io::writePng(rendering::toDisplayBytes(sheet, 0, rendering::ToneMap::filmic), sheet.width, sheet.height,
+               folder / (name + ".png"));
 }
 
 void run(int divisor, const std::filesystem::path& folder, const std::vector<std::string>& kinds) {
@@ -144,7 +146,7 @@ void run(int divisor, const std::filesystem::path& folder, const std::vector<std
   std::map<std::pair<const TabulatedBrdf*, const models::Model*>, models::ParameterValues> fits;
   for (std::size_t t = 0; t < truths.size(); ++t) {
     const EditTruth& truth = truths[t];
-    const RenderedComparison comparison(*truth.after, {.width = 64, .height = 64, .samples = 64});
+    const rendering::RenderedComparison comparison(*truth.after, {.width = 64, .height = 64, .samples = 64});
     std::printf("| %s | %s |", truth.kind.c_str(), truth.name.c_str());
     for (std::size_t i = 0; i < methods.size(); ++i) {
       models::ParameterValues& fit = fits[{truth.before.get(), methods[i].model}];

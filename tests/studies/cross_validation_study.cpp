@@ -133,12 +133,13 @@ class Trial {
   void run() {
     if (!records_.contains(file_.stem(), bySquares, *std::rbegin(counts))) addEnsemble();
     for (const int count : counts) budgets_.push_back(records_.find(file_.stem(), ours, count)->bytes);
-    using factorization::Baseline;
-    const Baseline& nonparametric = *std::ranges::find(factorization::baselines(), "nonparametric", &Baseline::id);
+    using baselines::Baseline;
+    const baselines::Baseline& nonparametric =
+        *std::ranges::find(baselines::allBaselines(), "nonparametric", &baselines::Baseline::id);
     add("components", [&] { return componentModels(fold_.components(), *court().table(), budgets_); });
     add("patches", [&] { return patchModels(fold_.patches(), *court().table(), budgets_); });
     add("nonparametric", [&] { return nonparametric.build(*court().table(), budgets_, {}); });
-    add("fit", [&] { return std::vector<ComparedModel>(budgets_.size(), bestFit()); });
+    add("fit", [&] { return std::vector<baselines::ComparedModel>(budgets_.size(), bestFit()); });
   }
 
  private:
@@ -150,8 +151,9 @@ class Trial {
   /// Made when something is missing.
   const ComparisonJudge& court() {
     if (!court_)
-      court_.emplace(file_, collectionOf(file_),
-                     RenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
+      court_.emplace(
+          file_, collectionOf(file_),
+          rendering::RenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
     return *court_;
   }
 
@@ -170,10 +172,10 @@ class Trial {
     }
   }
 
-  void add(const std::string& model, const std::function<std::vector<ComparedModel>()>& build) {
+  void add(const std::string& model, const std::function<std::vector<baselines::ComparedModel>()>& build) {
     if (!wanted(model)) return;
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<ComparedModel> models = build();
+    const std::vector<baselines::ComparedModel> models = build();
     const double seconds = secondsSince(start);
     ComparisonRecord record;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -192,14 +194,14 @@ class Trial {
   }
 
   /// By the rendered SNR, of three common microfacet models: a ranking of all takes a minute a material.
-  ComparedModel bestFit() {
+  baselines::ComparedModel bestFit() {
     const fitting::FitData data(*court().table(), {});
-    ComparedModel best;
+    baselines::ComparedModel best;
     double highest = 0;
     for (const models::Model* model : {&models::sgd(), &models::abc(), &models::ggx()}) {
       const fitting::FitResult fit = fitting::fit(data, *model);
-      const ComparedModel built{model->instantiate(fit.parameters),
-                                sizeof(float) * fitting::fittedParameterCount(model->spec())};
+      const baselines::ComparedModel built{model->instantiate(fit.parameters),
+                                           sizeof(float) * fitting::fittedParameterCount(model->spec())};
       const double snr = court().score({}, built, 0).rendered;
       if (best.brdf && !(snr > highest)) continue;
       highest = snr;

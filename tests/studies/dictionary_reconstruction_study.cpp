@@ -24,6 +24,7 @@
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::dictionary_reconstruction_study {
+using namespace gonio::rendering;
 using namespace gonio::acquisition;
 namespace fs = std::filesystem;
 

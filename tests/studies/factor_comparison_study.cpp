@@ -32,6 +32,7 @@
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::factor_comparison_study {
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 using study::ComparisonRecord;
 using study::ComparisonRecords;
@@ -137,7 +138,7 @@ std::vector<Contestant> contestants(const Options& options) {
       {"pdv3-joint", [](const Table& table, auto) { return buildJointPdv(*table, false); }},
       {"pdv3-compact", [](const Table& table, auto) { return buildJointPdv(*table, true); }},
       {"pdv2", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::twoFactors); }}};
-  for (const Baseline& baseline : baselines())
+  for (const Baseline& baseline : baselines::allBaselines())
     all.push_back({std::string(baseline.id),
                    [build = baseline.build](const Table& table, auto budgets) { return build(*table, budgets, {}); }});
   if (!options.only.empty()) std::erase_if(all, [&](const Contestant& c) { return !options.only.contains(c.id); });

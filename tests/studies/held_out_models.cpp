@@ -14,7 +14,7 @@ using namespace dictionary;
 
 namespace {
 
-ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
+baselines::ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
   const std::vector<std::byte> packed = packChannels(code, CodePrecision::quantised);
   SparseCode read{.grid = code.grid, .transform = code.transform, .channels = {}};
   unpackChannels(packed, CodePrecision::quantised, read);
@@ -37,11 +37,11 @@ EnsembleModels ensembleModels(const Encoder& encoder, const TabulatedBrdf& table
   return models;
 }
 
-std::vector<ComparedModel> componentModels(const PrincipalComponents& components, const TabulatedBrdf& table,
-                                           Budgets budgets) {
+std::vector<baselines::ComparedModel> componentModels(const PrincipalComponents& components, const TabulatedBrdf& table,
+                                                      Budgets budgets) {
   const std::size_t scales = ComponentCode::halfBytes(0), bytesOfOne = ComponentCode::halfBytes(1) - scales;
   const ComponentCode all = encode(components, table, components.count());
-  std::vector<ComparedModel> models;
+  std::vector<baselines::ComparedModel> models;
   for (const std::size_t budget : budgets) {
     const std::size_t fit = (std::max(budget, scales) - scales) / bytesOfOne;
     const ComponentCode code = all.truncated(int(std::min(fit, std::size_t(components.count())))).inHalfPrecision();

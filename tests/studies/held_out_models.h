@@ -17,13 +17,13 @@
 namespace gonio::study {
 
 using Budgets = std::span<const std::size_t>;
-using factorization::ComparedModel;
+using baselines::ComparedModel;
 
 /// The code in each transform, as its file holds it, and which of them either error would choose.
 struct EnsembleModels {
   struct Candidate {
     std::string_view transform;
-    ComparedModel model;
+    baselines::ComparedModel model;
   };
   std::vector<Candidate> candidates;
   std::size_t byGamma = 0;    ///< with the smallest gamma-mapped error, as the encoder chooses
@@ -35,11 +35,11 @@ EnsembleModels ensembleModels(const dictionary::Encoder& encoder, const Tabulate
 
 /// Principal components of the training set (Nielsen et al. 2015): as many coefficients in half precision, and a scale
 /// a channel, as a budget holds, or all components.
-std::vector<ComparedModel> componentModels(const dictionary::PrincipalComponents& components,
-                                           const TabulatedBrdf& table, Budgets budgets);
+std::vector<baselines::ComparedModel> componentModels(const dictionary::PrincipalComponents& components,
+                                                      const TabulatedBrdf& table, Budgets budgets);
 
 /// Codes of patches (Aharon et al. 2006) of about as many bytes as each budget.
-std::vector<ComparedModel> patchModels(const dictionary::PatchDictionary& dictionary, const TabulatedBrdf& table,
-                                       Budgets budgets);
+std::vector<baselines::ComparedModel> patchModels(const dictionary::PatchDictionary& dictionary,
+                                                  const TabulatedBrdf& table, Budgets budgets);
 
 }  // namespace gonio::study

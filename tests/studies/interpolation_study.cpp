@@ -19,7 +19,7 @@
 namespace gonio::study::interpolation_study {
 namespace {
 
-using editing::InterpolationSpace;
+using interpolation::InterpolationSpace;
 
 struct Ends {
   double firstRoughness, secondRoughness;
@@ -38,17 +38,17 @@ std::unique_ptr<const Brdf> ggx(const Rgb& diffuse, double roughness) {
 
 struct Row {
   const char* name;
-  InterpolationSpace space;
+  interpolation::InterpolationSpace space;
   const char* model;
   int terms;
 };
-constexpr Row rows[] = {{"linear", InterpolationSpace::linear, "ggx", 0},
-                        {"parameters, GGX", InterpolationSpace::parameters, "ggx", 0},
-                        {"parameters, Ward", InterpolationSpace::parameters, "ward", 0},
-                        {"differential, GGX", InterpolationSpace::differential, "ggx", 0},
-                        {"differential, Ward", InterpolationSpace::differential, "ward", 0},
-                        {"factors, 1 term", InterpolationSpace::factors, "ggx", 1},
-                        {"factors, 10 terms", InterpolationSpace::factors, "ggx", 10}};
+constexpr Row rows[] = {{"linear", interpolation::InterpolationSpace::linear, "ggx", 0},
+                        {"parameters, GGX", interpolation::InterpolationSpace::parameters, "ggx", 0},
+                        {"parameters, Ward", interpolation::InterpolationSpace::parameters, "ward", 0},
+                        {"differential, GGX", interpolation::InterpolationSpace::differential, "ggx", 0},
+                        {"differential, Ward", interpolation::InterpolationSpace::differential, "ward", 0},
+                        {"factors, 1 term", interpolation::InterpolationSpace::factors, "ggx", 1},
+                        {"factors, 10 terms", interpolation::InterpolationSpace::factors, "ggx", 10}};
 
 /// What the space of dictionaries is where codes leave nothing out.
 std::shared_ptr<const TabulatedBrdf> transformedMean(const TabulatedBrdf& a, const TabulatedBrdf& b) {
@@ -71,23 +71,24 @@ void print(const Ends& ends) {
   const Rgb diffuse = (ends.firstDiffuse + ends.secondDiffuse) / 2.0;
   const double middle = std::sqrt(ends.firstRoughness * ends.secondRoughness);
   const auto truth = ggx(diffuse, middle);
-  const Scene scene = comparisonScene();
-  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .density = estimateSamplingDensity(*truth)};
-  const Image picture = renderPicture(*truth, scene, render);
+  const rendering::Scene scene = rendering::comparisonScene();
+  const rendering::RenderOptions render{
+      .width = 160, .height = 160, .samples = 48, .density = estimateSamplingDensity(*truth)};
+  const Image picture = rendering::renderPicture(*truth, scene, render);
   Family family;
   constexpr int members = 25;
   for (int m = 0; m < members; ++m) {
     family.roughnesses.push_back(ends.firstRoughness *
                                  std::pow(ends.secondRoughness / ends.firstRoughness, double(m) / (members - 1)));
-    family.pictures.push_back(renderPicture(*ggx(diffuse, family.roughnesses.back()), scene, render));
+    family.pictures.push_back(rendering::renderPicture(*ggx(diffuse, family.roughnesses.back()), scene, render));
   }
-  const std::vector<editing::InterpolationMaterial> materials{
+  const std::vector<interpolation::InterpolationMaterial> materials{
       {.table = bakeTable(*ggx(ends.firstDiffuse, ends.firstRoughness))},
       {.table = bakeTable(*ggx(ends.secondDiffuse, ends.secondRoughness))}};
   std::printf("\n| roughness %g and %g, truth %.3g | SNR, dB | nearest: roughness | SNR, dB |\n|---|---|---|---|\n",
               ends.firstRoughness, ends.secondRoughness, middle);
   const auto printRow = [&](const char* name, const Brdf& between) {
-    const Image result = renderPicture(between, scene, render);
+    const Image result = rendering::renderPicture(between, scene, render);
     std::size_t nearest = 0;
     std::vector<double> snr;
     for (const Image& member : family.pictures) snr.push_back(metrics::signalToNoiseRatio(member, result));
@@ -98,10 +99,10 @@ void print(const Ends& ends) {
     std::fflush(stdout);
   };
   for (const Row& row : rows) {
-    editing::InterpolationOptions options;
+    interpolation::InterpolationOptions options;
     options.model = &models::findModel(row.model);
     if (row.terms > 0) options.pdv.terms = row.terms;
-    const auto between = editing::prepareInterpolation(row.space, materials, options);
+    const auto between = interpolation::prepareInterpolation(row.space, materials, options);
     printRow(row.name, *between->table(std::vector{0.5, 0.5}));
   }
   printRow("dictionary, log-plus, all coefficients", *transformedMean(*materials[0].table, *materials[1].table));

@@ -32,15 +32,15 @@ double noiseOf(const Pictures& pictures) {
 void compare(const std::filesystem::path& shared, const std::string& material) {
   const double theirs = noiseOf({test::mitsubaPicture(shared, material, 1), test::mitsubaPicture(shared, material, 2)});
   std::printf("%-22s %8.3f %%", material.c_str(), 100 * theirs);
-  const Scene scene = test::mitsubaScene(shared);
+  const rendering::Scene scene = test::mitsubaScene(shared);
   const auto brdf = test::mitsubaMaterial(shared, material);
-  const auto rendered = pictureMaterial(*brdf, {});
+  const auto rendered = rendering::pictureMaterial(*brdf, {});
   double previous = 0, equal = 0;
   for (int samples = 8; samples <= 256; samples *= 2) {
     Pictures ours;
     const std::clock_t start = std::clock();
     for (const int seed : {1, 2})
-      ours[std::size_t(seed - 1)] = renderPicture(
+      ours[std::size_t(seed - 1)] = rendering::renderPicture(
           rendered, scene, {.width = 256, .height = 256, .samples = samples, .seed = std::uint64_t(seed)});
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC / 2;
     const double noise = noiseOf(ours);

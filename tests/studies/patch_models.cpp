@@ -7,10 +7,11 @@ namespace gonio::study {
 
 using namespace dictionary;
 
-std::vector<ComparedModel> patchModels(const PatchDictionary& dictionary, const TabulatedBrdf& table, Budgets budgets) {
+std::vector<baselines::ComparedModel> patchModels(const PatchDictionary& dictionary, const TabulatedBrdf& table,
+                                                  Budgets budgets) {
   constexpr double bytesPerCoefficient = 3 * 0.7;  // approximate, of three channels
   constexpr int corrections = 2;
-  std::vector<ComparedModel> models;
+  std::vector<baselines::ComparedModel> models;
   for (const std::size_t budget : budgets) {
     double coefficients = double(budget) / bytesPerCoefficient;
     SparseCode code;

@@ -36,7 +36,7 @@ namespace {
 using Draw = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
 
 /// Viewers every 10 degrees, turned about the normal: the environment's up is the normal.
-double noise(const Brdf& brdf, const EnvironmentMap& environment, const Draw& draw) {
+double noise(const Brdf& brdf, const rendering::EnvironmentMap& environment, const Draw& draw) {
   constexpr int samples = 40000;
   double sum = 0;
   int viewers = 0;
@@ -60,7 +60,7 @@ double noise(const Brdf& brdf, const EnvironmentMap& environment, const Draw& dr
 }
 
 void printNoise(const std::string& name, const TabulatedBrdf& table) {
-  const auto environment = studioEnvironment();
+  const auto environment = rendering::studioEnvironment();
   const factorization::PdvFactors factors = factorization::factorizePdv(table, {.terms = 1}).factors;
   const auto first = factorization::makePdvBrdf(factors);
   const factorization::PdvSampler exact(*first, factors.thetaNodes, factors.deviationNodes);
@@ -69,7 +69,7 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
   const auto ggx = models::ggx().instantiate(fit.parameters);
   const std::size_t bytes[] = {formats::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};
   const auto baseline = [&](const char* id) {
-    return factorization::findBaseline(id).build(table, std::span<const std::size_t>(bytes), {}).front().brdf;
+    return baselines::findBaseline(id).build(table, std::span<const std::size_t>(bytes), {}).front().brdf;
   };
   const auto lawrence = baseline("lawrence"), bilgili = baseline("bilgili");
   const auto cosine = cosineSampler();
@@ -86,7 +86,7 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
 
 void printMeasurement(const std::string& name, const TabulatedBrdf& table) {
   using acquisition::FactorAxes;
-  const RenderedComparison comparison(table, {.width = 128, .height = 128, .samples = 16});
+  const rendering::RenderedComparison comparison(table, {.width = 128, .height = 128, .samples = 16});
   std::printf("| %s |", name.c_str());
   for (const auto axes : {FactorAxes::projectedDeviation, FactorAxes::symmetricDeviation, FactorAxes::halfDifference,
                           FactorAxes::halfOut}) {

@@ -25,19 +25,20 @@
 namespace gonio::study::sampling_noise_study {
 namespace {
 
-using Strategy = PathTracer::Strategy;
+using Strategy = rendering::PathTracer::Strategy;
 
 constexpr int side = 128, samples = 16, referenceSamples = 512;
 
 struct Picture {
-  Film film{side, side};
+  rendering::Film film{side, side};
   double seconds = 0;
 };
 
-Picture render(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material, Strategy strategy, int count,
-               std::uint64_t seed) {
-  const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, material));
-  const PathTracer tracer(scene, materials, planEffects(scene, materials, {}), seed, strategy);
+Picture render(const rendering::Scene& scene, const std::shared_ptr<const rendering::RenderMaterial>& material,
+               Strategy strategy, int count, std::uint64_t seed) {
+  const rendering::RenderMaterials materials =
+      rendering::bindMaterials(scene, rendering::materialsInSlots(scene, material));
+  const rendering::PathTracer tracer(scene, materials, rendering::planEffects(scene, materials, {}), seed, strategy);
   Picture picture;
   const std::clock_t start = std::clock();
   tracer.accumulate(picture.film, count, {});
@@ -45,7 +46,7 @@ Picture render(const Scene& scene, const std::shared_ptr<const RenderMaterial>& 
   return picture;
 }
 
-double errorOf(const Film& film, const Film& reference) {
+double errorOf(const rendering::Film& film, const rendering::Film& reference) {
   double difference = 0, total = 0;
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
     const Rgb truth = reference.radiance[i] / double(reference.samples);
@@ -84,16 +85,16 @@ std::vector<std::pair<std::string, std::shared_ptr<const Brdf>>> representations
 }
 
 int run(const std::vector<std::string>& names) {
-  const Scene scene = comparisonScene();
+  const rendering::Scene scene = rendering::comparisonScene();
   std::printf(
       "material, representation, closed form, chosen, ratio, closed form (material alone), chosen (material alone), "
       "ratio\n");
   for (const std::string& name : names)
     for (const auto& [kind, brdf] : representations(materials::readMaterial("library:rgl/" + name).brdf)) {
-      const auto own = std::make_shared<const RenderMaterial>(brdf);
-      const auto closedForm = std::make_shared<const RenderMaterial>(brdf, estimateSamplingDensity(*brdf),
-                                                                     RenderMaterial::DensityUse::always);
-      const Film reference = render(scene, own, Strategy::both, referenceSamples, 2).film;
+      const auto own = std::make_shared<const rendering::RenderMaterial>(brdf);
+      const auto closedForm = std::make_shared<const rendering::RenderMaterial>(
+          brdf, estimateSamplingDensity(*brdf), rendering::RenderMaterial::DensityUse::always);
+      const rendering::Film reference = render(scene, own, Strategy::both, referenceSamples, 2).film;
       std::printf("%s, %s", name.c_str(), kind.c_str());
       for (const Strategy strategy : {Strategy::both, Strategy::materials}) {
         const Picture a = render(scene, closedForm, strategy, samples, 1), b = render(scene, own, strategy, samples, 1);

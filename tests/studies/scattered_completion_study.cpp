@@ -26,6 +26,7 @@
 namespace gonio::study::scattered_completion_study {
 namespace {
 
+using namespace gonio::rendering;
 using namespace gonio::acquisition;
 
 std::shared_ptr<const Brdf> model(const char* id, const Rgb& diffuse, double roughness, double f0) {

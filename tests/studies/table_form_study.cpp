@@ -88,14 +88,14 @@ int run(const std::vector<std::string>& names) {
                                                          {whole, Cosine::none},
                                                          {whole, Cosine::both},
                                                          {whole, Cosine::light}};
-  const RenderOptions options{.width = 128, .height = 128, .samples = 64};
+  const rendering::RenderOptions options{.width = 128, .height = 128, .samples = 64};
   std::vector<double> means, columns[std::size(forms)], grazing[std::size(forms)];
   std::printf(
       "material, mean of both orders, folded, folded both cosines, whole, whole both cosines, whole light cosine\n");
   for (const materials::MeasuredMaterial& one : materials::measuredMaterials()) {
     if (!names.empty() && std::ranges::find(names, one.name) == names.end()) continue;
     const auto brdf = materials::measuredMaterial(one).brdf;
-    const RenderedComparison comparison(*brdf, options);
+    const rendering::RenderedComparison comparison(*brdf, options);
     const auto mean = withIncident(brdf, IncidentDirection::mean);
     means.push_back(comparison.signalToNoiseRatio(comparison.render(*mean)));
     const double meanLow = grazingRatio(*mean, *brdf);

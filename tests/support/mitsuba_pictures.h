@@ -34,7 +34,7 @@ struct Parity {
 
 /// An environment as Mitsuba reads it: the centres of its first and its last row lie on the poles, in Gonio half a
 /// pixel away from them. Drawn out by rows, which keeps it linear between those of Mitsuba but for an eighth of a row.
-inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap& environment) {
+inline std::shared_ptr<const rendering::EnvironmentMap> asMitsubaReads(const rendering::EnvironmentMap& environment) {
   constexpr int factor = 4;
   const Image& own = environment.image();
   Image rows(own.width, own.height * factor);
@@ -44,13 +44,14 @@ inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap
     for (int x = 0; x < rows.width; ++x)
       rows.at(x, y) = glm::mix(own.at(x, top), own.at(x, top + 1), float(place - top));
   }
-  return std::make_shared<const EnvironmentMap>(std::move(rows), environment.name());
+  return std::make_shared<const rendering::EnvironmentMap>(std::move(rows), environment.name());
 }
 
 /// The scene of Mitsuba's pictures. @param shared folder of the development data.
-inline Scene mitsubaScene(const std::filesystem::path& shared) {
-  static const auto environment = asMitsubaReads(*openEnvironment((shared / "data/environments/studio.hdr").string()));
-  Scene scene = openScene("sphere", 1);
+inline rendering::Scene mitsubaScene(const std::filesystem::path& shared) {
+  static const auto environment =
+      asMitsubaReads(*rendering::openEnvironment((shared / "data/environments/studio.hdr").string()));
+  rendering::Scene scene = rendering::openScene("sphere", 1);
   scene.environment = environment;
   return scene;
 }
@@ -69,14 +70,14 @@ inline std::shared_ptr<const Brdf> mitsubaMaterial(const std::filesystem::path& 
 /// @param samples a pixel of ours, 256 x 256.
 inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
                                 IncidentDirection incident = IncidentDirection::viewer) {
-  const Scene scene = mitsubaScene(shared);
+  const rendering::Scene scene = mitsubaScene(shared);
   Image theirs[2], ours[2];
   const auto brdf = mitsubaMaterial(shared, material, incident);
-  const auto rendered = pictureMaterial(*brdf, {});
+  const auto rendered = rendering::pictureMaterial(*brdf, {});
   for (const int seed : {1, 2}) {
     theirs[seed - 1] = mitsubaPicture(shared, material, seed);
     const Image& size = theirs[seed - 1];
-    ours[seed - 1] = renderPicture(
+    ours[seed - 1] = rendering::renderPicture(
         rendered, scene, {.width = size.width, .height = size.height, .samples = samples, .seed = std::uint64_t(seed)});
   }
   double signal = 0, error = 0, squares = 0;

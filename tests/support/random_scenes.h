@@ -14,12 +14,12 @@ namespace gonio::test {
 /// In [0, 1).
 inline double uniform(std::mt19937_64& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
 
-inline MeshShape meshShape(TriangleMesh mesh) {
-  return std::make_shared<const MeshIntersector>(shared(std::move(mesh)));
+inline rendering::MeshShape meshShape(geometry::TriangleMesh mesh) {
+  return std::make_shared<const geometry::MeshIntersector>(shared(std::move(mesh)));
 }
 
 /// About a place within `spread` of the origin, of half sides of 0.1 to 1.
-inline Rectangle randomRectangle(std::mt19937_64& random, double spread) {
+inline rendering::Rectangle randomRectangle(std::mt19937_64& random, double spread) {
   const Direction u = randomDirection(random), v = glm::normalize(glm::cross(u, randomDirection(random)));
   return {spread * uniform(random) * randomDirection(random), (0.1 + 0.9 * uniform(random)) * u,
           (0.1 + 0.9 * uniform(random)) * v};
@@ -29,14 +29,14 @@ inline Rectangle randomRectangle(std::mt19937_64& random, double spread) {
 struct SurfacePoint {
   Direction position, normal;
 };
-inline SurfacePoint randomSurfacePoint(const Shape& shape, std::mt19937_64& random) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+inline SurfacePoint randomSurfacePoint(const rendering::Shape& shape, std::mt19937_64& random) {
+  if (const auto* sphere = std::get_if<rendering::Sphere>(&shape)) {
     const Direction normal = randomDirection(random);
     return {sphere->centre + sphere->radius * normal, normal};
   }
-  if (const auto* rectangle = std::get_if<Rectangle>(&shape))
+  if (const auto* rectangle = std::get_if<rendering::Rectangle>(&shape))
     return {rectangle->at(2 * uniform(random) - 1, 2 * uniform(random) - 1), rectangle->normal()};
-  const TriangleMesh& mesh = std::get<MeshShape>(shape)->mesh();
+  const geometry::TriangleMesh& mesh = std::get<rendering::MeshShape>(shape)->mesh();
   const std::size_t triangle = random() % mesh.triangles().size();
   const auto corner = [&](int i) { return Direction(mesh.positions()[mesh.triangles()[triangle][i]]); };
   double u = uniform(random), v = uniform(random);
@@ -44,7 +44,7 @@ inline SurfacePoint randomSurfacePoint(const Shape& shape, std::mt19937_64& rand
   return {corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0)), mesh.geometricNormal(triangle)};
 }
 
-inline std::vector<Direction> surfacePoints(const Shape& shape, int count, std::mt19937_64& random) {
+inline std::vector<Direction> surfacePoints(const rendering::Shape& shape, int count, std::mt19937_64& random) {
   std::vector<Direction> points;
   for (int i = 0; i < count; ++i) points.push_back(randomSurfacePoint(shape, random).position);
   return points;

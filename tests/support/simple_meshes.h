@@ -11,8 +11,8 @@
 namespace gonio::test {
 
 /// The cube [-1, 1]^3, 8 vertices, wound outward, without normals.
-inline MeshArrays cubeArrays() {
-  MeshArrays arrays;
+inline geometry::MeshArrays cubeArrays() {
+  geometry::MeshArrays arrays;
   for (int i = 0; i < 8; ++i) arrays.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
   const std::uint32_t faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                      {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
@@ -24,16 +24,16 @@ inline MeshArrays cubeArrays() {
 }
 
 /// A sphere about the origin.
-inline TriangleMesh sphereMesh(double radius, int rings, int segments) {
+inline geometry::TriangleMesh sphereMesh(double radius, int rings, int segments) {
   std::vector<glm::dvec2> profile;
   for (int i = 0; i <= rings; ++i)
     profile.emplace_back(radius * std::sin(pi * i / rings), radius * std::cos(pi * i / rings));
   profile.front().x = profile.back().x = 0;
-  return revolvedMesh(profile, segments);
+  return geometry::revolvedMesh(profile, segments);
 }
 
-inline std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh) {
-  return std::make_shared<const TriangleMesh>(std::move(mesh));
+inline std::shared_ptr<const geometry::TriangleMesh> shared(geometry::TriangleMesh mesh) {
+  return std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
 }
 
 /// Even over the sphere.

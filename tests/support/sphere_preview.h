@@ -7,8 +7,8 @@
 namespace gonio::test {
 
 /// Has a renderer draw a scene of one sphere.
-inline void showSphere(widgets::PreviewRenderer& renderer, const Scene& scene) {
-  renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
+inline void showSphere(widgets::PreviewRenderer& renderer, const rendering::Scene& scene) {
+  renderer.setScene(scene, widgets::previewPlan(scene, rendering::diffuseMaterial(Rgb(0.5))));
 }
 
 }  // namespace gonio::test

@@ -9,6 +9,7 @@
 
 namespace anisotropic_preview_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 const Scene& studio() {
   static const Scene scene = sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2});

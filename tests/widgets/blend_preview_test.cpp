@@ -12,7 +12,9 @@
 
 namespace blend_preview_test {
 using namespace gonio;
-using editing::InterpolationSpace;
+using namespace gonio::rendering;
+using namespace gonio::interpolation;
+using interpolation::InterpolationSpace;
 
 std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colour, const HalfDifferenceGrid& grid) {
   const models::Model& model = models::ggx();
@@ -23,18 +25,18 @@ std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colou
 }
 
 /// Four materials that nobody takes for each other; the last on a grid of its own.
-std::vector<editing::InterpolationMaterial> ends(int count) {
-  static const std::vector<editing::InterpolationMaterial> all{{material(0.15, {0.9, 0.5, 0.2}, {30, 30, 36})},
-                                                               {material(0.5, {0.2, 0.6, 0.9}, {30, 30, 36})},
-                                                               {material(0.3, {0.8, 0.8, 0.8}, {30, 30, 36})},
-                                                               {material(0.4, {0.1, 0.9, 0.1}, {25, 28, 45})}};
+std::vector<interpolation::InterpolationMaterial> ends(int count) {
+  static const std::vector<interpolation::InterpolationMaterial> all{{material(0.15, {0.9, 0.5, 0.2}, {30, 30, 36})},
+                                                                     {material(0.5, {0.2, 0.6, 0.9}, {30, 30, 36})},
+                                                                     {material(0.3, {0.8, 0.8, 0.8}, {30, 30, 36})},
+                                                                     {material(0.4, {0.1, 0.9, 0.1}, {25, 28, 45})}};
   return {all.begin(), all.begin() + count};
 }
 
 /// With few curves: the shader sums them all alike.
 widgets::PreparedBlendPtr prepared(InterpolationSpace space,
-                                   const std::vector<editing::InterpolationMaterial>& materials) {
-  editing::InterpolationOptions options = editing::blendOptions();
+                                   const std::vector<interpolation::InterpolationMaterial>& materials) {
+  interpolation::InterpolationOptions options = documents::blendOptions();
   options.pdv.terms = 2;
   return widgets::prepareBlend(space, materials, options);
 }
@@ -54,7 +56,7 @@ class BlendPreviewTest : public test::SphereTest {
 
   /// Tables that stand for another form: only in spaces whose values are mixed by the shader.
   void tablesOfOtherForms() {
-    std::vector<editing::InterpolationMaterial> materials = ends(2);
+    std::vector<interpolation::InterpolationMaterial> materials = ends(2);
     QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
     materials[0].base = models::ggx().instantiate(models::defaultParameters(models::ggx().spec()));
     QVERIFY(widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
@@ -91,8 +93,9 @@ class BlendPreviewTest : public test::SphereTest {
          {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
       widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .materials = ends(2), .lobes = {{}, {}}};
       blend.interpolation = std::make_shared<const test::TransformedSpace>(
-          std::vector<editing::Interpolation::Table>{blend.materials[0].table, blend.materials[1].table}, transform);
-      blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
+          std::vector<interpolation::Interpolation::Table>{blend.materials[0].table, blend.materials[1].table},
+          transform);
+      blend.mixture = std::make_shared<const interpolation::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
       const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
@@ -146,7 +149,7 @@ class BlendPreviewTest : public test::SphereTest {
   /// A measured file beside a table: itself at the end, near the native forms' mixture before it, and no step where
   /// another material takes the lead.
   void filesInTheirOwnForm() {
-    std::vector<editing::InterpolationMaterial> materials = ends(2);
+    std::vector<interpolation::InterpolationMaterial> materials = ends(2);
     const materials::Material file = materials::readMaterial("library:rgl/satin_purple");
     materials[0] = {.table = file.tabulated(), .base = file.brdf};
     const Image alone = drawn(widgets::measuredSubject(file.brdf), sphereScene(), 64);

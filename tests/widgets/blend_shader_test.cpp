@@ -17,7 +17,8 @@
 
 namespace blend_shader_test {
 using namespace gonio;
-using editing::InterpolationSpace;
+using namespace gonio::interpolation;
+using interpolation::InterpolationSpace;
 
 constexpr int width = 64, height = 64;
 constexpr HalfDifferenceGrid grid{.thetaHCount = 40, .thetaDCount = 36, .phiDCount = 32};
@@ -57,11 +58,11 @@ bool isAmidValidCells(const DirectionPair& pair) {
 }
 
 /// How much a mixture's values change from a node to those about it, at most, over all channels and materials.
-double changeAbout(const editing::TransformedMixture& mixture, std::size_t node) {
+double changeAbout(const interpolation::TransformedMixture& mixture, std::size_t node) {
   const int k = int(node) % grid.phiDCount, j = int(node) / grid.phiDCount % grid.thetaDCount,
             i = int(node) / (grid.phiDCount * grid.thetaDCount);
   float most = 0;
-  for (const editing::TransformedTable& table : mixture.tables)
+  for (const interpolation::TransformedTable& table : mixture.tables)
     for (int about = 0; about < 27; ++about) {
       const std::size_t other = grid.index(std::clamp(i + about / 9 - 1, 0, grid.thetaHCount - 1),
                                            std::clamp(j + about / 3 % 3 - 1, 0, grid.thetaDCount - 1),
@@ -73,7 +74,7 @@ double changeAbout(const editing::TransformedMixture& mixture, std::size_t node)
 }
 
 /// By how much a mixture's values differ, at most, between the eight corners about a pair.
-double spreadAbout(const editing::TransformedMixture& mixture, std::span<const double> weights,
+double spreadAbout(const interpolation::TransformedMixture& mixture, std::span<const double> weights,
                    const DirectionPair& pair) {
   const auto geometry = dictionary::GridGeometry::of(grid);
   const auto at = grid.position(toHalfDifference(pair.wi, pair.wo));
@@ -173,14 +174,14 @@ void main() {
   void nodesOfEveryTransform() {
     QFETCH(int, transform);
     const auto kind = DataTransform(transform);
-    const std::vector<editing::Interpolation::Table> tables{material(0.3, {0.9, 0.5, 0.2}),
-                                                            material(0.6, {0.2, 0.6, 0.9})};
+    const std::vector<interpolation::Interpolation::Table> tables{material(0.3, {0.9, 0.5, 0.2}),
+                                                                  material(0.6, {0.2, 0.6, 0.9})};
     const auto space = std::make_shared<const test::TransformedSpace>(tables, kind);
     const std::vector<double> weights{0.3, 0.7};
     const std::vector<std::size_t> nodes = someNodes();
     std::vector<DirectionPair> pairs;
     for (const std::size_t node : nodes) pairs.push_back(grid.directions(node));
-    const auto mixture = std::make_shared<const editing::TransformedMixture>(*space->mixture());
+    const auto mixture = std::make_shared<const interpolation::TransformedMixture>(*space->mixture());
     const auto values = shown({.interpolation = space, .mixture = mixture, .weights = weights}, pairs);
     double worst = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -220,8 +221,8 @@ void main() {
     for (int d = 0; d < 3; ++d)
       ensemble->dictionaries.push_back(
           {dictionary::test_support::randomDictionary(dictionary::modeSizes(grid), random), 10});
-    std::vector<editing::InterpolationMaterial> ends{{material(0.3, {0.9, 0.5, 0.2})},
-                                                     {material(0.6, {0.2, 0.6, 0.9})}};
+    std::vector<interpolation::InterpolationMaterial> ends{{material(0.3, {0.9, 0.5, 0.2})},
+                                                           {material(0.6, {0.2, 0.6, 0.9})}};
     for (std::size_t m = 0; m < 2; ++m) {
       dictionary::SparseCode code{.grid = grid, .transform = DataTransform(transform), .channels = {}};
       for (std::size_t c = 0; c < 3; ++c) {

@@ -20,6 +20,7 @@
 
 namespace code_decoder_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using dictionary::Ensemble;
 using dictionary::GridGeometry;
 using dictionary::SparseCode;

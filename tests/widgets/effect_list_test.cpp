@@ -9,6 +9,7 @@
 
 namespace effect_list_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::EffectList;
 
 class EffectListTest : public QObject {

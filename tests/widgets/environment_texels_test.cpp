@@ -8,6 +8,7 @@
 
 namespace environment_texels_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::EnvironmentTexels;
 
 class EnvironmentTexelsTest : public QObject {

@@ -11,6 +11,7 @@
 
 namespace flat_uniforms_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::PassShaders;
 
 const QByteArray vertex = "out vec2 position;\nvoid main() {\n  position = vec2(0.0);\n}\n";

@@ -12,6 +12,7 @@
 
 namespace model_preview_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using editing::Composition;
 
 editing::Edit edit(const char* id, Composition composition) {

@@ -15,6 +15,7 @@
 
 namespace noise_filter_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 constexpr int side = 96;
 

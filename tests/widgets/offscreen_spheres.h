@@ -26,7 +26,7 @@ class OffscreenSpheres {
   bool isValid() const { return context_.isValid(); }
   widgets::PreviewRenderer& renderer() { return renderer_; }
 
-  Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
+  Image drawn(const widgets::PreviewSubject& subject, const rendering::Scene& scene, int samples) {
     renderer_.setSubject(subject);
     showSphere(renderer_, scene);
     renderer_.setSize({side, side});
@@ -37,14 +37,15 @@ class OffscreenSpheres {
   /// SNR of the shader's picture against that of `brdf` on the CPU, dB: of 64 samples where that is above `enough`,
   /// else of 256 or of 512, which few pictures need. The CPU's noise does not count (metrics::PicturePair), the
   /// shader's does.
-  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene, double enough) {
+  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const rendering::Scene& scene,
+                   double enough) {
     double snr = 0;
-    const auto material = pictureMaterial(brdf, {});
+    const auto material = rendering::pictureMaterial(brdf, {});
     for (const int samples : {64, 256, 512}) {
       metrics::PicturePair reference;
       for (std::size_t i = 0; i < 2; ++i)
-        reference[i] =
-            renderPicture(material, scene, {.width = side, .height = side, .samples = samples / 2, .seed = 7 + i});
+        reference[i] = rendering::renderPicture(material, scene,
+                                                {.width = side, .height = side, .samples = samples / 2, .seed = 7 + i});
       const Image shown = drawn(subject, scene, samples);
       snr = metrics::signalToNoiseRatio(reference, {shown, shown});
       if (snr > enough) break;
@@ -67,7 +68,8 @@ class SphereTest : public QObject {
   }
   widgets::PreviewRenderer& renderer() { return spheres_->renderer(); }
   /// Fails unless the pictures of a subject agree to more than `least` dB.
-  void verify(const widgets::PreviewSubject& subject, const Scene& scene = sphereScene(), double least = 40) {
+  void verify(const widgets::PreviewSubject& subject, const rendering::Scene& scene = rendering::sphereScene(),
+              double least = 40) {
     const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene, least);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
@@ -107,7 +109,8 @@ inline std::shared_ptr<const TabulatedDensity> densityOf(const std::shared_ptr<c
 }
 
 /// SNR of the shader's picture of a subject against the CPU's, dB, as OffscreenSpheres::agreement().
-inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene, double enough) {
+inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subject, const rendering::Scene& scene,
+                        double enough) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto base = subject.base();
   subject.density = densityOf(base ? base : brdf);
@@ -115,7 +118,7 @@ inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subje
 }
 
 inline double agreement(OffscreenSpheres& spheres, const std::shared_ptr<const TabulatedBrdf>& table,
-                        const editing::EditList& edits, const Scene& scene, double enough) {
+                        const editing::EditList& edits, const rendering::Scene& scene, double enough) {
   return agreement(spheres, {widgets::EditedMaterial{table, edits}}, scene, enough);
 }
 

@@ -12,6 +12,7 @@
 
 namespace preview_display_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::CompareMode;
 using widgets::DifferenceKind;
 

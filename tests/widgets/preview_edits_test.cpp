@@ -8,6 +8,7 @@
 
 namespace preview_edits_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using test::agreement;
 using test::bakedModel;
 using test::rougherEdit;

@@ -10,6 +10,7 @@
 
 namespace preview_navigation_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::widgets;
 
 class PreviewNavigationTest : public QObject {

@@ -10,6 +10,7 @@
 
 namespace preview_renderer_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using test::agreement;
 using test::bakedModel;
 

@@ -9,6 +9,7 @@
 
 namespace preview_scenes_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using test::agreement;
 using test::bakedModel;
 using test::rougherEdit;

@@ -20,6 +20,7 @@
 
 namespace preview_widget_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::PreviewContent;
 using widgets::PreviewInput;
 using widgets::PreviewWidget;

@@ -12,6 +12,7 @@
 
 namespace rgl_preview_test {
 using namespace gonio;
+using namespace gonio::rendering;
 namespace fs = std::filesystem;
 
 /// Smooth random tensors over a few azimuths and polar angles of incidence.

@@ -11,6 +11,7 @@
 
 namespace scene_tracer_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using widgets::SceneTracer;
 
 /// Lambert, until it is switched to fail.

@@ -34,17 +34,18 @@ class TransformedMean final : public Brdf {
   std::vector<double> weights_;
 };
 
-inline std::vector<editing::InterpolationMaterial> endsOf(const std::vector<editing::Interpolation::Table>& tables) {
-  std::vector<editing::InterpolationMaterial> ends;
+inline std::vector<interpolation::InterpolationMaterial> endsOf(
+    const std::vector<interpolation::Interpolation::Table>& tables) {
+  std::vector<interpolation::InterpolationMaterial> ends;
   for (const auto& table : tables) ends.push_back({.table = table});
   return ends;
 }
 
 /// A space whose mixture lies in a transformed domain, as that of sparse codes does.
-class TransformedSpace final : public editing::Interpolation {
+class TransformedSpace final : public interpolation::Interpolation {
  public:
   TransformedSpace(const std::vector<Table>& tables, DataTransform transform)
-      : Interpolation(endsOf(tables)), transform_(transform) {
+      : interpolation::Interpolation(endsOf(tables)), transform_(transform) {
     mixture_.transform = transform;
     for (const Table& table : this->tables()) {
       std::vector<glm::vec3> values(table->values().begin(), table->values().end());
@@ -57,7 +58,7 @@ class TransformedSpace final : public editing::Interpolation {
       transformed_.push_back(std::make_shared<const TabulatedBrdf>(table->grid(), values, valid));
     }
   }
-  std::optional<editing::TransformedMixture> mixture() const override { return mixture_; }
+  std::optional<interpolation::TransformedMixture> mixture() const override { return mixture_; }
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
@@ -65,7 +66,7 @@ class TransformedSpace final : public editing::Interpolation {
                                              std::vector<double>(weights.begin(), weights.end()));
   }
   DataTransform transform_;
-  editing::TransformedMixture mixture_;
+  interpolation::TransformedMixture mixture_;
   std::vector<std::shared_ptr<const TabulatedBrdf>> transformed_;
 };
 

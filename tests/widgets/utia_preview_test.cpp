@@ -13,6 +13,7 @@
 
 namespace utia_preview_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// Values of four orders of magnitude, without a pattern: neighbours differ as much as they can.
 constexpr double smallest = 1e-3, largest = 10;

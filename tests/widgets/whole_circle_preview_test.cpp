@@ -9,6 +9,7 @@
 
 namespace whole_circle_preview_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// Another value where light and viewer are exchanged, and on the other side of the plane of incidence.
 std::shared_ptr<const Brdf> notReciprocal() {

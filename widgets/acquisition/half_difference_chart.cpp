@@ -139,7 +139,7 @@ void HalfDifferenceChart::paintImage() {
     for (int j = 0; j < m_slice.thetaDCount; ++j) {
       const float deviation = m_slice.deviations[std::size_t(i * m_slice.thetaDCount + j)];
       if (std::isnan(deviation)) continue;
-      const DisplayColour colour = viridis(double(deviation) / m_range);
+      const rendering::DisplayColour colour = rendering::viridis(double(deviation) / m_range);
       m_image.setPixelColor(j, m_slice.thetaHCount - 1 - i, QColor(colour[0], colour[1], colour[2]));
     }
 }
@@ -239,7 +239,7 @@ void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing, false);
   const int rows = int(bar.height());
   for (int y = 0; y < rows; ++y) {
-    const DisplayColour colour = viridis(1 - double(y) / std::max(1, rows - 1));
+    const rendering::DisplayColour colour = rendering::viridis(1 - double(y) / std::max(1, rows - 1));
     painter.fillRect(QRectF(bar.left(), bar.top() + y, bar.width(), 1), QColor(colour[0], colour[1], colour[2]));
   }
   painter.setRenderHint(QPainter::Antialiasing);

@@ -72,7 +72,7 @@ void ReconstructionView::drawLegend(QPainter& painter, const QRectF& square) con
   const QRectF bar(square.left(), square.bottom() + captionEms * em + 2, square.width(), 0.6 * em);
   painter.setRenderHint(QPainter::Antialiasing, false);
   for (int x = 0; x < int(bar.width()); ++x) {
-    const DisplayColour colour = viridis(x / std::max(1.0, bar.width() - 1));
+    const rendering::DisplayColour colour = rendering::viridis(x / std::max(1.0, bar.width() - 1));
     painter.fillRect(QRectF(bar.left() + x, bar.top(), 1, bar.height()), QColor(colour[0], colour[1], colour[2]));
   }
   painter.setRenderHint(QPainter::Antialiasing);

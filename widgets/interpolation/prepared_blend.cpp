@@ -12,10 +12,10 @@ namespace gonio::widgets {
 
 namespace {
 
-using editing::InterpolationSpace;
+using interpolation::InterpolationSpace;
 
 struct InterpolationSpaceText {
-  Q_DECLARE_TR_FUNCTIONS(InterpolationSpace)
+  Q_DECLARE_TR_FUNCTIONS(interpolation::InterpolationSpace)
 };
 
 constexpr double preparedFraction = 0.9;
@@ -29,13 +29,13 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
 }
 
 /// Only where values are mixed, not transformed ones; an edited material is mixed as its table.
-bool mixesItself(const PreparedBlend& blend, const editing::InterpolationMaterial& material) {
+bool mixesItself(const PreparedBlend& blend, const interpolation::InterpolationMaterial& material) {
   return blend.mixture->transform == DataTransform::none && fitsBesideBlends(*material.base) &&
          editing::isIdentity(material.edits);
 }
 
 void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heaviest) {
-  const editing::InterpolationMaterial& material = blend.materials[heaviest];
+  const interpolation::InterpolationMaterial& material = blend.materials[heaviest];
   if (!material.base || !mixesItself(blend, material)) return;
   double second = 0;
   for (std::size_t i = 0; i < shown.weights.size(); ++i)
@@ -52,25 +52,27 @@ bool mixesTables(const PreparedBlend& blend) {
          std::ranges::any_of(blend.materials, [](const auto& material) { return material.base != nullptr; });
 }
 
-PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationMaterial>& materials,
-                              const editing::InterpolationOptions& options, const TaskControl& control) {
+PreparedBlendPtr prepareBlend(interpolation::InterpolationSpace space,
+                              const std::vector<interpolation::InterpolationMaterial>& materials,
+                              const interpolation::InterpolationOptions& options, const TaskControl& control) {
   auto blend = std::make_shared<PreparedBlend>();
   blend->space = space;
   blend->materials = materials;
   blend->model = options.model ? options.model : &models::ggx();
-  for (const editing::InterpolationMaterial& material : materials)
+  for (const interpolation::InterpolationMaterial& material : materials)
     blend->lobes.push_back(std::make_shared<const TabulatedDensity>(*material.material()));
-  blend->interpolation = editing::prepareInterpolation(space, materials, options, control.between(0, preparedFraction));
+  blend->interpolation =
+      interpolation::prepareInterpolation(space, materials, options, control.between(0, preparedFraction));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
-    blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));
+    blend->mixture = std::make_shared<const interpolation::TransformedMixture>(std::move(*mixture));
   control.report(1);
   return blend;
 }
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  const editing::InterpolationMaterial& dominant = blend.materials[heaviest];
+  const interpolation::InterpolationMaterial& dominant = blend.materials[heaviest];
   EditedMaterial material{dominant.table};
   const auto& lobe = blend.lobes[heaviest];
   if (weights[heaviest] == 1) return {dominant.base ? EditedMaterial{dominant.base, dominant.edits} : material, lobe};
@@ -85,37 +87,37 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
   return {material, lobe};
 }
 
-QString spaceName(InterpolationSpace space) {
+QString spaceName(interpolation::InterpolationSpace space) {
   switch (space) {
-    case InterpolationSpace::linear:
+    case interpolation::InterpolationSpace::linear:
       return InterpolationSpaceText::tr("Linear");
-    case InterpolationSpace::parameters:
+    case interpolation::InterpolationSpace::parameters:
       return InterpolationSpaceText::tr("Parameters");
-    case InterpolationSpace::differential:
+    case interpolation::InterpolationSpace::differential:
       return InterpolationSpaceText::tr("Differential");
-    case InterpolationSpace::factors:
+    case interpolation::InterpolationSpace::factors:
       return InterpolationSpaceText::tr("Factors");
     default:
       return InterpolationSpaceText::tr("Dictionary");
   }
 }
 
-QString spaceExplanation(InterpolationSpace space) {
+QString spaceExplanation(interpolation::InterpolationSpace space) {
   switch (space) {
-    case InterpolationSpace::linear:
+    case interpolation::InterpolationSpace::linear:
       return InterpolationSpaceText::tr(
           "The BRDF values are mixed. An equal mix of a sharp and a wide highlight shows both, like two coats, instead "
           "of one highlight of medium width. All measured detail is preserved.");
-    case InterpolationSpace::parameters:
+    case interpolation::InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "
           "sharp and a wide one. Detail that the model does not explain is lost in between.");
-    case InterpolationSpace::differential:
+    case interpolation::InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
           "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
           "detail; then the results are mixed. Source: Tsirikoglou et al. 2016, Differential Appearance Editing for "
           "Measured BRDFs.");
-    case InterpolationSpace::factors:
+    case interpolation::InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
           "The curves of the PDV factors are mixed: the strength and width of the highlight "
           "change gradually. Detail that the curves do not explain is lost in between.");

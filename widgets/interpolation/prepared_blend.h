@@ -11,20 +11,20 @@ namespace gonio::widgets {
 
 /// Materials ready to be blended in one space, for the preview and for pictures. Immutable.
 struct PreparedBlend {
-  editing::InterpolationSpace space;
-  std::vector<editing::InterpolationMaterial> materials;
+  interpolation::InterpolationSpace space;
+  std::vector<interpolation::InterpolationMaterial> materials;
   std::vector<std::shared_ptr<const TabulatedDensity>> lobes;  ///< sampling densities of the materials
   const models::Model* model = nullptr;                        ///< for `parameters` and `differential`
-  std::shared_ptr<const editing::Interpolation> interpolation;
+  std::shared_ptr<const interpolation::Interpolation> interpolation;
   /// The tables that the shader mixes, in spaces where it does.
-  std::shared_ptr<const editing::TransformedMixture> mixture;
+  std::shared_ptr<const interpolation::TransformedMixture> mixture;
 };
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
 /// Computes the fits, factors or codes for a space: up to a few seconds. @throws Error, Cancelled.
-PreparedBlendPtr prepareBlend(editing::InterpolationSpace space,
-                              const std::vector<editing::InterpolationMaterial>& materials,
-                              const editing::InterpolationOptions& options = editing::blendOptions(),
+PreparedBlendPtr prepareBlend(interpolation::InterpolationSpace space,
+                              const std::vector<interpolation::InterpolationMaterial>& materials,
+                              const interpolation::InterpolationOptions& options = documents::blendOptions(),
                               const TaskControl& control = {});
 
 /// Whether the shader mixes tables, at least one of which was sampled from another native form (such as RGL and UTIA
@@ -37,7 +37,7 @@ bool mixesTables(const PreparedBlend& blend);
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights);
 
 /// The name of a space, e.g. "Linear"; and its description for tooltips.
-QString spaceName(editing::InterpolationSpace space);
-QString spaceExplanation(editing::InterpolationSpace space);
+QString spaceName(interpolation::InterpolationSpace space);
+QString spaceExplanation(interpolation::InterpolationSpace space);
 
 }  // namespace gonio::widgets

@@ -32,7 +32,8 @@ QString draggedFile(const QMimeData* data) {
 QString draggedMaterial(const QMimeData* data) {
   const QString file = draggedFile(data);
   const std::string path = file.toStdString();
-  const bool isMaterial = data->hasFormat(idFormat) || editing::isDocumentName(path) || materials::isMaterialFile(path);
+  const bool isMaterial =
+      data->hasFormat(idFormat) || documents::isDocumentName(path) || materials::isMaterialFile(path);
   return isMaterial ? file : QString();
 }
 

@@ -17,7 +17,7 @@ struct EffectText {
   const char *name, *toolTip;
 };
 /// In the order of Effect.
-constexpr EffectText texts[effectCount] = {
+constexpr EffectText texts[rendering::effectCount] = {
     {QT_TRANSLATE_NOOP("EffectList", "Emitted light"),
      QT_TRANSLATE_NOOP("EffectList", "Area lights and the environment, where the camera sees them directly")},
     {QT_TRANSLATE_NOOP("EffectList", "Direct light"),
@@ -36,13 +36,13 @@ constexpr EffectText texts[effectCount] = {
      QT_TRANSLATE_NOOP("EffectList", "Samples points on area lights, which lowers the noise")},
 };
 
-QString costText(const EffectCosts& costs, const EffectCost& cost) {
+QString costText(const rendering::EffectCosts& costs, const rendering::EffectCost& cost) {
   if (cost.isWithinNoise()) return EffectList::tr("within noise");
   const double fraction = costs.seconds > 0 ? 100 * cost.seconds / costs.seconds : 0;
   return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(fraction, 0, 'f', 0);
 }
 
-QString costToolTip(const EffectCost& cost) {
+QString costToolTip(const rendering::EffectCost& cost) {
   return EffectList::tr(
              "CPU time that the effect adds to the image: %1 ± %2 ms. The effect changes the image by %3 %; noise "
              "alone changes it by %4 %.")
@@ -66,11 +66,11 @@ EffectList::EffectList(QWidget* parent) : QWidget(parent) {
     layout->addWidget(label, 0, column++);
   }
   layout->setColumnStretch(4, 1);
-  for (std::size_t i = 0; i < effectCount; ++i) addRow(Effect(i));
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) addRow(rendering::Effect(i));
   setCosts(std::nullopt);
 }
 
-void EffectList::addRow(Effect effect) {
+void EffectList::addRow(rendering::Effect effect) {
   auto* layout = static_cast<QGridLayout*>(this->layout());
   const EffectText& text = texts[std::size_t(effect)];
   const QString name = QCoreApplication::translate("EffectList", text.name);
@@ -94,9 +94,9 @@ void EffectList::addRow(Effect effect) {
   connect(row.choice, &QComboBox::activated, this, [this] { Q_EMIT overridesChanged(overrides()); });
 }
 
-void EffectList::setPlan(const EffectPlan& plan) {
-  for (std::size_t i = 0; i < effectCount; ++i) {
-    const EffectDecision& decision = plan.decisions[i];
+void EffectList::setPlan(const rendering::EffectPlan& plan) {
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) {
+    const rendering::EffectDecision& decision = plan.decisions[i];
     const bool forced = decision.simulated != decision.calledFor;
     QString state = decision.simulated ? tr("yes") : tr("no");
     if (forced) state += tr(", forced");
@@ -112,8 +112,8 @@ void EffectList::setPlan(const EffectPlan& plan) {
   }
 }
 
-void EffectList::setCosts(const std::optional<EffectCosts>& costs) {
-  for (std::size_t i = 0; i < effectCount; ++i) {
+void EffectList::setCosts(const std::optional<rendering::EffectCosts>& costs) {
+  for (std::size_t i = 0; i < rendering::effectCount; ++i) {
     QLabel& label = *m_rows[i].cost;
     label.setEnabled(costs.has_value());
     label.setText(costs ? costText(*costs, costs->effects[i]) : tr("-"));
@@ -121,14 +121,14 @@ void EffectList::setCosts(const std::optional<EffectCosts>& costs) {
   }
 }
 
-void EffectList::setOverrides(const EffectOverrides& overrides) {
-  for (std::size_t i = 0; i < effectCount; ++i)
+void EffectList::setOverrides(const rendering::EffectOverrides& overrides) {
+  for (std::size_t i = 0; i < rendering::effectCount; ++i)
     m_rows[i].choice->setCurrentIndex(!overrides[i] ? byPlan : *overrides[i] ? forcedOn : forcedOff);
 }
 
-EffectOverrides EffectList::overrides() const {
-  EffectOverrides overrides;
-  for (std::size_t i = 0; i < effectCount; ++i)
+rendering::EffectOverrides EffectList::overrides() const {
+  rendering::EffectOverrides overrides;
+  for (std::size_t i = 0; i < rendering::effectCount; ++i)
     if (const int choice = m_rows[i].choice->currentIndex(); choice != byPlan) overrides[i] = choice == forcedOn;
   return overrides;
 }

@@ -20,27 +20,27 @@ class EffectList : public QWidget {
  public:
   explicit EffectList(QWidget* parent = nullptr);
 
-  void setPlan(const EffectPlan& plan);
+  void setPlan(const rendering::EffectPlan& plan);
   /// Empty: not measured.
-  void setCosts(const std::optional<EffectCosts>& costs);
-  void setOverrides(const EffectOverrides& overrides);
-  EffectOverrides overrides() const;
+  void setCosts(const std::optional<rendering::EffectCosts>& costs);
+  void setOverrides(const rendering::EffectOverrides& overrides);
+  rendering::EffectOverrides overrides() const;
   /// The switch of an effect: auto, on, off.
-  QComboBox& switchOf(Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
-  QLabel& costOf(Effect effect) const { return *m_rows[std::size_t(effect)].cost; }
+  QComboBox& switchOf(rendering::Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
+  QLabel& costOf(rendering::Effect effect) const { return *m_rows[std::size_t(effect)].cost; }
 
  Q_SIGNALS:
   /// By the user.
-  void overridesChanged(const gonio::EffectOverrides& overrides);
+  void overridesChanged(const gonio::rendering::EffectOverrides& overrides);
 
  private:
   struct Row {
     QLabel *state, *name, *cost, *reason;
     QComboBox* choice;
   };
-  void addRow(Effect effect);
+  void addRow(rendering::Effect effect);
 
-  std::array<Row, effectCount> m_rows{};
+  std::array<Row, rendering::effectCount> m_rows{};
 };
 
 }  // namespace gonio::widgets

@@ -24,7 +24,7 @@ QCPColorGradient viridisGradient() {
   QCPColorGradient gradient;
   gradient.clearColorStops();
   for (int i = 0; i <= stops; ++i) {
-    const DisplayColour colour = viridis(double(i) / stops);
+    const rendering::DisplayColour colour = rendering::viridis(double(i) / stops);
     gradient.setColorStopAt(double(i) / stops, QColor(colour[0], colour[1], colour[2]));
   }
   gradient.setNanHandling(QCPColorGradient::nhTransparent);

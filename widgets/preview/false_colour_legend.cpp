@@ -16,8 +16,8 @@ constexpr QColor paper(0, 0, 0, 150), ink(232, 232, 232);
 void drawColourBar(QPainter& painter, const QRect& bar, DifferenceKind kind) {
   for (int x = 0; x < bar.width(); ++x) {
     const double fraction = x / std::max(1.0, bar.width() - 1.0);
-    const DisplayColour colour =
-        kind == DifferenceKind::signedValue ? signedColour(2 * fraction - 1) : viridis(fraction);
+    const rendering::DisplayColour colour =
+        kind == DifferenceKind::signedValue ? rendering::signedColour(2 * fraction - 1) : rendering::viridis(fraction);
     painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(colour[0], colour[1], colour[2]));
   }
 }

@@ -52,13 +52,13 @@ struct PictureRequest {
   struct Side {
     PreviewSubject subject;
     int subjectNumber = 0;  ///< changes with the subject or its density
-    EffectPlan plan;
-    std::shared_ptr<const Film> film;  ///< path-traced picture that replaces the shader's, or null
+    rendering::EffectPlan plan;
+    std::shared_ptr<const rendering::Film> film;  ///< path-traced picture that replaces the shader's, or null
   };
 
   int number = 0;  ///< number of the request, increasing
   std::array<Side, 2> sides;
-  Scene scene;
+  rendering::Scene scene;
   std::vector<PreviewSubject> otherSlotSubjects = {};  ///< see PreviewRenderer::setScene()
   bool isDrawn = true;                                 ///< whether the shader renders; else only films are shown
   bool filtersNoise = false;                           ///< for display, as long as there are fewer samples than wanted
@@ -121,7 +121,8 @@ class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
     NoiseFilter filter;
     int filteredSamples = 0;  ///< samples at the time of noise filtering; 0: not filtered
     int subjectNumber = -1;
-    std::shared_ptr<const Film> film;  ///< the film that the picture shows; null: it is rendered by the shader
+    std::shared_ptr<const rendering::Film>
+        film;  ///< the film that the picture shows; null: it is rendered by the shader
   };
 
   void take(const PictureRequest& request);

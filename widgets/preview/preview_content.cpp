@@ -14,9 +14,10 @@ namespace {
 /// A film with fewer is noisier than what a graphics card has drawn by then.
 constexpr int minFilmSamples = 16;
 
-bool hasMeshes(const Scene& scene) {
-  return std::ranges::any_of(scene.objects,
-                             [](const SceneObject& object) { return std::holds_alternative<MeshShape>(object.shape); });
+bool hasMeshes(const rendering::Scene& scene) {
+  return std::ranges::any_of(scene.objects, [](const rendering::SceneObject& object) {
+    return std::holds_alternative<rendering::MeshShape>(object.shape);
+  });
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ PreviewContent::PreviewContent(QObject* parent) : QObject(parent) {
   });
   connectSide(m_first);
   connectSide(m_second);
-  showScene(openScene(bundledSceneNames().front()));
+  showScene(rendering::openScene(rendering::bundledSceneNames().front()));
 }
 
 void PreviewContent::connectSide(PreviewSide& side) {
@@ -70,11 +71,11 @@ bool PreviewContent::isComparing() const {
 
 /// Plans the effects that the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
-  static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
+  static const std::shared_ptr<const rendering::RenderMaterial> grey = rendering::diffuseMaterial(Rgb(0.5));
   adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials()));
 }
 
-void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
+void PreviewContent::adoptPlan(PreviewSide& side, const rendering::EffectPlan& plan) {
   const bool another = !(plan == side.plan());
   side.setPlan(plan);
   if (another && &side == &m_first) Q_EMIT planChanged(plan);
@@ -89,7 +90,7 @@ void PreviewContent::trace(PreviewSide& side) {
 void PreviewContent::startTracing(PreviewSide& side) {
   if (tracing() == Tracing::never || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
   if (&side == &m_second && !isComparing()) return;
-  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), otherSlotMaterials()), side.plan(),
+  side.tracer().trace(m_scene, rendering::materialsInSlots(m_scene, side.material(), otherSlotMaterials()), side.plan(),
                       pictureSize(), wantedSamples());
 }
 
@@ -98,26 +99,26 @@ void PreviewContent::traceBoth() {
   trace(m_second);
 }
 
-void PreviewContent::showScene(const Scene& scene) {
+void PreviewContent::showScene(const rendering::Scene& scene) {
   m_home = scene;
-  Scene lit = scene;
+  rendering::Scene lit = scene;
   if (m_environment) light(lit);
   if (m_background) m_background->show(lit);
   setScene(lit);
 }
 
-void PreviewContent::setScene(const Scene& scene) {
+void PreviewContent::setScene(const rendering::Scene& scene) {
   m_scene = scene;
   for (PreviewSide* side : {&m_first, &m_second}) plan(*side);
   notifySceneChange();
 }
 
-void PreviewContent::setView(const OrbitCamera& camera, double environmentRotation) {
+void PreviewContent::setView(const rendering::OrbitCamera& camera, double environmentRotation) {
   m_scene.camera = camera;
   m_scene.environmentRotation = environmentRotation;
   for (PreviewSide* side : {&m_first, &m_second}) {
-    EffectPlan plan = side->plan();
-    updateForCamera(plan, m_scene, m_overrides);
+    rendering::EffectPlan plan = side->plan();
+    rendering::updateForCamera(plan, m_scene, m_overrides);
     adoptPlan(*side, plan);
   }
   notifySceneChange();
@@ -130,47 +131,48 @@ void PreviewContent::notifySceneChange() {
 }
 
 /// Puts the chosen environment into a scene.
-void PreviewContent::light(Scene& scene) const {
-  const std::shared_ptr<const EnvironmentMap>& environment = *m_environment;
-  const std::vector<DirectionalLight>& own = m_home.directionalLights;
+void PreviewContent::light(rendering::Scene& scene) const {
+  const std::shared_ptr<const rendering::EnvironmentMap>& environment = *m_environment;
+  const std::vector<rendering::DirectionalLight>& own = m_home.directionalLights;
   scene.environment = environment;
   if (!environment)
-    scene.directionalLights = own.empty() ? std::vector{DirectionalLight{}} : own;
+    scene.directionalLights = own.empty() ? std::vector{rendering::DirectionalLight{}} : own;
   else
-    scene.directionalLights = m_home.environment ? own : std::vector<DirectionalLight>{};
+    scene.directionalLights = m_home.environment ? own : std::vector<rendering::DirectionalLight>{};
 }
 
-void PreviewContent::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+void PreviewContent::setEnvironment(const std::shared_ptr<const rendering::EnvironmentMap>& environment) {
   m_environment = environment;
-  Scene scene = m_scene;
+  rendering::Scene scene = m_scene;
   light(scene);
   setScene(scene);
 }
 
 void PreviewContent::resetEnvironment() {
   m_environment.reset();
-  Scene scene = m_scene;
+  rendering::Scene scene = m_scene;
   scene.environment = m_home.environment;
   scene.directionalLights = m_home.directionalLights;
   setScene(scene);
 }
 
-void PreviewContent::Background::show(Scene& scene) const {
+void PreviewContent::Background::show(rendering::Scene& scene) const {
   scene.showEnvironment = shown;
   scene.blurBackground = blurred;
 }
 
 void PreviewContent::setBackground(bool shown, bool blurred) {
   m_background = Background{shown, blurred};
-  Scene scene = m_scene;
+  rendering::Scene scene = m_scene;
   m_background->show(scene);
   setScene(scene);
 }
 
 bool PreviewContent::showsOtherSlotMaterials() const {
-  const auto shown = std::min(m_otherSlotMaterials.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
+  const auto shown =
+      std::min(m_otherSlotMaterials.size(), std::size_t(std::max(1, rendering::materialSlotCount(m_scene)) - 1));
   return std::any_of(m_otherSlotMaterials.begin(), m_otherSlotMaterials.begin() + std::ptrdiff_t(shown),
-                     [](const SceneMaterial& other) { return other.material != nullptr; });
+                     [](const SlotMaterial& other) { return other.material != nullptr; });
 }
 
 Tracing PreviewContent::tracing() const {
@@ -186,18 +188,18 @@ void PreviewContent::setSoftware(bool software) {
   traceBoth();
 }
 
-void PreviewContent::setOtherSlotMaterials(const std::vector<SceneMaterial>& materials) {
+void PreviewContent::setOtherSlotMaterials(const std::vector<SlotMaterial>& materials) {
   m_otherSlotMaterials = materials;
   setScene(m_scene);
 }
 
-RenderMaterials PreviewContent::otherSlotMaterials() const {
-  RenderMaterials materials;
-  for (const SceneMaterial& other : m_otherSlotMaterials) materials.push_back(other.material);
+rendering::RenderMaterials PreviewContent::otherSlotMaterials() const {
+  rendering::RenderMaterials materials;
+  for (const SlotMaterial& other : m_otherSlotMaterials) materials.push_back(other.material);
   return materials;
 }
 
-void PreviewContent::setOverrides(const EffectOverrides& overrides) {
+void PreviewContent::setOverrides(const rendering::EffectOverrides& overrides) {
   if (overrides == m_overrides) return;
   m_overrides = overrides;
   setScene(m_scene);
@@ -217,9 +219,9 @@ QSize PreviewContent::pictureSize() const {
 
 bool PreviewContent::isNoisy() const {
   // Light without a size that is reflected once has no noise: its samples smooth the edge alone.
-  const EffectPlan& simulated = m_first.plan();
-  return simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
-         simulated.reflections > 1;
+  const rendering::EffectPlan& simulated = m_first.plan();
+  return simulated.simulates(rendering::Effect::environmentLight) ||
+         simulated.simulates(rendering::Effect::areaLightSampling) || simulated.reflections > 1;
 }
 
 int PreviewContent::wantedSamples() const { return isNoisy() ? 512 : 64; }
@@ -247,7 +249,7 @@ PictureRequest PreviewContent::request() const {
     if (isComparing()) second.film = m_second.tracer().film();
   }
   std::vector<PreviewSubject> otherSlotSubjects;
-  for (const SceneMaterial& other : m_otherSlotMaterials) otherSlotSubjects.push_back(other.subject);
+  for (const SlotMaterial& other : m_otherSlotMaterials) otherSlotSubjects.push_back(other.subject);
   return {.sides = {first, second},
           .scene = m_scene,
           .otherSlotSubjects = otherSlotSubjects,

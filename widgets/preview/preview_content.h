@@ -9,9 +9,9 @@
 namespace gonio::widgets {
 
 /// A further material of a scene with several materials, in the forms for the shader and the path tracer.
-struct SceneMaterial {
+struct SlotMaterial {
   PreviewSubject subject = {};  ///< with its density; empty: none
-  std::shared_ptr<const RenderMaterial> material = nullptr;
+  std::shared_ptr<const rendering::RenderMaterial> material = nullptr;
 };
 
 /// When the path tracer is used.
@@ -46,17 +46,17 @@ class PreviewContent : public QObject {
 
   /// Shows another scene, to which the view is reset from now on (home()). Environment and background chosen by the
   /// user stay.
-  void showScene(const Scene& scene);
+  void showScene(const rendering::Scene& scene);
   /// Changes the view or the lighting of the scene.
-  void setScene(const Scene& scene);
+  void setScene(const rendering::Scene& scene);
   /// Changes the view only: cheaper than setScene(), because in the plan only the area lights visible to the camera
   /// change.
-  void setView(const OrbitCamera& camera, double environmentRotation);
-  const Scene& scene() const { return m_scene; }
+  void setView(const rendering::OrbitCamera& camera, double environmentRotation);
+  const rendering::Scene& scene() const { return m_scene; }
   /// The scene to which the view is reset.
-  const Scene& home() const { return m_home; }
+  const rendering::Scene& home() const { return m_home; }
   /// Sets the environment of this and all later scenes; null: a distant light instead.
-  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  void setEnvironment(const std::shared_ptr<const rendering::EnvironmentMap>& environment);
   /// Every scene uses its own light again.
   void resetEnvironment();
   /// Whether the scene's light was set by setEnvironment().
@@ -65,13 +65,13 @@ class PreviewContent : public QObject {
   void setBackground(bool shown, bool blurred);
   /// Sets the materials of the scene's other slots: slot i shows materials[i - 1], or the subject if that is empty or
   /// missing.
-  void setOtherSlotMaterials(const std::vector<SceneMaterial>& materials);
-  RenderMaterials otherSlotMaterials() const;
+  void setOtherSlotMaterials(const std::vector<SlotMaterial>& materials);
+  rendering::RenderMaterials otherSlotMaterials() const;
   /// Sets effects that the user forces on or off.
-  void setOverrides(const EffectOverrides& overrides);
-  const EffectOverrides& overrides() const { return m_overrides; }
+  void setOverrides(const rendering::EffectOverrides& overrides);
+  const rendering::EffectOverrides& overrides() const { return m_overrides; }
   /// The plan for the first subject, or for a grey surface until its material is known.
-  const EffectPlan& plan() const { return m_first.plan(); }
+  const rendering::EffectPlan& plan() const { return m_first.plan(); }
   Tracing tracing() const;
   /// Sets whether OpenGL runs on the CPU. If so, meshes are path-traced at rest, which is twice as fast.
   void setSoftware(bool software);
@@ -96,35 +96,35 @@ class PreviewContent : public QObject {
   void refined();
   /// The comparison mode or the names changed, but not the pictures.
   void comparisonChanged();
-  void sceneChanged(const gonio::Scene& scene);
+  void sceneChanged(const gonio::rendering::Scene& scene);
   /// The plan of the first subject changed, or its material is now known.
-  void planChanged(const gonio::EffectPlan& plan);
+  void planChanged(const gonio::rendering::EffectPlan& plan);
   void failed(const QString& message);
 
  private:
   void show(PreviewSide& side, const PreviewSubject& subject, const QString& name);
   void connectSide(PreviewSide& side);
   void plan(PreviewSide& side);
-  void adoptPlan(PreviewSide& side, const EffectPlan& plan);
+  void adoptPlan(PreviewSide& side, const rendering::EffectPlan& plan);
   bool showsOtherSlotMaterials() const;
   void trace(PreviewSide& side);
   void traceBoth();
   void startTracing(PreviewSide& side);
   bool isWorthShowing(const PreviewSide& side) const;
   void notifySceneChange();
-  void light(Scene& scene) const;
+  void light(rendering::Scene& scene) const;
 
   PreviewSide m_first, m_second;
   PreviewComparison m_comparison;
-  Scene m_scene, m_home;
-  std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< set by the user
+  rendering::Scene m_scene, m_home;
+  std::optional<std::shared_ptr<const rendering::EnvironmentMap>> m_environment;  ///< set by the user
   struct Background {
     bool shown, blurred;
-    void show(Scene& scene) const;
+    void show(rendering::Scene& scene) const;
   };
   std::optional<Background> m_background;  ///< set by the user
-  EffectOverrides m_overrides;
-  std::vector<SceneMaterial> m_otherSlotMaterials;  ///< from slot 1 on
+  rendering::EffectOverrides m_overrides;
+  std::vector<SlotMaterial> m_otherSlotMaterials;  ///< from slot 1 on
   QSize m_viewport{1, 1};
   QTimer m_rest;  ///< starts path tracing once the picture is at rest
   bool m_software = false;

@@ -21,44 +21,44 @@ constexpr double nearestDistance = 1.2, farthestDistance = 40, farthestTarget = 
 constexpr double zoomPerStep = 1.12;
 }  // namespace
 
-OrbitCamera orbited(const OrbitCamera& camera, double dx, double dy) {
-  OrbitCamera result = camera;
+rendering::OrbitCamera orbited(const rendering::OrbitCamera& camera, double dx, double dy) {
+  rendering::OrbitCamera result = camera;
   result.yaw = std::remainder(camera.yaw - orbitPerPixel * dx, 2 * pi);
   result.pitch = std::clamp(camera.pitch + orbitPerPixel * dy, -maxPitch, maxPitch);
   return result;
 }
 
-OrbitCamera panned(const OrbitCamera& camera, double x, double y) {
-  const CameraFrame frame = cameraFrame(camera);
+rendering::OrbitCamera panned(const rendering::OrbitCamera& camera, double x, double y) {
+  const rendering::CameraFrame frame = rendering::cameraFrame(camera);
   const double atTarget = frame.halfExtent * (frame.orthographic ? 1 : camera.distance);
-  OrbitCamera result = camera;
+  rendering::OrbitCamera result = camera;
   result.target -= atTarget * (x * frame.right + y * frame.up);
   for (int axis = 0; axis < 3; ++axis)
     result.target[axis] = std::clamp(result.target[axis], -farthestTarget, farthestTarget);
   return result;
 }
 
-OrbitCamera zoomed(const OrbitCamera& camera, double steps, double x, double y) {
-  OrbitCamera result = camera;
+rendering::OrbitCamera zoomed(const rendering::OrbitCamera& camera, double steps, double x, double y) {
+  rendering::OrbitCamera result = camera;
   result.distance = std::clamp(camera.distance * std::pow(zoomPerStep, -steps), nearestDistance, farthestDistance);
-  if (cameraFrame(camera).orthographic) return result;
+  if (rendering::cameraFrame(camera).orthographic) return result;
   const double ratio = camera.distance / result.distance;
   return panned(result, x * (1 - ratio), y * (1 - ratio));
 }
 
 double environmentTurn(double dx) { return orbitPerPixel * dx; }
 
-Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect) {
-  const Ray ray = cameraRay(cameraFrame(camera), x, y, aspect);
+Direction lightTowards(const rendering::OrbitCamera& camera, double x, double y, double aspect) {
+  const Ray ray = rendering::cameraRay(rendering::cameraFrame(camera), x, y, aspect);
   const Direction closest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
-  const std::optional<ShapeHit> hit = nearestHit(Sphere{}, ray);
+  const std::optional<rendering::ShapeHit> hit = rendering::nearestHit(rendering::Sphere{}, ray);
   const Direction normal = hit ? hit->shadingNormal : glm::normalize(closest);
   return glm::normalize(ray.direction - 2 * glm::dot(ray.direction, normal) * normal);
 }
 
-std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, double y, double aspect) {
-  const Ray ray = cameraRay(cameraFrame(camera), x, y, aspect);
-  const std::optional<ShapeHit> hit = nearestHit(Sphere{}, ray);
+std::optional<double> viewerPolarAngle(const rendering::OrbitCamera& camera, double x, double y, double aspect) {
+  const Ray ray = rendering::cameraRay(rendering::cameraFrame(camera), x, y, aspect);
+  const std::optional<rendering::ShapeHit> hit = rendering::nearestHit(rendering::Sphere{}, ray);
   if (!hit) return std::nullopt;
   const Direction& normal = hit->shadingNormal;
   return std::atan2(glm::length(glm::cross(normal, ray.direction)), std::max(0.0, -glm::dot(normal, ray.direction)));
@@ -67,7 +67,9 @@ std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, doub
 namespace {
 
 /// Whether a drag moves the light: there is one alone, and it is distant.
-bool hasMovableLight(const Scene& scene) { return scene.directionalLights.size() == 1 && lightsOf(scene).size() == 1; }
+bool hasMovableLight(const rendering::Scene& scene) {
+  return scene.directionalLights.size() == 1 && lightsOf(scene).size() == 1;
+}
 
 }  // namespace
 
@@ -117,19 +119,20 @@ void PreviewInput::setPicking(bool picking) {
 }
 
 void PreviewInput::frameObject() {
-  OrbitCamera camera = m_content.scene().camera;
+  rendering::OrbitCamera camera = m_content.scene().camera;
   camera.distance = m_content.home().camera.distance;
   camera.target = m_content.home().camera.target;
   m_content.setView(camera, m_content.scene().environmentRotation);
 }
 
 void PreviewInput::resetView() {
-  const Scene& home = m_content.home();
-  Scene scene = m_content.scene();
+  const rendering::Scene& home = m_content.home();
+  rendering::Scene scene = m_content.scene();
   scene.camera = home.camera;
   scene.environmentRotation = home.environmentRotation;
   if (hasMovableLight(scene))
-    scene.directionalLights = hasMovableLight(home) ? home.directionalLights : std::vector{DirectionalLight{}};
+    scene.directionalLights =
+        hasMovableLight(home) ? home.directionalLights : std::vector{rendering::DirectionalLight{}};
   m_content.setScene(scene);
 }
 
@@ -175,7 +178,7 @@ void PreviewInput::move(const QMouseEvent& event) {
   m_moved = true;
   m_lastPosition = event.position();
   if (pick(event)) return;
-  const Scene& scene = m_content.scene();
+  const rendering::Scene& scene = m_content.scene();
   const bool shift = event.modifiers() & Qt::ShiftModifier;
   if (event.buttons() & Qt::MiddleButton || (event.buttons() & Qt::LeftButton && shift)) {
     const QPointF way = inHalfSides(delta);
@@ -189,7 +192,7 @@ void PreviewInput::move(const QMouseEvent& event) {
 }
 
 void PreviewInput::dragLight(const QPointF& position) {
-  Scene scene = m_content.scene();
+  rendering::Scene scene = m_content.scene();
   const PicturePosition at = picturePosition(position);
   scene.directionalLights.front().toLight = lightTowards(scene.camera, at.x, at.y, at.aspect);
   m_content.setScene(scene);
@@ -197,7 +200,7 @@ void PreviewInput::dragLight(const QPointF& position) {
 
 bool PreviewInput::key(const QKeyEvent& event) {
   const double step = event.modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
-  OrbitCamera camera = m_content.scene().camera;
+  rendering::OrbitCamera camera = m_content.scene().camera;
   const auto moved = [&](double dx, double dy) {
     if (!(event.modifiers() & Qt::ControlModifier)) return orbited(camera, dx, dy);
     const QPointF way = inHalfSides({dx, dy});

@@ -63,11 +63,11 @@ QString samplesText(int samples) {
   return samples == 1 ? PreviewOverlay::tr("1 sample") : PreviewOverlay::tr("%1 samples").arg(samples);
 }
 
-QString effectsText(const EffectPlan& plan, int followed) {
+QString effectsText(const rendering::EffectPlan& plan, int followed) {
   QStringList parts;
-  if (plan.simulates(Effect::environmentLight)) parts << PreviewOverlay::tr("environment");
-  if (plan.simulates(Effect::directLight)) parts << PreviewOverlay::tr("lights");
-  if (plan.simulates(Effect::castShadows) || plan.simulates(Effect::selfShadowing))
+  if (plan.simulates(rendering::Effect::environmentLight)) parts << PreviewOverlay::tr("environment");
+  if (plan.simulates(rendering::Effect::directLight)) parts << PreviewOverlay::tr("lights");
+  if (plan.simulates(rendering::Effect::castShadows) || plan.simulates(rendering::Effect::selfShadowing))
     parts << PreviewOverlay::tr("shadows");
   if (plan.reflections > followed)
     parts << PreviewOverlay::tr("%1 of %2 reflections").arg(followed).arg(plan.reflections);

@@ -45,7 +45,7 @@ class PreviewBanner : public QFrame {
 QString samplesText(int samples);
 /// Short description of the simulated effects, e.g. "Effects: environment, shadows, 8 of 64 reflections".
 /// @param followed maximum number of reflections that are rendered.
-QString effectsText(const EffectPlan& plan, int followed);
+QString effectsText(const rendering::EffectPlan& plan, int followed);
 
 class FalseColourLegend;
 class SplitBar;

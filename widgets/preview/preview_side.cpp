@@ -37,7 +37,7 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
       // The density of a measurement as it is may have come with it.
       auto density =
           subject.isMeasured() && subject.density ? subject.density : std::make_shared<const TabulatedDensity>(*brdf);
-      outcome.estimate = {density, std::make_shared<const RenderMaterial>(brdf, density)};
+      outcome.estimate = {density, std::make_shared<const rendering::RenderMaterial>(brdf, density)};
     });
     return outcome;
   }));
@@ -63,22 +63,22 @@ namespace {
 /// Sizes of the pictures before the full one, as fractions of its sides.
 constexpr int coarseDivisors[] = {4, 2};
 
-using ProgressCallback = std::function<void(std::shared_ptr<const Film>, double milliseconds)>;
+using ProgressCallback = std::function<void(std::shared_ptr<const rendering::Film>, double milliseconds)>;
 
-void traceProgressively(const PathTracer& tracer, const QSize& size, int samples, const TaskControl& control,
+void traceProgressively(const rendering::PathTracer& tracer, const QSize& size, int samples, const TaskControl& control,
                         const ProgressCallback& onProgress) {
-  const auto pass = [&](Film& film, int count) {
+  const auto pass = [&](rendering::Film& film, int count) {
     const auto start = std::chrono::steady_clock::now();
     tracer.accumulate(film, count, control);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    onProgress(std::make_shared<const Film>(film), elapsed.count() / count);
+    onProgress(std::make_shared<const rendering::Film>(film), elapsed.count() / count);
   };
   for (const int divisor : coarseDivisors) {
-    Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
+    rendering::Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
     coarse.enableFeatures();
     pass(coarse, 1);
   }
-  Film film(size.width(), size.height());
+  rendering::Film film(size.width(), size.height());
   film.enableFeatures();
   while (film.samples < samples) pass(film, std::min(std::max(1, film.samples), samples - film.samples));
 }
@@ -101,12 +101,12 @@ void SceneTracer::stop() {
   m_isCurrent = m_isDone = false;
 }
 
-void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
-                        const QSize& size, int samples) {
+void SceneTracer::trace(const rendering::Scene& scene, const rendering::RenderMaterials& slotMaterials,
+                        const rendering::EffectPlan& plan, const QSize& size, int samples) {
   stop();
   m_stop = std::stop_source();
   m_samples = samples;
-  const ProgressCallback onProgress = [this, request = m_request](const std::shared_ptr<const Film>& film,
+  const ProgressCallback onProgress = [this, request = m_request](const std::shared_ptr<const rendering::Film>& film,
                                                                   double milliseconds) {
     QMetaObject::invokeMethod(
         this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
@@ -119,14 +119,14 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
   };
   m_future = QtConcurrent::run(&m_pool, [=, control = TaskControl{m_stop.get_token(), {}}] {
     const QString failure = TaskFailure::of([&] {
-      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control,
-                         onProgress);
+      traceProgressively(rendering::PathTracer(scene, rendering::bindMaterials(scene, slotMaterials), plan), size,
+                         samples, control, onProgress);
     });
     if (!failure.isEmpty()) tellFailure(failure);
   });
 }
 
-void SceneTracer::adopt(int request, std::shared_ptr<const Film> film, double milliseconds) {
+void SceneTracer::adopt(int request, std::shared_ptr<const rendering::Film> film, double milliseconds) {
   if (request != m_request) return;
   m_film = std::move(film);
   m_isCurrent = true;

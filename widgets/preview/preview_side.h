@@ -46,7 +46,7 @@ class TaskFailure {
 /// The properties of a subject that rendering needs.
 struct MaterialEstimate {
   std::shared_ptr<const TabulatedDensity> density;
-  std::shared_ptr<const RenderMaterial> material;
+  std::shared_ptr<const rendering::RenderMaterial> material;
 };
 
 /// Estimates a subject's sampling density and albedo in another thread: about 10 ms, or about 100 ms for a blend of
@@ -93,8 +93,8 @@ class SceneTracer : public QObject {
 
   /// @param slotMaterials materials of the scene's slots. The previous picture stays until the first new one is
   /// finished.
-  void trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan, const QSize& size,
-             int samples);
+  void trace(const rendering::Scene& scene, const rendering::RenderMaterials& slotMaterials,
+             const rendering::EffectPlan& plan, const QSize& size, int samples);
   void stop();
 
   /// Whether film() belongs to the last request and the request was not stopped.
@@ -102,7 +102,7 @@ class SceneTracer : public QObject {
   /// Whether film() belongs to the last request and has all its samples.
   bool isDone() const { return m_isDone; }
   /// The newest picture; null before the first one. Smaller than requested while it is coarse.
-  const std::shared_ptr<const Film>& film() const { return m_film; }
+  const std::shared_ptr<const rendering::Film>& film() const { return m_film; }
   /// Time of the last pass divided by its samples per pixel, at the size of film(), ms.
   double millisecondsPerSample() const { return m_milliseconds; }
 
@@ -112,9 +112,9 @@ class SceneTracer : public QObject {
   void failed(const QString& message);
 
  private:
-  void adopt(int request, std::shared_ptr<const Film> film, double milliseconds);
+  void adopt(int request, std::shared_ptr<const rendering::Film> film, double milliseconds);
 
-  std::shared_ptr<const Film> m_film;
+  std::shared_ptr<const rendering::Film> m_film;
   std::stop_source m_stop;
   QThreadPool m_pool;  ///< separate from the global pool, which Qt uses for painting, so that painting does not wait
   QFuture<void> m_future;
@@ -137,10 +137,10 @@ class PreviewSide : public QObject {
   void setName(const QString& name) { m_name = name; }
   const QString& name() const { return m_name; }
 
-  void setPlan(const EffectPlan& plan) { m_plan = plan; }
-  const EffectPlan& plan() const { return m_plan; }
+  void setPlan(const rendering::EffectPlan& plan) { m_plan = plan; }
+  const rendering::EffectPlan& plan() const { return m_plan; }
   /// The subject in the form for core/rendering; null until it is known.
-  const std::shared_ptr<const RenderMaterial>& material() const { return m_material; }
+  const std::shared_ptr<const rendering::RenderMaterial>& material() const { return m_material; }
   SceneTracer& tracer() { return m_tracer; }
   const SceneTracer& tracer() const { return m_tracer; }
   bool isEstimating() const { return m_estimator.isBusy(); }
@@ -160,8 +160,8 @@ class PreviewSide : public QObject {
   int m_number = 0;  ///< of the subject and its density
   QString m_name;
   MaterialEstimator m_estimator;
-  std::shared_ptr<const RenderMaterial> m_material;
-  EffectPlan m_plan;
+  std::shared_ptr<const rendering::RenderMaterial> m_material;
+  rendering::EffectPlan m_plan;
   SceneTracer m_tracer;
 };
 

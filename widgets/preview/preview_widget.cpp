@@ -204,7 +204,7 @@ void PreviewWidget::showOverlay() {
 }
 
 void PreviewWidget::showStatus(double milliseconds) {
-  const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
+  const QString curve = QString::fromUtf8(rendering::toneMapName(m_settings.toneMap).data());
   const bool second = m_flickering && m_content.isComparing();
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
   const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::maxReflections;

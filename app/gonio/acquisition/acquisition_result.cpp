@@ -29,7 +29,7 @@ QImage withoutSurroundings(const Image& picture) {
   return displayedImage(sphere);
 }
 
-AcquisitionError errorOf(const TabulatedBrdf& table, const ComparisonPicture& picture,
+AcquisitionError errorOf(const TabulatedBrdf& table, const rendering::ComparisonPicture& picture,
                          const AcquisitionReference& reference) {
   return {reference.comparison->signalToNoiseRatio(picture),
           metrics::brdfError(metrics::BrdfMetric::log, *reference.table, table)};
@@ -45,30 +45,30 @@ void addErrorMap(ComparedPicture& result, const Image& picture, const Image& aga
       const std::size_t i = std::size_t(y) * std::size_t(picture.width) + std::size_t(x);
       if (std::max(picture.alpha[i], against.alpha[i]) < 0.5f) continue;
       const double difference = luminance(Rgb(picture.pixels[i])) - luminance(Rgb(against.pixels[i]));
-      const DisplayColour colour = viridis(std::abs(difference) / result.errorRange);
+      const rendering::DisplayColour colour = rendering::viridis(std::abs(difference) / result.errorRange);
       result.errorMap.setPixel(x, y, qRgb(colour[0], colour[1], colour[2]));
     }
 }
 
 }  // namespace
 
-RenderOptions acquisitionPicture() {
+rendering::RenderOptions acquisitionPicture() {
   return {.width = comparedSide, .height = comparedSide, .samples = comparedSamples, .density = {}};
 }
 
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
-                                             std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
-                                             const TaskControl& control) {
+                                             std::shared_ptr<const TabulatedBrdf> table,
+                                             const rendering::RenderOptions& picture, const TaskControl& control) {
   auto reference = std::make_shared<AcquisitionReference>();
   reference->id = id;
   reference->name = name;
   reference->table = std::move(table);
-  reference->comparison = std::make_unique<const RenderedComparison>(*reference->table, picture, control);
+  reference->comparison = std::make_unique<const rendering::RenderedComparison>(*reference->table, picture, control);
   reference->picture = withoutSurroundings(reference->comparison->reference());
   return reference;
 }
 
-AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
+AcquisitionReferencePtr readAcquisitionReference(const QString& id, const rendering::RenderOptions& picture,
                                                  const TaskControl& control) {
   constexpr double readFraction = 0.6;
   const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readFraction / 2));
@@ -84,7 +84,7 @@ ComparedPicture comparedPicture(const TabulatedBrdf& table, const AcquisitionRef
     result.picture = spherePicture(table, comparedSide, comparedSamples, control);
     return result;
   }
-  const ComparisonPicture picture = reference->comparison->render(table, control);
+  const rendering::ComparisonPicture picture = reference->comparison->render(table, control);
   result.picture = withoutSurroundings(picture.image);
   result.error = errorOf(table, picture, *reference);
   addErrorMap(result, picture.image, reference->comparison->reference());
@@ -130,7 +130,8 @@ void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& 
     first.options.uncertainty = false;
     const auto reconstruction =
         acquisition::reconstruct(*first.basis, first.plan, first.values, first.options, part.between(0, 0.5));
-    const ComparisonPicture picture = reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
+    const rendering::ComparisonPicture picture =
+        reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
     measured(counts[i], errorOf(*reconstruction.table, picture, *reference));
   }
 }

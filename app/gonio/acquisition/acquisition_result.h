@@ -19,20 +19,20 @@ struct AcquisitionReference {
   QString id;  ///< file or library id; empty: none
   QString name;
   std::shared_ptr<const TabulatedBrdf> table;
-  std::unique_ptr<const RenderedComparison> comparison;
+  std::unique_ptr<const rendering::RenderedComparison> comparison;
   QImage picture;
 };
 using AcquisitionReferencePtr = std::shared_ptr<const AcquisitionReference>;
 
 /// Size and samples of the pictures of references and reconstructions.
-RenderOptions acquisitionPicture();
+rendering::RenderOptions acquisitionPicture();
 
 /// Makes a reference. Renders its picture in a few tenths of a second. @throws Cancelled.
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
-                                             std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
-                                             const TaskControl& control = {});
+                                             std::shared_ptr<const TabulatedBrdf> table,
+                                             const rendering::RenderOptions& picture, const TaskControl& control = {});
 /// The same for a material that is read first. @throws Error that names the file; Cancelled.
-AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
+AcquisitionReferencePtr readAcquisitionReference(const QString& id, const rendering::RenderOptions& picture,
                                                  const TaskControl& control = {});
 
 /// Errors of a reconstruction against its reference.

@@ -22,7 +22,7 @@ class ReferenceReader : public QObject {
   explicit ReferenceReader(BackgroundTasks& tasks, QObject* parent = nullptr);
 
   /// Sets size and samples of the pictures of later references.
-  void setPicture(const RenderOptions& picture) { m_picture = picture; }
+  void setPicture(const rendering::RenderOptions& picture) { m_picture = picture; }
   /// @param id a file or a material of the library
   void read(const QString& id);
   /// @param makeTable called in another thread
@@ -48,7 +48,7 @@ class ReferenceReader : public QObject {
   void finish(const AcquisitionReferencePtr& reference);
 
   BackgroundTasks& m_tasks;
-  RenderOptions m_picture = acquisitionPicture();
+  rendering::RenderOptions m_picture = acquisitionPicture();
   QString m_id, m_name;
   AcquisitionReferencePtr m_reference;
 };

@@ -25,15 +25,15 @@ ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subjec
   auto reference = std::make_shared<ComparisonReference>();
   reference->subject = subject;
   reference->brdf = widgets::subjectBrdf(subject);
-  reference->picture = std::make_unique<const RenderedComparison>(*reference->brdf, smallComparisonPicture(),
-                                                                  TaskControl{control.stop, {}});
+  reference->picture = std::make_unique<const rendering::RenderedComparison>(
+      *reference->brdf, rendering::smallComparisonPicture(), TaskControl{control.stop, {}});
   return reference;
 }
 
 ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const ComparisonReference& reference,
                                   const TaskControl& control) {
   const auto brdf = widgets::subjectBrdf(test);
-  const ComparisonPicture picture = reference.picture->render(*brdf, {control.stop, {}});
+  const rendering::ComparisonPicture picture = reference.picture->render(*brdf, {control.stop, {}});
   control.throwIfStopped();
   ComparisonNumbers numbers;
   numbers.renderedSnr = reference.picture->signalToNoiseRatio(picture);
@@ -75,7 +75,7 @@ QString comparisonValue(double value) {
 
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference) {
   const QString compared =
-      ComparisonNumbersText::tr("%1 against %2, scene %3").arg(test, reference, comparisonSceneName);
+      ComparisonNumbersText::tr("%1 against %2, scene %3").arg(test, reference, rendering::comparisonSceneName);
   io::CsvTable table{.comments = {compared.toStdString()}, .columns = {{"quantity", {}}, {"value", {}}, {"unit", {}}}};
   for (const ComparisonLine& line : comparisonLines(&numbers)) {
     table.columns[0].texts.push_back(line.name.toStdString());

@@ -16,7 +16,7 @@ namespace gonio::app {
 struct ComparisonReference {
   widgets::PreviewSubject subject;
   std::shared_ptr<const Brdf> brdf;
-  std::unique_ptr<const RenderedComparison> picture;
+  std::unique_ptr<const rendering::RenderedComparison> picture;
 };
 using ComparisonReferencePtr = std::shared_ptr<const ComparisonReference>;
 

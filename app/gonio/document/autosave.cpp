@@ -119,9 +119,9 @@ bool Autosave::update() {
   return written;
 }
 
-bool Autosave::write(const editing::EditDocument& document) const {
+bool Autosave::write(const documents::EditDocument& document) const {
   try {
-    editing::writeDocument(document, m_current.path.toStdString());
+    documents::writeDocument(document, m_current.path.toStdString());
     return true;
   } catch (const Error&) {
     return false;

@@ -29,7 +29,7 @@ class Autosave : public QObject {
   static constexpr int intervalSeconds = 60;
 
   /// `snapshot` returns the document to write, or nullopt if everything is saved.
-  using Snapshot = std::function<std::optional<editing::EditDocument>()>;
+  using Snapshot = std::function<std::optional<documents::EditDocument>()>;
   Autosave(QString dataFolder, Snapshot snapshot, QObject* parent = nullptr);
   ~Autosave() override;
 
@@ -56,7 +56,7 @@ class Autosave : public QObject {
   enum class Place { besideDocument, dataFolder };
   Copy newCopy(Place place) const;
   /// Writes the document to the current copy. @return false if the file cannot be written.
-  bool write(const editing::EditDocument& document) const;
+  bool write(const documents::EditDocument& document) const;
   static void remove(Copy copy);
 
   QString m_dataFolder;

@@ -164,7 +164,7 @@ bool Document::isModified() const {
   if (m_history.isClean()) return false;
   // A material from a file, without edits, can be opened again.
   const bool isSource = m_content.path.isEmpty() && material() && !material()->material.source.path.empty();
-  if (isSource && state().incident == editing::EditDocument().incident && changeTheSame({}, edits())) return false;
+  if (isSource && state().incident == documents::EditDocument().incident && changeTheSame({}, edits())) return false;
   return !m_saved || m_saved->material != material() || m_saved->state.incident != state().incident ||
          !changeTheSame(m_saved->state.edits, edits());
 }
@@ -224,7 +224,7 @@ void Document::replaceMaterial(LoadedMaterialPtr material, const QString& text) 
 
 void Document::setMaterial(LoadedMaterialPtr material) { startAnew({std::move(material), {}, {}, {}}); }
 
-void Document::setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path) {
+void Document::setMaterial(LoadedMaterialPtr material, const documents::EditDocument& stored, const QString& path) {
   startAnew({std::move(material), {stored.edits, int(stored.edits.size()) - 1, stored.incident}, path, {}});
 }
 
@@ -328,8 +328,8 @@ void Document::chooseFit(fitting::FitResult fit) {
   installEdits(editing::withEdit(edits(), std::size_t(active), anew), text);
 }
 
-editing::EditDocument Document::toEditDocument() const {
-  editing::EditDocument document;
+documents::EditDocument Document::toEditDocument() const {
+  documents::EditDocument document;
   if (material()) {
     document.sourcePath = material()->material.source.path.string();
     document.sourceSha256 = material()->material.source.sha256;

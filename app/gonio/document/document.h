@@ -80,7 +80,7 @@ class Document : public QObject {
 
   /// Starts a new document with a material, without edits or with the edits of a .gonio file.
   void setMaterial(LoadedMaterialPtr material);
-  void setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path);
+  void setMaterial(LoadedMaterialPtr material, const documents::EditDocument& stored, const QString& path);
   /// Marks the document as unsaved (after recovery).
   void markUnsaved();
 
@@ -116,7 +116,7 @@ class Document : public QObject {
   void installEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
 
   /// The content of a .gonio file.
-  editing::EditDocument toEditDocument() const;
+  documents::EditDocument toEditDocument() const;
   void markSaved(const QString& path);
 
   /// For commands only.

@@ -84,7 +84,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
         if (stored) {
           // A recovered copy names its source as the document that it stands for would.
           const std::string document = (documentPath.isEmpty() ? path : documentPath).toStdString();
-          opened.stored = editing::resolved(editing::readDocument(source), document);
+          opened.stored = documents::resolved(documents::readDocument(source), document);
         }
         opened.material = stored ? loadSource(*opened.stored, control) : loadMaterial(source, control);
         return opened;
@@ -245,9 +245,9 @@ void DocumentController::applyProposal() {
 
 bool DocumentController::save(const QString& path, const nlohmann::json& view) {
   try {
-    editing::EditDocument stored = m_document.toEditDocument();
+    documents::EditDocument stored = m_document.toEditDocument();
     stored.view = view;
-    editing::writeDocument(stored, path.toStdString());
+    documents::writeDocument(stored, path.toStdString());
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot save %1").arg(shortName(path)), QString::fromUtf8(error.what()));
     return false;

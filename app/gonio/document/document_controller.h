@@ -98,7 +98,7 @@ class DocumentController : public QObject {
  private:
   struct Opened {
     LoadedMaterialPtr material;
-    std::optional<editing::EditDocument> stored;
+    std::optional<documents::EditDocument> stored;
     QString path, documentPath;
     QByteArray digest;  ///< of the document's file, before it was read; empty without one
     bool recovered = false, unsaved = false;

@@ -220,8 +220,8 @@ models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, c
   return result;
 }
 
-QMimeData* toClipboard(const editing::EditDocument& document) {
-  const std::string text = io::jsonText(editing::toJson(document), 2);
+QMimeData* toClipboard(const documents::EditDocument& document) {
+  const std::string text = io::jsonText(documents::toJson(document), 2);
   auto* data = new QMimeData;
   data->setData(mimeType, QByteArray::fromStdString(text));
   data->setText(QString::fromStdString(text));
@@ -232,7 +232,7 @@ editing::EditList editsFromClipboard(const QMimeData* data) {
   if (!data) return {};
   const QByteArray text = data->hasFormat(mimeType) ? data->data(mimeType) : data->text().toUtf8();
   try {
-    editing::EditList edits = editing::documentFromText(text.toStdString()).edits;
+    editing::EditList edits = documents::documentFromText(text.toStdString()).edits;
     editing::EditList changes;
     for (const editing::Edit& edit : edits)
       if (!edit.isIdentity()) changes.push_back(edit);

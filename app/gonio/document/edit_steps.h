@@ -58,7 +58,7 @@ models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, c
 
 /// A document's edits for the clipboard: as JSON, and the same JSON as plain text, which can be pasted into a .gonio
 /// file.
-QMimeData* toClipboard(const editing::EditDocument& document);
+QMimeData* toClipboard(const documents::EditDocument& document);
 /// The edits on a clipboard. Edits without effect are left out, unless there are no others. Empty if there are no
 /// edits.
 editing::EditList editsFromClipboard(const QMimeData* data);

@@ -24,18 +24,18 @@ Rgb linearOf(const QColor& colour) {
 
 }  // namespace
 
-Scene PictureExport::shownScene() const {
-  Scene shown = scene;
+rendering::Scene PictureExport::shownScene() const {
+  rendering::Scene shown = scene;
   shown.showEnvironment = background == PictureBackground::environment;
   return shown;
 }
 
 PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited) {
   PicturePlan planned{.scene = request.shownScene()};
-  const auto material = std::make_shared<const RenderMaterial>(edited);
-  planned.materials =
-      bindMaterials(planned.scene, materialsInSlots(planned.scene, material, request.otherSlotMaterials));
-  planned.plan = planEffects(planned.scene, planned.materials, request.overrides);
+  const auto material = std::make_shared<const rendering::RenderMaterial>(edited);
+  planned.materials = rendering::bindMaterials(
+      planned.scene, rendering::materialsInSlots(planned.scene, material, request.otherSlotMaterials));
+  planned.plan = rendering::planEffects(planned.scene, planned.materials, request.overrides);
   return planned;
 }
 
@@ -43,17 +43,18 @@ void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<co
                           const std::string& name, const TaskControl& control, const Pause& pause) {
   constexpr std::uint64_t seed = 1;
   const PicturePlan planned = planPicture(request, edited);
-  const PathTracer tracer(planned.scene, planned.materials, planned.plan, seed);
-  Film film(request.width, request.height);
-  refinePicture(tracer, film, request.limits, control, &pause);
+  const rendering::PathTracer tracer(planned.scene, planned.materials, planned.plan, seed);
+  rendering::Film film(request.width, request.height);
+  rendering::refinePicture(tracer, film, request.limits, control, &pause);
   Image image = film.image();
   const bool overColour = request.background == PictureBackground::colour;
   const std::string path = request.path.toStdString();
   if (request.isExr()) {
     if (overColour) composeOver(request.colour, image);
-    return io::writeExr(image, path, pictureAttributes(planned.scene, planned.plan, name, film.samples, seed));
+    return io::writeExr(image, path,
+                        rendering::pictureAttributes(planned.scene, planned.plan, name, film.samples, seed));
   }
-  std::vector<std::uint8_t> bytes = toDisplayBytes(image, request.exposure, request.toneMap);
+  std::vector<std::uint8_t> bytes = rendering::toDisplayBytes(image, request.exposure, request.toneMap);
   if (overColour) composeOver(request.colour, bytes);
   io::writePng(bytes, image.width, image.height, path);
 }
@@ -120,7 +121,7 @@ FileExports::FileExports(Document& document, BackgroundTasks& tasks, QObject* pa
     : QObject(parent), m_document(document), m_tasks(tasks) {}
 
 bool FileExports::refuses(const QString& path) {
-  if (!io::isOneOf(path.toStdString(), editing::sourceFiles(m_document.toEditDocument()))) return false;
+  if (!io::isOneOf(path.toStdString(), documents::sourceFiles(m_document.toEditDocument()))) return false;
   Q_EMIT failed(tr("Cannot write %1").arg(nameOf(path)),
                 tr("%1 is a measured file that this document edits. Choose another name.").arg(path));
   return true;

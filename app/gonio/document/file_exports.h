@@ -33,26 +33,26 @@ enum class PictureBackground { environment, transparent, colour };
 /// A picture to be rendered and written: content, size, quality and format.
 struct PictureExport {
   QString path;  ///< its suffix decides: `.exr` 32-bit linear radiance, else 8-bit sRGB PNG
-  Scene scene;
-  EffectOverrides overrides;
-  RenderMaterials otherSlotMaterials;  ///< from slot 1 on, see materialsInSlots()
+  rendering::Scene scene;
+  rendering::EffectOverrides overrides;
+  rendering::RenderMaterials otherSlotMaterials;  ///< from slot 1 on, see materialsInSlots()
   int width = 1024, height = 1024;
-  RefinementLimits limits;
+  rendering::RefinementLimits limits;
   PictureBackground background = PictureBackground::transparent;
   QColor colour = Qt::black;  ///< of the background; its linear value in an EXR
   double exposure = 0;        ///< stops; PNG only
-  ToneMap toneMap = ToneMap::filmic;
+  rendering::ToneMap toneMap = rendering::ToneMap::filmic;
 
   bool isExr() const { return path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive); }
   /// The scene with the picture's background.
-  Scene shownScene() const;
+  rendering::Scene shownScene() const;
 };
 
 /// Input of the path tracer.
 struct PicturePlan {
-  Scene scene;
-  RenderMaterials materials;
-  EffectPlan plan;
+  rendering::Scene scene;
+  rendering::RenderMaterials materials;
+  rendering::EffectPlan plan;
 };
 PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited);
 

@@ -38,7 +38,7 @@ std::size_t LoadedMaterial::bytes() const {
   return m_sampled->table ? m_sampled->table->bytes() : 0;
 }
 
-LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
+LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const documents::BlendSource> blend,
                                const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material = std::move(material);
@@ -68,15 +68,15 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 }
 
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
-  if (!editing::isDocumentName(path)) return loadMaterial(path, control);
+  if (!documents::isDocumentName(path)) return loadMaterial(path, control);
   constexpr double editedFraction = 0.6;
-  return loadInMemory(editing::editedMaterial(path, control.between(0, editedFraction)).shown, nullptr,
+  return loadInMemory(documents::editedMaterial(path, control.between(0, editedFraction)).shown, nullptr,
                       control.between(editedFraction, 1));
 }
 
-LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control) {
+LoadedMaterialPtr loadSource(const documents::EditDocument& document, const TaskControl& control) {
   const double readShare = document.blend ? 0.8 : 0.3;
-  return loadInMemory(editing::readSource(document, {}, control.between(0, readShare)), document.blend,
+  return loadInMemory(documents::readSource(document, {}, control.between(0, readShare)), document.blend,
                       control.between(readShare, 1));
 }
 

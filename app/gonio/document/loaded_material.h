@@ -21,7 +21,7 @@ struct LoadedMaterial {
   static constexpr std::array<int, 4> albedoDegrees{0, 30, 60, 80};
 
   materials::Material material;
-  std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file
+  std::shared_ptr<const documents::BlendSource> blend = nullptr;  ///< of a material without a file
   /// The BRDF that is shown, edited and exported: the material in its native form, or a table if the preview cannot
   /// evaluate that form (widgets::isShownNatively()).
   std::shared_ptr<const Brdf> base;
@@ -60,9 +60,9 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 /// As loadMaterial(), but also loads .gonio documents, with their edits applied.
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control = {});
 /// Loads the material of a document without its edits. The paths must be resolved. @throws Error, Cancelled.
-LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
+LoadedMaterialPtr loadSource(const documents::EditDocument& document, const TaskControl& control = {});
 /// As loadMaterial(), for a material in memory. @param blend its source if it is a blend, else null.
-LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
+LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<const documents::BlendSource> blend,
                                const TaskControl& control = {});
 
 /// Kind of a material without its edits: "Measured" (also for files with codes or factors), "Near-measured", "Published

@@ -62,8 +62,8 @@ QString formatFilter(const materials::MaterialFormat& format) {
 QString formatSuffix(const materials::MaterialFormat& format) { return toQt(format.suffix()); }
 QString tableSuffix() { return formatSuffix(formats::merlFormat); }
 
-bool isDocument(const QString& path) { return editing::isDocumentName(path.toStdString()); }
-QString documentSuffix() { return toQt(editing::documentSuffix); }
+bool isDocument(const QString& path) { return documents::isDocumentName(path.toStdString()); }
+QString documentSuffix() { return toQt(documents::documentSuffix); }
 
 QString materialName(const QString& id) {
   const QString last = id.section('/', -1);

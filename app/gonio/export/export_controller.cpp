@@ -54,7 +54,7 @@ QString labelOf(const exports::ExportTarget& target) { return widgets::toQString
 
 }  // namespace
 
-QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene) {
+QString fileNames(const exports::ExportTarget& target, const QString& name, const rendering::Scene* withScene) {
   QStringList names;
   for (const std::filesystem::path& path : target.paths(name.toStdString(), withScene))
     names << QString::fromStdString(path.filename().string());
@@ -97,7 +97,7 @@ void ExportController::write(const materials::EditedMaterial& material, const Ex
                              const ExportTrialPtr& trial) {
   m_last = request;
   Q_EMIT lastChanged();
-  const std::vector<std::filesystem::path> used = editing::sourceFiles(m_document.toEditDocument());
+  const std::vector<std::filesystem::path> used = documents::sourceFiles(m_document.toEditDocument());
   writeInBackground(request, [material, request, trial, used](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString();
     exports::checkTargets(request.target->paths(name, request.scene.get()), used, true);

@@ -38,9 +38,9 @@ using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
 struct ExportRequest {
   const exports::ExportTarget* target = nullptr;
   exports::ExportOptions options;
-  QString name;                                  ///< path without the target's suffixes
-  std::shared_ptr<const Scene> scene = nullptr;  ///< scene to write in addition to the material; null: none
-  QString place = {};                            ///< position among several, e.g. "3 of 12"; empty: there is one
+  QString name;                                             ///< path without the target's suffixes
+  std::shared_ptr<const rendering::Scene> scene = nullptr;  ///< scene to write in addition to the material; null: none
+  QString place = {};  ///< position among several, e.g. "3 of 12"; empty: there is one
 };
 
 /// Makes and writes exports in the background. Each is a separate task; several wait in a queue.
@@ -93,6 +93,7 @@ class ExportController : public QObject {
 };
 
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"
-QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene = nullptr);
+QString fileNames(const exports::ExportTarget& target, const QString& name,
+                  const rendering::Scene* withScene = nullptr);
 
 }  // namespace gonio::app

@@ -84,11 +84,12 @@ QString exportBytesText(std::uint64_t bytes) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent)
+ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, const rendering::Scene& scene,
+                           QWidget* parent)
     : QDialog(parent),
       m_controller(controller),
       m_settings(settings),
-      m_scene(std::make_shared<const Scene>(scene)),
+      m_scene(std::make_shared<const rendering::Scene>(scene)),
       m_material(controller.document().edited()) {
   setWindowTitle(tr("Export for Renderer"));
   const int em = fontMetrics().height();

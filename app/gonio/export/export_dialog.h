@@ -50,7 +50,7 @@ class ExportDialog : public QDialog {
 
  public:
   /// Precondition: the document has a material. @param scene scene of the preview, written on request.
-  ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent);
+  ExportDialog(ExportController& controller, QSettings& settings, const rendering::Scene& scene, QWidget* parent);
   ~ExportDialog() override;
 
   const exports::ExportTarget& target() const;
@@ -90,11 +90,11 @@ class ExportDialog : public QDialog {
   void showProgress();
   void browse();
   bool mayReplace();
-  const Scene* writtenScene() const { return withScene() ? m_scene.get() : nullptr; }
+  const rendering::Scene* writtenScene() const { return withScene() ? m_scene.get() : nullptr; }
 
   ExportController& m_controller;
   QSettings& m_settings;
-  const std::shared_ptr<const Scene> m_scene;
+  const std::shared_ptr<const rendering::Scene> m_scene;
   const materials::EditedMaterial m_material;
   std::map<Key, ExportTrialPtr> m_trials;
   QString m_error;  ///< of the last trial

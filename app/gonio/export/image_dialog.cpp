@@ -163,7 +163,7 @@ void ImageDialog::restore(const QString& name) {
       ->setChecked(true);
   m_labels->setEnabled(comparing);
   m_labels->setChecked(comparing && stored("labels", true).toBool());
-  const Scene& scene = m_parts.preview.content().scene();
+  const rendering::Scene& scene = m_parts.preview.content().scene();
   m_settings->restore(s, scene.environment && scene.showEnvironment);
   const int format = stored("format", png).toInt() == exr ? exr : png;
   m_format->setCurrentIndex(format);
@@ -222,13 +222,14 @@ void ImageDialog::showChoices() {
 
 void ImageDialog::startEstimate() {
   const Document& document = m_parts.document;
-  m_parts.tasks.run<PictureEstimate>(
+  m_parts.tasks.run<rendering::PictureEstimate>(
       {.title = tr("Estimating the rendering time"), .key = estimateKey, .live = true},
       [picture = request(), base = document.base(), edits = document.edits()](const TaskControl& control) {
         const PicturePlan planned = planPicture(picture, editing::applyEdits(base, edits));
-        return estimatePicture(planned.scene, planned.materials, planned.plan, picture.width, picture.height, control);
+        return rendering::estimatePicture(planned.scene, planned.materials, planned.plan, picture.width, picture.height,
+                                          control);
       },
-      [this, self = QPointer(this)](const PictureEstimate& estimate) {
+      [this, self = QPointer(this)](const rendering::PictureEstimate& estimate) {
         if (!self) return;
         m_estimate = estimate;
         showEstimate();

@@ -56,7 +56,7 @@ class ImageDialog : public QDialog {
   /// Whether the picture is rendered; if not, the preview's picture is used.
   bool rendersPicture() const;
   /// Nullopt until it has been measured.
-  const std::optional<PictureEstimate>& estimate() const { return m_estimate; }
+  const std::optional<rendering::PictureEstimate>& estimate() const { return m_estimate; }
   QLineEdit& path() { return *m_path; }
 
   void accept() override;
@@ -77,7 +77,7 @@ class ImageDialog : public QDialog {
 
   const Parts m_parts;
   QTimer m_delay;
-  std::optional<PictureEstimate> m_estimate;
+  std::optional<rendering::PictureEstimate> m_estimate;
   QString m_estimateError;
   QButtonGroup* m_source;
   PictureSettings* m_settings;

@@ -172,8 +172,8 @@ void PictureSettings::remember(QSettings& settings) const {
   store("transparent", m_backgrounds->currentIndex() != int(PictureBackground::colour));
 }
 
-RefinementLimits PictureSettings::limits() const {
-  RefinementLimits limits{.samples = m_samples->value()};
+rendering::RefinementLimits PictureSettings::limits() const {
+  rendering::RefinementLimits limits{.samples = m_samples->value()};
   if (m_limited->isChecked()) limits.seconds = m_seconds->value();
   return limits;
 }

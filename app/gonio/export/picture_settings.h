@@ -27,7 +27,7 @@ class PictureSettings : public QWidget {
   /// too.
   void restore(const QSettings& settings, bool environmentShown);
   void remember(QSettings& settings) const;
-  RefinementLimits limits() const;
+  rendering::RefinementLimits limits() const;
   /// Width of the widest label, for the alignment of other rows.
   int labelWidth() const;
   /// Writes the settings to a request.

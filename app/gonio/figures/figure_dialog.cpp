@@ -162,7 +162,7 @@ void FigureDialog::restore() {
 void FigureDialog::remember() {
   const FigureDescription figure = description();
   if (figure.materials.empty() || figure.representations.empty()) return;
-  m_parts.settings.setValue(descriptionKey, QString::fromStdString(io::jsonText(toJson(figure))));
+  m_parts.settings.setValue(descriptionKey, QString::fromStdString(io::jsonText(figures::toJson(figure))));
 }
 
 void FigureDialog::keyPressEvent(QKeyEvent* event) {

@@ -33,8 +33,9 @@ const QString fileEntry = QStringLiteral("file...");
 }  // namespace
 
 FigurePictureSettings::FigurePictureSettings(QWidget* parent) : QWidget(parent) {
-  m_scene = nameBox(sceneTitle(bundledComparisonScene), bundledSceneNames(), tr("Scene or mesh file..."));
-  m_environment = nameBox(tr("From scene"), bundledEnvironmentNames(), tr("Environment file..."));
+  m_scene = nameBox(sceneTitle(rendering::bundledComparisonScene), rendering::bundledSceneNames(),
+                    tr("Scene or mesh file..."));
+  m_environment = nameBox(tr("From scene"), rendering::bundledEnvironmentNames(), tr("Environment file..."));
   m_size = new QSpinBox;
   m_samples = new QSpinBox;
   m_exposure = new widgets::NumberField;
@@ -59,7 +60,7 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
   box->setMinimumContentsLength(12);
   box->addItem(usual, QString());
   for (const std::string& name : names)
-    if (name != bundledComparisonScene) box->addItem(sceneTitle(name), QString::fromStdString(name));
+    if (name != rendering::bundledComparisonScene) box->addItem(sceneTitle(name), QString::fromStdString(name));
   box->addItem(file, fileEntry);
   return box;
 }
@@ -67,7 +68,7 @@ QComboBox* FigurePictureSettings::nameBox(const QString& usual, const std::vecto
 void FigurePictureSettings::build() {
   m_scene->setToolTip(tr("Scene of the images and of the rendered SNR in this figure; all objects have the material. "
                          "Everywhere else, the rendered SNR uses the scene %1.")
-                          .arg(sceneTitle(bundledComparisonScene)));
+                          .arg(sceneTitle(rendering::bundledComparisonScene)));
   m_environment->setToolTip(tr("Replaces the light of the scene"));
   m_size->setRange(1, FigurePictures::maxSize);
   m_size->setSuffix(tr(" pixels"));
@@ -101,12 +102,13 @@ FigurePictures FigurePictureSettings::pictures() const {
           .size = m_size->value(),
           .samples = m_samples->value(),
           .exposure = m_exposure->value(),
-          .toneMap = ToneMap(m_toneMap->currentIndex())};
+          .toneMap = rendering::ToneMap(m_toneMap->currentIndex())};
 }
 
 void FigurePictureSettings::setPictures(const FigurePictures& pictures) {
   const QSignalBlocker quiet(this);
-  const bool isComparison = pictures.scene == comparisonSceneName || pictures.scene == bundledComparisonScene;
+  const bool isComparison =
+      pictures.scene == rendering::comparisonSceneName || pictures.scene == rendering::bundledComparisonScene;
   selectName(*m_scene, m_sceneName = isComparison ? "" : pictures.scene);
   selectName(*m_environment, m_environmentName = pictures.environment);
   m_size->setValue(pictures.size);

@@ -63,7 +63,7 @@ const QString tableErrorKey = QStringLiteral("table error");
 }  // namespace
 
 TableErrorMonitor::TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent,
-                                     const RenderOptions& picture)
+                                     const rendering::RenderOptions& picture)
     : QObject(parent), m_document(document), m_tasks(tasks), m_picture(picture) {
   connect(&document, &Document::materialChanged, this, &TableErrorMonitor::measure);
 }
@@ -77,7 +77,7 @@ void TableErrorMonitor::measure() {
   m_tasks.run<double>(
       {tr("Measuring table accuracy of %1").arg(m_document.name()), tableErrorKey, true},
       [material, picture = m_picture](const TaskControl& control) {
-        const RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
+        const rendering::RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
         return comparison.signalToNoiseRatio(comparison.render(*material->table(control), control.between(0.5, 1)));
       },
       [this](double snr) { finish(snr); }, [this](const QString&) { finish({}); }, [this] { finish({}); });

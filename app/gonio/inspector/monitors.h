@@ -54,7 +54,7 @@ class TableErrorMonitor : public QObject {
  public:
   /// @param picture size and samples of the comparison pictures.
   TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr,
-                    const RenderOptions& picture = {});
+                    const rendering::RenderOptions& picture = {});
   /// dB, in comparisonScene(); nullopt until it is measured, and if the material itself is a table.
   std::optional<double> snr() const { return m_snr; }
   /// Whether no measurement is running.
@@ -70,7 +70,7 @@ class TableErrorMonitor : public QObject {
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  RenderOptions m_picture;
+  rendering::RenderOptions m_picture;
   std::optional<double> m_snr;
   bool m_measuring = false;
 };

@@ -61,7 +61,7 @@ class BlendOverview : public QWidget {
 
  Q_SIGNALS:
   /// The user chose the sphere of a space at t, or its name (t < 0).
-  void chosen(gonio::editing::InterpolationSpace space, double t);
+  void chosen(gonio::interpolation::InterpolationSpace space, double t);
   /// The user wants cancelled spaces to be computed after all.
   void drawRequested();
 

@@ -31,14 +31,14 @@ QString shortName(const QString& path) { return path.section('/', -1); }
 
 }  // namespace
 
-BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, documents::EditDocument source,
                                 const TaskControl& control) {
   BlendMaterial result;
   result.name = name;
   const std::string& description = material.material.source.description;
   result.description = QString::fromStdString(description.empty() ? material.material.name : description);
   const auto table = material.table(control);
-  result.material = editing::interpolationMaterial(
+  result.material = documents::interpolationMaterial(
       material.material, withIncident(material.base, source.incident), table,
       editing::bakeEdits(table, source.edits, control.between(0, editFraction)), source.edits);
   result.picture =
@@ -49,11 +49,11 @@ BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& n
 }
 
 BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control) {
-  editing::EditDocument source;
+  documents::EditDocument source;
   LoadedMaterialPtr material;
   const std::string path = id.toStdString();
   if (isDocument(id)) {
-    source = editing::resolved(editing::readDocument(path), path);
+    source = documents::resolved(documents::readDocument(path), path);
     material = loadSource(source, control.between(0, loadFraction));
   } else {
     material = loadMaterial(path, control.between(0, loadFraction));
@@ -89,8 +89,8 @@ bool BlendMaterials::isComplete() const {
   return std::all_of(m_slots.begin(), m_slots.end(), [](const Slot& slot) { return slot.material.has_value(); });
 }
 
-std::vector<editing::InterpolationMaterial> BlendMaterials::materials() const {
-  std::vector<editing::InterpolationMaterial> result;
+std::vector<interpolation::InterpolationMaterial> BlendMaterials::materials() const {
+  std::vector<interpolation::InterpolationMaterial> result;
   for (const Slot& slot : m_slots) result.push_back(slot.material->material);
   return result;
 }

@@ -21,14 +21,14 @@ namespace gonio::app {
 struct BlendMaterial {
   QString name, description;
   QImage picture;
-  editing::InterpolationMaterial material;  ///< the material with its edits
-  editing::EditDocument source;             ///< document to reproduce it, with resolved paths
+  interpolation::InterpolationMaterial material;  ///< the material with its edits
+  documents::EditDocument source;                 ///< document to reproduce it, with resolved paths
 };
 
 /// Reads a file, a .gonio document or a material of the library, and renders its picture. @throws Error, Cancelled.
 BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control);
 /// Makes a material of a blend from an open material, with the edits of `source`. @throws Cancelled.
-BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, documents::EditDocument source,
                                 const TaskControl& control);
 
 /// The two to four materials of the Interpolation panel, which are read in the background. Not part of the document.
@@ -48,7 +48,7 @@ class BlendMaterials : public QObject {
   bool isComplete() const;
   bool isReading() const;
   /// All materials. Precondition: isComplete().
-  std::vector<editing::InterpolationMaterial> materials() const;
+  std::vector<interpolation::InterpolationMaterial> materials() const;
 
   /// A file, a .gonio document, or a library's material by its id.
   void read(int slot, const QString& id);

@@ -14,16 +14,16 @@ namespace {
 
 const QString blendKey = QStringLiteral("blend-spaces");
 
-bool sameMaterial(const editing::InterpolationMaterial& a, const editing::InterpolationMaterial& b) {
+bool sameMaterial(const interpolation::InterpolationMaterial& a, const interpolation::InterpolationMaterial& b) {
   return a.table == b.table && a.factors == b.factors && a.code == b.code && a.base == b.base;
 }
 
 /// Where each of `materials` stands in `known`; empty where these are other ones.
-std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationMaterial>& known,
-                                 const std::vector<editing::InterpolationMaterial>& materials) {
+std::vector<std::size_t> orderIn(const std::vector<interpolation::InterpolationMaterial>& known,
+                                 const std::vector<interpolation::InterpolationMaterial>& materials) {
   if (known.size() != materials.size()) return {};
   std::vector<std::size_t> order;
-  for (const editing::InterpolationMaterial& material : materials)
+  for (const interpolation::InterpolationMaterial& material : materials)
     for (std::size_t i = 0; i < known.size(); ++i)
       if (sameMaterial(known[i], material) && std::find(order.begin(), order.end(), i) == order.end()) {
         order.push_back(i);
@@ -60,7 +60,7 @@ BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent, const StripPic
       m_stripPictures(pictures),
       m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
-void BlendSpaces::setMaterials(std::vector<editing::InterpolationMaterial> materials) {
+void BlendSpaces::setMaterials(std::vector<interpolation::InterpolationMaterial> materials) {
   pause();
   m_complete = !materials.empty();
   if (const auto order = orderIn(m_materials, materials); m_complete && order.empty()) {
@@ -142,7 +142,7 @@ void BlendSpaces::prepare(Space space) {
   m_tasks.run<widgets::PreparedBlendPtr>(
       {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
       [space, materials = m_materials, model = m_model](const TaskControl& control) {
-        return widgets::prepareBlend(space, materials, editing::blendOptions(model), control);
+        return widgets::prepareBlend(space, materials, documents::blendOptions(model), control);
       },
       [this, space](const widgets::PreparedBlendPtr& prepared) {
         entry(space).prepared = prepared;

@@ -24,7 +24,7 @@ class BlendSpaces : public QObject {
   Q_OBJECT
 
  public:
-  using Space = editing::InterpolationSpace;
+  using Space = interpolation::InterpolationSpace;
   static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the path of widgets::pathPosition()
   enum class State { waiting, running, ready, failed, cancelled };
 
@@ -36,7 +36,7 @@ class BlendSpaces : public QObject {
   /// Sets the materials; empty: none. Prepared blends are reused if the materials are those of the last non-empty set,
   /// in any order. Otherwise all blends are prepared again on demand, in about a second per material: nothing is reused
   /// for a material that stays, because the nodes and dictionaries of a blend depend on all materials.
-  void setMaterials(std::vector<editing::InterpolationMaterial> materials);
+  void setMaterials(std::vector<interpolation::InterpolationMaterial> materials);
   /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.
   void setModel(const models::Model& model);
   const models::Model& model() const { return *m_model; }
@@ -63,7 +63,7 @@ class BlendSpaces : public QObject {
 
  Q_SIGNALS:
   /// The state or the results of a space changed.
-  void changed(gonio::editing::InterpolationSpace space);
+  void changed(gonio::interpolation::InterpolationSpace space);
 
  private:
   struct Entry {
@@ -87,11 +87,11 @@ class BlendSpaces : public QObject {
   BackgroundTasks& m_tasks;
   StripPictures m_stripPictures;
   std::vector<Space> m_spaces;
-  std::vector<editing::InterpolationMaterial> m_materials;  ///< in the order of PreparedBlend::materials
+  std::vector<interpolation::InterpolationMaterial> m_materials;  ///< in the order of PreparedBlend::materials
   std::vector<std::size_t> m_order;
   bool m_complete = false;
   const models::Model* m_model = &models::ggx();
-  std::array<Entry, editing::interpolationSpaceNames.size()> m_entries;
+  std::array<Entry, interpolation::interpolationSpaceNames.size()> m_entries;
   Space m_first = Space::linear;
   bool m_wanted = false;
 };

@@ -20,7 +20,7 @@ namespace gonio::app {
 namespace {
 constexpr int choiceEms = 17;
 const QString openKey = QStringLiteral("open-blend");
-using Space = editing::InterpolationSpace;
+using Space = interpolation::InterpolationSpace;
 }  // namespace
 
 InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent,
@@ -206,7 +206,7 @@ void InterpolationPanel::blendMaterialsChanged() {
   m_position = middle ? widgets::centrePosition(count) : widgets::nearestPosition(count, m_position);
   m_positionCount = count;
   m_spaces.setMaterials(m_materials.isComplete() ? m_materials.materials()
-                                                 : std::vector<editing::InterpolationMaterial>());
+                                                 : std::vector<interpolation::InterpolationMaterial>());
   showMaterials();
   m_overview->showSpaces();
   if (isVisible()) m_spaces.want(m_space);
@@ -244,7 +244,7 @@ void InterpolationPanel::showOpenable() { m_open->setEnabled(m_spaces.prepared(m
 void InterpolationPanel::openAsMaterial() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
   if (!blend) return Q_EMIT failed(tr("There is no blend to open"), tr("Choose a material for every slot first."));
-  auto source = std::make_shared<editing::BlendSource>();
+  auto source = std::make_shared<documents::BlendSource>();
   source->space = m_space;
   source->model = blend->model;
   // As they were prepared: a document makes the blend again in the order that it names.
@@ -257,7 +257,7 @@ void InterpolationPanel::openAsMaterial() {
       {text, openKey},
       [blend, source](const TaskControl& control) {
         constexpr double blendFraction = 0.6;
-        auto material = editing::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
+        auto material = documents::blendedMaterial(*source, *blend->interpolation, control.between(0, blendFraction));
         return loadInMemory(std::move(material), source, control.between(blendFraction, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { Q_EMIT materialMade(material, text); },

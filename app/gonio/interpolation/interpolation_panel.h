@@ -43,8 +43,8 @@ class InterpolationPanel : public QWidget {
 
   BlendMaterials& materials() { return m_materials; }
   BlendSpaces& spaces() { return m_spaces; }
-  editing::InterpolationSpace space() const { return m_space; }
-  void setSpace(editing::InterpolationSpace space);
+  interpolation::InterpolationSpace space() const { return m_space; }
+  void setSpace(interpolation::InterpolationSpace space);
   QPointF position() const { return m_position; }
   std::vector<double> weights() const;
   /// Moves the position, as the user does.
@@ -99,7 +99,7 @@ class InterpolationPanel : public QWidget {
   BlendSpaces m_spaces;
   QPointF m_position;
   int m_positionCount = widgets::minBlended;  ///< the number of materials for which m_position was chosen
-  editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
+  interpolation::InterpolationSpace m_space = interpolation::InterpolationSpace::linear;
   BlendSlots* m_slots;
   BlendPositionEditor* m_positionEditor;
   BlendOverview* m_overview;

@@ -48,16 +48,16 @@ double meanHue(const QImage& image) {
 }  // namespace
 
 QImage displayedImage(const Image& picture) {
-  const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, exposure, ToneMap::filmic);
+  const std::vector<std::uint8_t> bytes = rendering::toDisplayBytes(picture, exposure, rendering::ToneMap::filmic);
   return QImage(bytes.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888).copy();
 }
 
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control) {
-  RenderOptions options;
+  rendering::RenderOptions options;
   options.width = options.height = pixels;
   options.samples = samples;
   options.density = estimateSamplingDensity(brdf);
-  const Image picture = renderPicture(brdf, comparisonScene(), options, control);
+  const Image picture = rendering::renderPicture(brdf, rendering::comparisonScene(), options, control);
   QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.density->roughness));
   image.setText("hue", QString::number(meanHue(image)));
@@ -241,7 +241,7 @@ QString ownMaterialsFolder() {
 }
 
 materials::Material libraryMaterial(const QString& id, const TaskControl& control) {
-  return isDocument(id) ? editing::editedMaterial(id.toStdString(), control).shown
+  return isDocument(id) ? documents::editedMaterial(id.toStdString(), control).shown
                         : materials::readMaterial(id.toStdString(), control);
 }
 

@@ -47,15 +47,15 @@ void EnvironmentController::remember(const QString& path) {
 }
 
 void EnvironmentController::open(const QString& nameOrPath) {
-  m_tasks.run<std::shared_ptr<const EnvironmentMap>>(
+  m_tasks.run<std::shared_ptr<const rendering::EnvironmentMap>>(
       {tr("Reading the environment %1").arg(nameOrPath.section('/', -1)), QStringLiteral("environment")},
-      [nameOrPath](const TaskControl&) -> std::shared_ptr<const EnvironmentMap> {
+      [nameOrPath](const TaskControl&) -> std::shared_ptr<const rendering::EnvironmentMap> {
         if (nameOrPath.isEmpty()) return nullptr;
-        const auto environment = openEnvironment(nameOrPath.toStdString());
+        const auto environment = rendering::openEnvironment(nameOrPath.toStdString());
         widgets::environmentTexels(environment);  // so that the preview need not wait for them
         return environment;
       },
-      [this, nameOrPath](const std::shared_ptr<const EnvironmentMap>& environment) {
+      [this, nameOrPath](const std::shared_ptr<const rendering::EnvironmentMap>& environment) {
         m_preview.setEnvironment(environment);
         remember(nameOrPath);
       },

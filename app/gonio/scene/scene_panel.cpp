@@ -46,15 +46,15 @@ SceneMaterialSlots::SceneMaterialSlots(Document& document, BackgroundTasks& task
   });
 }
 
-void SceneMaterialSlots::showScene(const Scene& scene) {
-  const int shown = std::min(count, materialSlotCount(scene) - 1);
+void SceneMaterialSlots::showScene(const rendering::Scene& scene) {
+  const int shown = std::min(count, rendering::materialSlotCount(scene) - 1);
   for (int slot = 0; slot < count; ++slot) m_slots[std::size_t(slot)].widget->setVisible(slot < shown);
   setVisible(shown > 0);
 }
 
-std::vector<widgets::SceneMaterial> SceneMaterialSlots::materials() const {
-  std::vector<widgets::SceneMaterial> materials;
-  for (const Slot& slot : m_slots) materials.push_back(slot.other ? slot.other->shown : widgets::SceneMaterial{});
+std::vector<widgets::SlotMaterial> SceneMaterialSlots::materials() const {
+  std::vector<widgets::SlotMaterial> materials;
+  for (const Slot& slot : m_slots) materials.push_back(slot.other ? slot.other->shown : widgets::SlotMaterial{});
   return materials;
 }
 
@@ -64,7 +64,7 @@ SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end
   const auto density = std::make_shared<const TabulatedDensity>(*brdf);
   widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, density);
   if (end.material.base) subject.shown = widgets::EditedMaterial{end.material.base, end.material.edits};
-  return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, density)}};
+  return {std::move(end), {subject, std::make_shared<const rendering::RenderMaterial>(brdf, density)}};
 }
 
 void SceneMaterialSlots::fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {
@@ -141,9 +141,10 @@ constexpr int referenceSamples = 1024;
 const auto costsKey = QStringLiteral("effect costs"), renderReferenceKey = QStringLiteral("scene reference");
 
 /// What the objects of the preview's scene are made of.
-RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
-  return bindMaterials(preview.scene(),
-                       materialsInSlots(preview.scene(), preview.first().material(), preview.otherSlotMaterials()));
+rendering::RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
+  return rendering::bindMaterials(
+      preview.scene(),
+      rendering::materialsInSlots(preview.scene(), preview.first().material(), preview.otherSlotMaterials()));
 }
 
 }  // namespace
@@ -179,7 +180,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview.content(),
           &widgets::PreviewContent::setOverrides);
   connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::refresh);
-  connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, [this](const Scene& scene) {
+  connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, [this](const rendering::Scene& scene) {
     m_result->clear();
     showScene(scene);
   });
@@ -192,7 +193,8 @@ QWidget* ScenePanel::buildTop() {
   auto* top = new QWidget;
   auto* layout = new QHBoxLayout(top);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (const std::string& name : bundledSceneNames()) m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
+  for (const std::string& name : rendering::bundledSceneNames())
+    m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_scenes->setAccessibleName(tr("Scene"));
   m_scenes->setToolTip(tr("Scene that the preview shows"));
   auto* label = new QLabel(tr("&Scene"));
@@ -239,10 +241,12 @@ void ScenePanel::askForFile() {
 }
 
 void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& shown) {
-  m_tasks.run<Scene>(
+  m_tasks.run<rendering::Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
-      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count); },
-      [this, shown](const Scene& scene) {
+      [nameOrPath](const TaskControl&) {
+        return rendering::openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count);
+      },
+      [this, shown](const rendering::Scene& scene) {
         show(scene);
         if (shown) shown();
       },
@@ -252,13 +256,13 @@ void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& sh
       });
 }
 
-void ScenePanel::show(const Scene& scene) {
+void ScenePanel::show(const rendering::Scene& scene) {
   m_costs.reset();
   m_preview.content().showScene(scene);
   refresh();
 }
 
-void ScenePanel::showScene(const Scene& scene) {
+void ScenePanel::showScene(const rendering::Scene& scene) {
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_scenes->findData(source) < 0) m_scenes->addItem(source.section('/', -1), source);
   m_scenes->setCurrentIndex(m_scenes->findData(source));
@@ -278,15 +282,15 @@ void ScenePanel::refresh() {
 }
 
 void ScenePanel::measureCosts() {
-  const Scene scene = m_preview.content().scene();
-  const EffectOverrides overrides = m_preview.content().overrides();
-  m_tasks.run<EffectCosts>(
+  const rendering::Scene scene = m_preview.content().scene();
+  const rendering::EffectOverrides overrides = m_preview.content().overrides();
+  m_tasks.run<rendering::EffectCosts>(
       {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
       [scene, overrides, materials = materialsOf(m_preview.content())](const TaskControl& control) {
-        return measureEffectCosts(scene, materials, overrides,
-                                  {.width = costSide, .height = costSide, .samples = costSamples}, control);
+        return rendering::measureEffectCosts(scene, materials, overrides,
+                                             {.width = costSide, .height = costSide, .samples = costSamples}, control);
       },
-      [this](const EffectCosts& costs) {
+      [this](const rendering::EffectCosts& costs) {
         m_costs = costs;
         m_effects->setCosts(m_costs);
         m_result->setText(tr("Whole image: %1 ms on the CPU (%2 × %2 pixels, %3 samples per pixel)")
@@ -299,14 +303,14 @@ void ScenePanel::measureCosts() {
 
 void ScenePanel::compareWithReference() {
   const Image picture = m_preview.linearPicture();
-  const Scene scene = m_preview.content().scene();
-  const EffectOverrides overrides = m_preview.content().overrides();
+  const rendering::Scene scene = m_preview.content().scene();
+  const rendering::EffectOverrides overrides = m_preview.content().overrides();
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), renderReferenceKey},
       [scene, overrides, picture, materials = materialsOf(m_preview.content())](const TaskControl& control) {
-        Film film(picture.width, picture.height);
-        PathTracer(scene, materials, planEffects(scene, materials, overrides), 2)
+        rendering::Film film(picture.width, picture.height);
+        rendering::PathTracer(scene, materials, rendering::planEffects(scene, materials, overrides), 2)
             .accumulate(film, referenceSamples, control);
         return metrics::signalToNoiseRatio(film.image(), picture);
       },

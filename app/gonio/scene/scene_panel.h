@@ -35,9 +35,9 @@ class SceneMaterialSlots : public QWidget {
   SceneMaterialSlots(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// Shows the material slots of a scene.
-  void showScene(const Scene& scene);
+  void showScene(const rendering::Scene& scene);
   /// One per material slot; empty: the edited material.
-  std::vector<widgets::SceneMaterial> materials() const;
+  std::vector<widgets::SlotMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int slot, const QString& id);
   widgets::MaterialSlotWidget& slotWidget(int slot) const { return *m_slots[std::size_t(slot)].widget; }
@@ -49,7 +49,7 @@ class SceneMaterialSlots : public QWidget {
  private:
   struct OtherMaterial {
     BlendMaterial end;
-    widgets::SceneMaterial shown;
+    widgets::SlotMaterial shown;
   };
   struct Slot {
     widgets::MaterialSlotWidget* widget;
@@ -88,7 +88,7 @@ class ScenePanel : public QWidget {
   QPushButton& measureButton() const { return *m_measure; }
   QPushButton& compareButton() const { return *m_compare; }
   SceneMaterialSlots& otherSlots() const { return *m_otherSlots; }
-  const std::optional<EffectCosts>& costs() const { return m_costs; }
+  const std::optional<rendering::EffectCosts>& costs() const { return m_costs; }
   QString result() const;
 
  Q_SIGNALS:
@@ -97,8 +97,8 @@ class ScenePanel : public QWidget {
  private:
   QWidget* buildTop();
   QWidget* buildBottom();
-  void show(const Scene& scene);
-  void showScene(const Scene& scene);
+  void show(const rendering::Scene& scene);
+  void showScene(const rendering::Scene& scene);
   void refresh();
   void measureCosts();
   void compareWithReference();
@@ -110,7 +110,7 @@ class ScenePanel : public QWidget {
   QPushButton *m_measure, *m_compare;
   SceneMaterialSlots* m_otherSlots;
   widgets::EffectList* m_effects;
-  std::optional<EffectCosts> m_costs;
+  std::optional<rendering::EffectCosts> m_costs;
 };
 
 }  // namespace gonio::app

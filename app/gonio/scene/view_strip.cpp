@@ -30,7 +30,7 @@ constexpr QSize iconSize(48, 24);
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
 enum Background { plain, checker, environment, blurred };
 
-QImage pictureOf(const EnvironmentMap& map) {
+QImage pictureOf(const rendering::EnvironmentMap& map) {
   Image small(iconSize.width(), iconSize.height());
   for (int y = 0; y < small.height; ++y)
     for (int x = 0; x < small.width; ++x)
@@ -68,7 +68,8 @@ void ViewStrip::build() {
     layout->addWidget(label);
     layout->addWidget(part);
   };
-  for (const std::string& name : bundledSceneNames()) m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
+  for (const std::string& name : rendering::bundledSceneNames())
+    m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_scenes->addItem(tr("Mesh or scene..."), file);
   m_scenes->setToolTip(tr("Scene that shows the material: bundled, or a mesh or scene file"));
   m_lights->setToolTip(
@@ -125,7 +126,7 @@ void ViewStrip::connectParts() {
 
 void ViewStrip::fillLights() {
   QStringList wanted{own};
-  for (const std::string& name : bundledEnvironmentNames()) wanted << QString::fromStdString(name);
+  for (const std::string& name : rendering::bundledEnvironmentNames()) wanted << QString::fromStdString(name);
   wanted << directional;
   wanted << m_environment.recent();
   const QString current = m_environment.name();
@@ -149,13 +150,13 @@ void ViewStrip::fillLights() {
 }
 
 void ViewStrip::drawLights() {
-  for (const std::string& name : bundledEnvironmentNames()) {
+  for (const std::string& name : rendering::bundledEnvironmentNames()) {
     const QString id = QString::fromStdString(name);
     m_tasks.run<QImage>(
         {.title = tr("Rendering the icon of the environment %1").arg(id),
          .key = QStringLiteral("environment icon ") + id,
          .quiet = true},
-        [name](const TaskControl&) { return pictureOf(*openEnvironment(name)); },
+        [name](const TaskControl&) { return pictureOf(*rendering::openEnvironment(name)); },
         [this, id](const QImage& picture) { setLightIcon(id, picture); });
   }
 }
@@ -166,7 +167,7 @@ void ViewStrip::setLightIcon(const QString& name, const QImage& picture) {
 }
 
 void ViewStrip::refresh() {
-  const Scene& scene = m_preview.content().scene();
+  const rendering::Scene& scene = m_preview.content().scene();
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_scenes->findData(source) < 0)
     m_scenes->insertItem(m_scenes->count() - 1, source.section('/', -1), source);

@@ -188,7 +188,7 @@ std::vector<std::string> StudyRun::machine() const {
 }
 
 std::string StudyRun::pictures() const {
-  const RenderOptions& picture = m_options.picture;
+  const rendering::RenderOptions& picture = m_options.picture;
   return study::picturesText(picture.width, picture.height, picture.samples);
 }
 

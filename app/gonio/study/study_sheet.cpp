@@ -156,13 +156,13 @@ void StudySheet::work() {
   if (!m_rendering || !m_source.material || m_source.entries.empty() || m_tasks.isRunning(m_renderKey)) return;
   const auto fail = [this](const QString& error) { Q_EMIT failed(tr("Cannot render the contact sheet"), error); };
   if (!m_comparison) {
-    m_tasks.run<std::shared_ptr<const RenderedComparison>>(
+    m_tasks.run<std::shared_ptr<const rendering::RenderedComparison>>(
         {tr("Rendering the contact sheet"), m_renderKey},
         [material = m_source.material](const TaskControl& control) {
-          const RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
-          return std::make_shared<const RenderedComparison>(*material->material.brdf, options, control);
+          const rendering::RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
+          return std::make_shared<const rendering::RenderedComparison>(*material->material.brdf, options, control);
         },
-        [this](const std::shared_ptr<const RenderedComparison>& comparison) {
+        [this](const std::shared_ptr<const rendering::RenderedComparison>& comparison) {
           m_comparison = comparison;
           m_reference = QPixmap::fromImage(displayedImage(comparison->reference()));
           work();
@@ -198,7 +198,7 @@ void StudySheet::makeMaps() {
   m_tasks.run<Made>(
       {.title = tr("Comparing the images"), .key = m_mapsKey, .live = true},
       [comparison = m_comparison, pictures](const TaskControl&) {
-        const ErrorMaps maps = errorMaps(comparison->reference(), pictures);
+        const rendering::ErrorMaps maps = rendering::errorMaps(comparison->reference(), pictures);
         Made made{.range = maps.range};
         for (const auto& map : maps.maps) made.maps.push_back(imageOf(map));
         return made;

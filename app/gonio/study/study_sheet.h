@@ -82,8 +82,8 @@ class StudySheet : public QWidget {
 
   BackgroundTasks& m_tasks;
   SheetSource m_source;
-  QString m_renderKey, m_mapsKey, m_pairKey;               ///< keys of its tasks
-  std::shared_ptr<const RenderedComparison> m_comparison;  ///< null until the reference is rendered
+  QString m_renderKey, m_mapsKey, m_pairKey;                          ///< keys of its tasks
+  std::shared_ptr<const rendering::RenderedComparison> m_comparison;  ///< null until the reference is rendered
   QPixmap m_reference;
   std::map<Entry, Picture> m_pictures;
   std::vector<Entry> m_mapped;  ///< whose maps are on the common scale

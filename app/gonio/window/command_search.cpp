@@ -116,12 +116,12 @@ void addModels(std::vector<SearchEntry>& entries, bool isOpen, DocumentControlle
 }
 
 void addScenes(std::vector<SearchEntry>& entries, ScenePanel& scene, EnvironmentController& environment) {
-  for (const std::string& name : bundledSceneNames())
+  for (const std::string& name : rendering::bundledSceneNames())
     entries.push_back({.text = CommandSearch::tr("Scene > %1").arg(sceneTitle(name)),
                        .keywords = CommandSearch::tr("shape mesh object show on"),
                        .run = [&scene, name] { scene.open(QString::fromStdString(name)); }});
   QStringList lights;
-  for (const std::string& name : bundledEnvironmentNames()) lights << QString::fromStdString(name);
+  for (const std::string& name : rendering::bundledEnvironmentNames()) lights << QString::fromStdString(name);
   for (const QString& light : lights + environment.recent())
     entries.push_back({.text = CommandSearch::tr("Light > %1")
                                    .arg(light.contains('/') ? light.section('/', -1) : sceneTitle(light.toStdString())),

@@ -37,19 +37,19 @@ namespace {
 /// A number of a view, with its range in files.
 struct ViewNumber {
   const char* key;
-  double& (*in)(Scene& scene);
+  double& (*in)(rendering::Scene& scene);
   double min, max;
 };
 constexpr double farthest = 1000;
 constexpr ViewNumber viewNumbers[]{
-    {"yaw", [](Scene& scene) -> double& { return scene.camera.yaw; }, -100, 100},
-    {"pitch", [](Scene& scene) -> double& { return scene.camera.pitch; }, -1.5, 1.5},
-    {"distance", [](Scene& scene) -> double& { return scene.camera.distance; }, 1.05, farthest},
-    {"fieldOfView", [](Scene& scene) -> double& { return scene.camera.fieldOfView; }, 0, 2.5},
-    {"targetX", [](Scene& scene) -> double& { return scene.camera.target.x; }, -farthest, farthest},
-    {"targetY", [](Scene& scene) -> double& { return scene.camera.target.y; }, -farthest, farthest},
-    {"targetZ", [](Scene& scene) -> double& { return scene.camera.target.z; }, -farthest, farthest},
-    {"environmentRotation", [](Scene& scene) -> double& { return scene.environmentRotation; }, -100, 100}};
+    {"yaw", [](rendering::Scene& scene) -> double& { return scene.camera.yaw; }, -100, 100},
+    {"pitch", [](rendering::Scene& scene) -> double& { return scene.camera.pitch; }, -1.5, 1.5},
+    {"distance", [](rendering::Scene& scene) -> double& { return scene.camera.distance; }, 1.05, farthest},
+    {"fieldOfView", [](rendering::Scene& scene) -> double& { return scene.camera.fieldOfView; }, 0, 2.5},
+    {"targetX", [](rendering::Scene& scene) -> double& { return scene.camera.target.x; }, -farthest, farthest},
+    {"targetY", [](rendering::Scene& scene) -> double& { return scene.camera.target.y; }, -farthest, farthest},
+    {"targetZ", [](rendering::Scene& scene) -> double& { return scene.camera.target.z; }, -farthest, farthest},
+    {"environmentRotation", [](rendering::Scene& scene) -> double& { return scene.environmentRotation; }, -100, 100}};
 
 /// The finite number under a key, in a range, else `fallback`.
 double number(const nlohmann::json& json, const char* key, double fallback, double min, double max) {
@@ -58,14 +58,15 @@ double number(const nlohmann::json& json, const char* key, double fallback, doub
   return std::isfinite(value) ? std::clamp(value, min, max) : fallback;
 }
 
-Direction lightOf(const Scene& scene) {
-  return scene.directionalLights.empty() ? DirectionalLight{}.toLight : scene.directionalLights.front().toLight;
+Direction lightOf(const rendering::Scene& scene) {
+  return scene.directionalLights.empty() ? rendering::DirectionalLight{}.toLight
+                                         : scene.directionalLights.front().toLight;
 }
 
 /// Restores everything except the scene and the environment, which must be read first. Missing keys and keys of the
 /// wrong type are ignored.
 void restoreCamera(widgets::PreviewWidget& preview, const nlohmann::json& view) {
-  Scene scene = preview.content().scene();
+  rendering::Scene scene = preview.content().scene();
   for (const ViewNumber& one : viewNumbers) one.in(scene) = number(view, one.key, one.in(scene), one.min, one.max);
   const Direction before = lightOf(scene);
   const Direction toLight(number(view, "lightX", before.x, -1, 1), number(view, "lightY", before.y, -1, 1),
@@ -79,8 +80,8 @@ void restoreCamera(widgets::PreviewWidget& preview, const nlohmann::json& view) 
   widgets::DisplaySettings display = preview.display();
   display.exposure = number(view, "exposure", display.exposure, -20, 20);
   if (view.is_object() && view.contains("toneMap"))
-    for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})
-      if (view["toneMap"] == std::string(toneMapName(toneMap))) display.toneMap = toneMap;
+    for (const rendering::ToneMap toneMap : {rendering::ToneMap::clamp, rendering::ToneMap::filmic})
+      if (view["toneMap"] == std::string(rendering::toneMapName(toneMap))) display.toneMap = toneMap;
   preview.setDisplay(display);
 }
 
@@ -116,7 +117,7 @@ constexpr auto saveButtons = QMessageBox::Save | QMessageBox::Discard | QMessage
 QString nameOfWork(const RecoverableWork& work) {
   if (!work.originalPath.isEmpty()) return work.originalPath;
   try {
-    const editing::EditDocument stored = editing::readDocument(work.autosavePath.toStdString());
+    const documents::EditDocument stored = documents::readDocument(work.autosavePath.toStdString());
     if (!stored.blend) return materialName(QString::fromStdString(stored.sourcePath));
   } catch (const Error&) {
     // Opening the copy will say what is wrong with it.
@@ -127,7 +128,7 @@ QString nameOfWork(const RecoverableWork& work) {
 }  // namespace
 
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
-  Scene scene = preview.content().scene();
+  rendering::Scene scene = preview.content().scene();
   const Direction toLight = lightOf(scene);
   nlohmann::json view{{"scene", scene.source},
                       {"lightX", toLight.x},
@@ -137,7 +138,7 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
                       {"showEnvironment", scene.showEnvironment},
                       {"blurBackground", scene.blurBackground},
                       {"exposure", preview.display().exposure},
-                      {"toneMap", std::string(toneMapName(preview.display().toneMap))}};
+                      {"toneMap", std::string(rendering::toneMapName(preview.display().toneMap))}};
   for (const ViewNumber& one : viewNumbers) view[one.key] = one.in(scene);
   return view;
 }
@@ -145,15 +146,15 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
 QString sceneNameOf(const nlohmann::json& view) {
   const bool hasScene = view.is_object() && view.contains("scene") && view["scene"].is_string();
   const std::string scene = hasScene ? view["scene"].get<std::string>() : "";
-  return QString::fromStdString(scene.empty() ? bundledSceneNames().front() : scene);
+  return QString::fromStdString(scene.empty() ? rendering::bundledSceneNames().front() : scene);
 }
 
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
     : m_parts(parts),
       m_window(window),
-      m_autosave(Autosave::defaultDataFolder(), [this]() -> std::optional<editing::EditDocument> {
+      m_autosave(Autosave::defaultDataFolder(), [this]() -> std::optional<documents::EditDocument> {
         if (!m_parts.document.isModified()) return std::nullopt;
-        editing::EditDocument stored = m_parts.document.toEditDocument();
+        documents::EditDocument stored = m_parts.document.toEditDocument();
         stored.view = viewToJson(m_parts.preview);
         return stored;
       }) {

@@ -257,14 +257,14 @@ std::vector<Action> EditorActions::picture(widgets::PreviewWidget& preview) {
 
 Action EditorActions::toneMap(widgets::PreviewWidget& preview) {
   const auto get = [&preview] { return preview.display().toneMap; };
-  const auto set = [&preview](ToneMap toneMap) {
+  const auto set = [&preview](rendering::ToneMap toneMap) {
     widgets::DisplaySettings display = preview.display();
     display.toneMap = toneMap;
     preview.setDisplay(display);
   };
   return {.text = tr("&Tone Map"),
-          .rows = {modeAction(tr("&Clamp"), ToneMap::clamp, get, set),
-                   modeAction(tr("&Filmic"), ToneMap::filmic, get, set)}};
+          .rows = {modeAction(tr("&Clamp"), rendering::ToneMap::clamp, get, set),
+                   modeAction(tr("&Filmic"), rendering::ToneMap::filmic, get, set)}};
 }
 
 Action EditorActions::light(EnvironmentController& environment, widgets::PreviewContent& preview, QWidget* window) {

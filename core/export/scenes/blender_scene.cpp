@@ -279,8 +279,8 @@ SceneJson triple(const Rgb& v) { return {float(v.x), float(v.y), float(v.z)}; }
 /// From y up to z up.
 SceneJson blenderAxes(const Direction& v) { return triple({v.x, -v.z, v.y}); }
 
-SceneJson blenderCamera(const OrbitCamera& view) {
-  const CameraFrame camera = cameraFrame(view);
+SceneJson blenderCamera(const rendering::OrbitCamera& view) {
+  const rendering::CameraFrame camera = rendering::cameraFrame(view);
   SceneJson json{{"eye", blenderAxes(camera.eye)},
                  {"right", blenderAxes(camera.right)},
                  {"up", blenderAxes(camera.up)},
@@ -292,11 +292,11 @@ SceneJson blenderCamera(const OrbitCamera& view) {
   return json;
 }
 
-SceneJson blenderObject(const SceneObject& object, const std::string& mesh) {
+SceneJson blenderObject(const rendering::SceneObject& object, const std::string& mesh) {
   SceneJson json{{"name", plainText(object.name)}};
-  if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+  if (const auto* sphere = std::get_if<rendering::Sphere>(&object.shape)) {
     json["sphere"] = {{"centre", blenderAxes(sphere->centre)}, {"radius", sphere->radius}};
-  } else if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) {
+  } else if (const auto* rectangle = std::get_if<rendering::Rectangle>(&object.shape)) {
     for (const auto& [u, v] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
       json["rectangle"].push_back(blenderAxes(rectangle->at(u, v)));
   } else {
@@ -304,21 +304,21 @@ SceneJson blenderObject(const SceneObject& object, const std::string& mesh) {
   }
   if (object.emits())
     json["radiance"] = triple(object.radiance);
-  else if (const auto* diffuse = std::get_if<Diffuse>(&object.material))
+  else if (const auto* diffuse = std::get_if<rendering::Diffuse>(&object.material))
     json["diffuse"] = triple(diffuse->reflectance);
   return json;
 }
 
-std::string blenderSceneText(const Scene& scene, const SceneFileNames& files) {
+std::string blenderSceneText(const rendering::Scene& scene, const SceneFileNames& files) {
   SceneJson json{
       {"name", files.name},         {"material", files.material},     {"camera", blenderCamera(scene.camera)},
       {"pixels", scenePixels},      {"samples", scenePictureSamples}, {"objects", SceneJson::array()},
       {"suns", SceneJson::array()}, {"points", SceneJson::array()}};
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     json["objects"].push_back(blenderObject(scene.objects[i], files.meshes[i]));
-  for (const DirectionalLight& light : scene.directionalLights)
+  for (const rendering::DirectionalLight& light : scene.directionalLights)
     json["suns"].push_back({{"to_light", blenderAxes(light.toLight)}, {"irradiance", triple(light.irradiance)}});
-  for (const PointLight& light : scene.pointLights)
+  for (const rendering::PointLight& light : scene.pointLights)
     json["points"].push_back({{"position", blenderAxes(light.position)}, {"intensity", triple(light.intensity)}});
   if (scene.environment)
     // The centre of Blender's picture is at +x, of Gonio's at +y (-z with y up).
@@ -333,7 +333,7 @@ SceneFormat blenderFormat(std::string_view materialSuffix) {
           .environmentSuffix = "_environment.exr",
           .materialSuffix = materialSuffix,
           .text = blenderSceneText,
-          .environment = [](const Scene& scene) { return scene.environment->image(); }};
+          .environment = [](const rendering::Scene& scene) { return scene.environment->image(); }};
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ std::string xyz(const char* type, const char* name, const Direction& v) {
 
 std::string fileLine(const std::string& file) { return valueLine("string", "filename", xmlText(file)); }
 
-std::string mitsubaSensor(const OrbitCamera& view) {
-  const CameraFrame camera = cameraFrame(view);
+std::string mitsubaSensor(const rendering::OrbitCamera& view) {
+  const rendering::CameraFrame camera = rendering::cameraFrame(view);
   std::string text = camera.orthographic ? "  <sensor type=\"orthographic\">\n"
                                          : "  <sensor type=\"perspective\">\n    <string name=\"fov_axis\" "
                                            "value=\"smaller\"/>\n    " +
@@ -39,32 +39,32 @@ std::string mitsubaSensor(const OrbitCamera& view) {
 }
 
 /// Mitsuba's picture has +z where Gonio's has -z.
-std::string mitsubaEnvironment(const Scene& scene, const std::string& file) {
+std::string mitsubaEnvironment(const rendering::Scene& scene, const std::string& file) {
   return "  <emitter type=\"envmap\">\n    " + fileLine(file) +
          "    <transform name=\"to_world\"><rotate y=\"1\" angle=\"" +
          sixDigitText(180 - degrees(scene.environmentRotation)) + "\"/></transform>\n  </emitter>\n";
 }
 
-std::string mitsubaLights(const Scene& scene) {
+std::string mitsubaLights(const rendering::Scene& scene) {
   std::string text;
-  for (const DirectionalLight& light : scene.directionalLights)
+  for (const rendering::DirectionalLight& light : scene.directionalLights)
     text += "  <emitter type=\"directional\">\n    " + xyz("vector", "direction", -light.toLight) + "    " +
             valueLine("rgb", "irradiance", colourText(light.irradiance)) + "  </emitter>\n";
-  for (const PointLight& light : scene.pointLights)
+  for (const rendering::PointLight& light : scene.pointLights)
     text += "  <emitter type=\"point\">\n    " + xyz("point", "position", light.position) + "    " +
             valueLine("rgb", "intensity", colourText(light.intensity)) + "  </emitter>\n";
   return text;
 }
 
 /// The sphere has its poles at z in Mitsuba, at y in Gonio.
-std::string mitsubaSphere(const Sphere& sphere) {
+std::string mitsubaSphere(const rendering::Sphere& sphere) {
   return "  <shape type=\"sphere\">\n    <transform name=\"to_world\"><rotate x=\"1\" angle=\"-90\"/><scale value=\"" +
          sixDigitText(sphere.radius) + "\"/><translate x=\"" + sixDigitText(sphere.centre.x) + "\" y=\"" +
          sixDigitText(sphere.centre.y) + "\" z=\"" + sixDigitText(sphere.centre.z) + "\"/></transform>\n";
 }
 
 /// [-1, 1]^2 with +z as its front goes to the rectangle.
-std::string mitsubaRectangle(const Rectangle& rectangle) {
+std::string mitsubaRectangle(const rendering::Rectangle& rectangle) {
   const Direction n = rectangle.normal();
   std::string matrix;
   for (int row = 0; row < 3; ++row)
@@ -74,23 +74,23 @@ std::string mitsubaRectangle(const Rectangle& rectangle) {
          "0 0 0 1\"/></transform>\n";
 }
 
-std::string mitsubaShape(const SceneObject& object, const std::string& mesh) {
-  if (const auto* sphere = std::get_if<Sphere>(&object.shape)) return mitsubaSphere(*sphere);
-  if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) return mitsubaRectangle(*rectangle);
+std::string mitsubaShape(const rendering::SceneObject& object, const std::string& mesh) {
+  if (const auto* sphere = std::get_if<rendering::Sphere>(&object.shape)) return mitsubaSphere(*sphere);
+  if (const auto* rectangle = std::get_if<rendering::Rectangle>(&object.shape)) return mitsubaRectangle(*rectangle);
   return "  <shape type=\"ply\">\n    " + fileLine(mesh);
 }
 
-std::string mitsubaSurface(const SceneObject& object) {
+std::string mitsubaSurface(const rendering::SceneObject& object) {
   if (object.emits())
     return "    <bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0\"/></bsdf>\n    <emitter type=\"area\">" +
            valueLine("rgb", "radiance", colourText(object.radiance)) + "    </emitter>\n";
-  if (const auto* diffuse = std::get_if<Diffuse>(&object.material))
+  if (const auto* diffuse = std::get_if<rendering::Diffuse>(&object.material))
     return "    <bsdf type=\"diffuse\">" + valueLine("rgb", "reflectance", colourText(diffuse->reflectance)) +
            "    </bsdf>\n";
   return "    <ref id=\"material\"/>\n";
 }
 
-std::string mitsubaText(const Scene& scene, const SceneFileNames& files) {
+std::string mitsubaText(const rendering::Scene& scene, const SceneFileNames& files) {
   const bool hides = scene.environment && !scene.showEnvironment;
   std::string text = "<scene version=\"3.0.0\">\n  <integrator type=\"path\">" +
                      valueLine("boolean", "hide_emitters", hides ? "true" : "false") + "  </integrator>\n";
@@ -107,12 +107,13 @@ std::string mitsubaText(const Scene& scene, const SceneFileNames& files) {
 
 const SceneFormat& mitsubaSceneFormat() {
   // A $ begins a parameter. Recent versions read \$ as $, others as both characters.
-  static const SceneFormat format{.textSuffix = "_scene.xml",
-                                  .environmentSuffix = "_environment.exr",
-                                  .materialSuffix = "_rgb.bsdf",
-                                  .excludedCharacters = "$",
-                                  .text = mitsubaText,
-                                  .environment = [](const Scene& scene) { return scene.environment->image(); }};
+  static const SceneFormat format{
+      .textSuffix = "_scene.xml",
+      .environmentSuffix = "_environment.exr",
+      .materialSuffix = "_rgb.bsdf",
+      .excludedCharacters = "$",
+      .text = mitsubaText,
+      .environment = [](const rendering::Scene& scene) { return scene.environment->image(); }};
   return format;
 }
 

@@ -35,8 +35,8 @@ std::string pbrtString(const std::string& text) {
 }
 
 /// pbrt's cameras are left-handed: the first line mirrors the camera alone.
-std::string pbrtCamera(const OrbitCamera& view) {
-  const CameraFrame camera = cameraFrame(view);
+std::string pbrtCamera(const rendering::OrbitCamera& view) {
+  const rendering::CameraFrame camera = rendering::cameraFrame(view);
   const std::string e = sixDigitText(camera.halfExtent);
   return "Scale -1 1 1\nLookAt " + spaced(camera.eye) + "  " + spaced(camera.eye + camera.forward) + "  " +
          spaced(camera.up) + "\nCamera " +
@@ -54,23 +54,23 @@ std::string pbrtFilm(const std::string& name) {
          bracketed(std::to_string(scenePictureSamples)) + "\nIntegrator \"path\"\n\nWorldBegin\n";
 }
 
-std::string pbrtLights(const Scene& scene) {
+std::string pbrtLights(const rendering::Scene& scene) {
   std::string text;
-  for (const DirectionalLight& light : scene.directionalLights)
+  for (const rendering::DirectionalLight& light : scene.directionalLights)
     text += "LightSource \"distant\" \"point3 from\"" + bracketed(spaced(light.toLight)) +
             " \"point3 to\" [ 0 0 0 ] \"rgb L\"" + bracketed(spaced(light.irradiance)) + "\n";
-  for (const PointLight& light : scene.pointLights)
+  for (const rendering::PointLight& light : scene.pointLights)
     text += "LightSource \"point\" \"point3 from\"" + bracketed(spaced(light.position)) + " \"rgb I\"" +
             bracketed(spaced(light.intensity)) + "\n";
   return text;
 }
 
 /// The sphere has its poles at z in pbrt, at y in Gonio.
-std::string pbrtShape(const SceneObject& object, const std::string& mesh) {
-  if (const auto* sphere = std::get_if<Sphere>(&object.shape))
+std::string pbrtShape(const rendering::SceneObject& object, const std::string& mesh) {
+  if (const auto* sphere = std::get_if<rendering::Sphere>(&object.shape))
     return "  Translate " + spaced(sphere->centre) + "\n  Rotate -90 1 0 0\n  Shape \"sphere\" \"float radius\"" +
            bracketed(sixDigitText(sphere->radius)) + "\n";
-  if (const auto* rectangle = std::get_if<Rectangle>(&object.shape)) {
+  if (const auto* rectangle = std::get_if<rendering::Rectangle>(&object.shape)) {
     std::string corners;
     for (const double v : {-1.0, 1.0})
       for (const double u : {-1.0, 1.0}) corners += (corners.empty() ? "" : "  ") + spaced(rectangle->at(u, v));
@@ -79,16 +79,16 @@ std::string pbrtShape(const SceneObject& object, const std::string& mesh) {
   return "  Shape \"plymesh\" \"string filename\" " + pbrtString(mesh) + "\n";
 }
 
-std::string pbrtSurface(const SceneObject& object) {
+std::string pbrtSurface(const rendering::SceneObject& object) {
   if (object.emits())
     return "  Material \"diffuse\" \"rgb reflectance\" [ 0 0 0 ]\n  AreaLightSource \"diffuse\" \"rgb L\"" +
            bracketed(spaced(object.radiance)) + "\n";
-  if (const auto* diffuse = std::get_if<Diffuse>(&object.material))
+  if (const auto* diffuse = std::get_if<rendering::Diffuse>(&object.material))
     return "  Material \"diffuse\" \"rgb reflectance\"" + bracketed(spaced(diffuse->reflectance)) + "\n";
   return "  NamedMaterial \"material\"\n";
 }
 
-std::string pbrtText(const Scene& scene, const SceneFileNames& files) {
+std::string pbrtText(const rendering::Scene& scene, const SceneFileNames& files) {
   std::string text = pbrtCamera(scene.camera) + pbrtFilm(files.name);
   if (scene.environment) text += "LightSource \"infinite\" \"string filename\" " + pbrtString(files.environment) + "\n";
   text += pbrtLights(scene);
@@ -100,15 +100,15 @@ std::string pbrtText(const Scene& scene, const SceneFileNames& files) {
   return text;
 }
 
-Image pbrtEnvironment(const Scene& scene) {
+Image pbrtEnvironment(const rendering::Scene& scene) {
   // Three pixels for one of the latitude-longitude picture at its equator.
   return octahedralEnvironment(*scene.environment, scene.environmentRotation, 2 * scene.environment->image().height);
 }
 
 }  // namespace
 
-Image octahedralEnvironment(const EnvironmentMap& environment, double rotation, int side) {
-  const EnvironmentRotation turn(rotation);
+Image octahedralEnvironment(const rendering::EnvironmentMap& environment, double rotation, int side) {
+  const rendering::EnvironmentRotation turn(rotation);
   Image image(side, side);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {

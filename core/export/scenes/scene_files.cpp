@@ -11,23 +11,23 @@ namespace gonio::exports {
 
 namespace {
 
-const TriangleMesh* meshOf(const SceneObject& object) {
-  const auto* shape = std::get_if<MeshShape>(&object.shape);
+const geometry::TriangleMesh* meshOf(const rendering::SceneObject& object) {
+  const auto* shape = std::get_if<rendering::MeshShape>(&object.shape);
   return shape ? &(*shape)->mesh() : nullptr;
 }
 
 /// One suffix per object; empty if it is not a mesh.
-std::vector<std::string> meshSuffixesOf(const Scene& scene) {
+std::vector<std::string> meshSuffixesOf(const rendering::Scene& scene) {
   std::vector<std::string> suffixes;
   int count = 0;
-  for (const SceneObject& object : scene.objects)
+  for (const rendering::SceneObject& object : scene.objects)
     suffixes.push_back(meshOf(object) ? "_mesh" + std::to_string(++count) + ".ply" : std::string());
   return suffixes;
 }
 
 }  // namespace
 
-std::vector<std::string> sceneSuffixes(const SceneFormat& format, const Scene& scene) {
+std::vector<std::string> sceneSuffixes(const SceneFormat& format, const rendering::Scene& scene) {
   std::vector<std::string> suffixes{std::string(format.textSuffix)};
   if (scene.environment) suffixes.emplace_back(format.environmentSuffix);
   for (std::string& suffix : meshSuffixesOf(scene))
@@ -43,7 +43,7 @@ void checkSceneName(const SceneFormat& format, const std::string& name) {
     throw Error(name + ": found " + name[at] + ", expected a name without it" + reason);
 }
 
-std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene, const std::string& name) {
+std::vector<ExportPart> sceneParts(const SceneFormat& format, const rendering::Scene& scene, const std::string& name) {
   checkSceneName(format, name);
   const std::vector<std::string> meshSuffixes = meshSuffixesOf(scene);
   SceneFileNames names{.name = name, .material = name + std::string(format.materialSuffix)};
@@ -53,7 +53,8 @@ std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene
   if (scene.environment)
     parts.push_back({std::string(format.environmentSuffix), io::encodeExr(format.environment(scene), {})});
   for (std::size_t i = 0; i < meshSuffixes.size(); ++i)
-    if (const TriangleMesh* mesh = meshOf(scene.objects[i])) parts.push_back({meshSuffixes[i], io::encodePly(*mesh)});
+    if (const geometry::TriangleMesh* mesh = meshOf(scene.objects[i]))
+      parts.push_back({meshSuffixes[i], io::encodePly(*mesh)});
   return parts;
 }
 

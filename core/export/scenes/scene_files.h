@@ -27,17 +27,17 @@ struct SceneFormat {
   std::string_view textSuffix, environmentSuffix;
   std::string_view materialSuffix;           ///< suffix of the target's file that the scene uses
   std::string_view excludedCharacters = {};  ///< those that the names of its files cannot contain
-  std::string (*text)(const Scene& scene, const SceneFileNames& files);
-  Image (*environment)(const Scene& scene);  ///< precondition: the scene has an environment
+  std::string (*text)(const rendering::Scene& scene, const SceneFileNames& files);
+  Image (*environment)(const rendering::Scene& scene);  ///< precondition: the scene has an environment
 };
 
 /// The suffixes of the files of a scene; those of meshes are "_mesh1.ply" and so on.
-std::vector<std::string> sceneSuffixes(const SceneFormat& format, const Scene& scene);
+std::vector<std::string> sceneSuffixes(const SceneFormat& format, const rendering::Scene& scene);
 /// Checks that a scene can name its files: the name is plainText() without characters that the format excludes.
 /// @param name of the export, without folders. @throws Error that states the name and the reason.
 void checkSceneName(const SceneFormat& format, const std::string& name);
 /// The files of a scene. @param name of the export, without folders. @throws Error as checkSceneName().
-std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene, const std::string& name);
+std::vector<ExportPart> sceneParts(const SceneFormat& format, const rendering::Scene& scene, const std::string& name);
 
 /// Side of the square pictures of exported scenes, and samples per pixel.
 inline constexpr int scenePixels = 512, scenePictureSamples = 256;
@@ -52,7 +52,7 @@ const SceneFormat& pbrtSceneFormat();
 /// The environment as pbrt-v4 reads it: a square with `side` pixels per side in the equal-area octahedral mapping of
 /// Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD", about the world's z axis, rotated by
 /// `rotation` (EnvironmentRotation). Bilinear: details smaller than a pixel are lost.
-Image octahedralEnvironment(const EnvironmentMap& environment, double rotation, int side);
+Image octahedralEnvironment(const rendering::EnvironmentMap& environment, double rotation, int side);
 
 /// NAME_scene.py, a script for Blender 3.4 and later that creates a scene for Cycles with the material of
 /// NAME_blender.py (blenderSceneFormat()) or NAME_principled.py (principledSceneFormat()), and NAME_environment.exr, a

@@ -211,7 +211,7 @@ std::string pythonText(const Json& json) {
 
 ExportResult makeScript(const materials::EditedMaterial& source, const ExportOptions& options,
                         const TaskControl& control) {
-  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.2));
+  const rendering::RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.2));
   ExportResult made;
   ViewLobes best;
   double done = 0.2;

@@ -129,7 +129,7 @@ constexpr ValuesProgram programs[] = {
 
 ExportResult makeValues(const materials::EditedMaterial& source, const ExportOptions& options,
                         const TaskControl& control) {
-  const RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.1));
+  const rendering::RenderedComparison comparison = materials::comparisonOf(source, options, control.between(0, 0.1));
   ExportResult worst;
   std::vector<ExportFact> facts;
   std::vector<SurfaceValues> fitted;

@@ -12,7 +12,7 @@
 
 namespace gonio::app::test_support {
 
-inline RenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .density = {}}; }
+inline rendering::RenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .density = {}}; }
 
 /// A small training set as files, beside a material that is none of it.
 struct SmallLibrary {

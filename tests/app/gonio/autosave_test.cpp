@@ -16,8 +16,8 @@ using namespace gonio::app;
 class AutosaveTest : public QObject {
   Q_OBJECT
  private:
-  static editing::EditDocument work() {
-    editing::EditDocument document;
+  static documents::EditDocument work() {
+    documents::EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, '7');
     return document;
@@ -72,20 +72,20 @@ class AutosaveTest : public QObject {
     Autosave autosave(data, [] { return std::optional(work()); });
     autosave.setDocumentPath(path);
     QCOMPARE(QFileInfo(autosave.currentCopy()).path(), data);
-    QCOMPARE(editing::readDocument(autosave.currentCopy().toStdString()).sourcePath, work().sourcePath);
+    QCOMPARE(documents::readDocument(autosave.currentCopy().toStdString()).sourcePath, work().sourcePath);
   }
 
   /// A full disk, or a document that cannot be written: what was copied before stays.
   void aFailedCopyKeepsTheOneBefore() {
     const QTemporaryDir folder;
-    editing::EditDocument document = work();
+    documents::EditDocument document = work();
     Autosave autosave(folder.filePath("data"), [&] { return std::optional(document); });
     autosave.setDocumentPath(folder.filePath("mine.gonio"));
     const QString copy = autosave.currentCopy();
     document.sourcePath = "library:\xff";  // not UTF-8, so it is not JSON either
     QVERIFY(!autosave.update());
     QCOMPARE(autosave.currentCopy(), copy);
-    QCOMPARE(editing::readDocument(copy.toStdString()).sourcePath, work().sourcePath);
+    QCOMPARE(documents::readDocument(copy.toStdString()).sourcePath, work().sourcePath);
     QCOMPARE(QDir(folder.filePath("data")).entryList({"*.record"}, QDir::Files).size(), qsizetype(1));
   }
 
@@ -155,7 +155,7 @@ class AutosaveTest : public QObject {
     const auto found = Autosave::recoverable(data);
     QCOMPARE(found.size(), 1);
     QVERIFY(found[0].originalPath.isEmpty());
-    QCOMPARE(editing::readDocument(found[0].autosavePath.toStdString()).sourceSha256, work().sourceSha256);
+    QCOMPARE(documents::readDocument(found[0].autosavePath.toStdString()).sourceSha256, work().sourceSha256);
     Autosave::forget(data, found[0].autosavePath);
     QVERIFY(!QFile::exists(found[0].autosavePath));
     QVERIFY(Autosave::recoverable(data).isEmpty());

@@ -13,19 +13,19 @@ namespace blend_spaces_test {
 using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
-using Space = editing::InterpolationSpace;
+using Space = interpolation::InterpolationSpace;
 
 /// What stays of prepared spaces when the materials change.
 class BlendSpacesTest : public QObject {
   Q_OBJECT
  private:
-  static editing::InterpolationMaterial grey(const char* name, double albedo) {
+  static interpolation::InterpolationMaterial grey(const char* name, double albedo) {
     return {.table = greyMaterial(name, albedo)->table(), .code = anyCode()};
   }
-  const std::vector<editing::InterpolationMaterial> m_materials{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
+  const std::vector<interpolation::InterpolationMaterial> m_materials{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
 
-  std::vector<editing::InterpolationMaterial> materials(std::initializer_list<std::size_t> which) const {
-    std::vector<editing::InterpolationMaterial> result;
+  std::vector<interpolation::InterpolationMaterial> materials(std::initializer_list<std::size_t> which) const {
+    std::vector<interpolation::InterpolationMaterial> result;
     for (const std::size_t i : which) result.push_back(m_materials[i]);
     return result;
   }

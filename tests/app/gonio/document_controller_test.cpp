@@ -232,11 +232,11 @@ class DocumentControllerTest : public QObject {
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.gonio");
     const models::Model& model = models::findModel("lambert");
-    editing::EditDocument stored;
+    documents::EditDocument stored;
     stored.sourcePath = material.toStdString();
     stored.sourceSha256 = std::string(64, '0');
     stored.edits = {{editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.4)}}}}};
-    editing::writeDocument(stored, path.toStdString());
+    documents::writeDocument(stored, path.toStdString());
     for (const ChangedSource choice : {ChangedSource::withEdits, ChangedSource::withoutEdits, ChangedSource::cancel}) {
       Editor editor;
       QSignalSpy changed(&editor.controller, &DocumentController::sourceChanged);
@@ -250,7 +250,7 @@ class DocumentControllerTest : public QObject {
       QCOMPARE(editor.document.path(), choice == ChangedSource::withEdits ? path : QString());
       QCOMPARE(modelEdit(editor.document) != nullptr, choice == ChangedSource::withEdits);
     }
-    QCOMPARE(editing::readDocument(path.toStdString()).sourceSha256, stored.sourceSha256);
+    QCOMPARE(documents::readDocument(path.toStdString()).sourceSha256, stored.sourceSha256);
   }
 
   /// The user edits on while a file opens: what was changed meanwhile is not lost without a question.
@@ -293,10 +293,10 @@ class DocumentControllerTest : public QObject {
   void editsMadeBeforeAnAnswerAreAskedAbout() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.gonio");
-    editing::EditDocument stored;
+    documents::EditDocument stored;
     stored.sourcePath = "library:sgd/chrome";
     stored.sourceSha256 = std::string(64, '0');
-    editing::writeDocument(stored, path.toStdString());
+    documents::writeDocument(stored, path.toStdString());
     for (const ChangedSource choice : {ChangedSource::withEdits, ChangedSource::withoutEdits}) {
       Editor editor;
       QSignalSpy asked(&editor.controller, &DocumentController::unsavedChanges);

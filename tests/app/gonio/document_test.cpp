@@ -242,7 +242,7 @@ class DocumentTest : public QObject {
     deleteEdit(*m_document, 0);
     QVERIFY(!app::test_support::factorEdit(*m_document));
     m_document->history().setIndex(2);
-    const editing::EditDocument stored = m_document->toEditDocument();
+    const documents::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.edits.size(), std::size_t(2));
     Document other;
     other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
@@ -252,7 +252,7 @@ class DocumentTest : public QObject {
 
   /// Any order, several of one kind: as they were stored.
   void anyListOfEditsOpens() {
-    editing::EditDocument stored = m_document->toEditDocument();
+    documents::EditDocument stored = m_document->toEditDocument();
     const editing::Edit fit = stored.edits[0];
     stored.edits = {{factorEdit(2)}, fit, {factorEdit(3), "third"}, fit};
     Document other;
@@ -364,7 +364,7 @@ class DocumentTest : public QObject {
 
   void storedFormHoldsSourceAndEdit() {
     setParameter(*m_document, index("f0"), Rgb(0.5));
-    const editing::EditDocument stored = m_document->toEditDocument();
+    const documents::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.sourceSha256, std::string("00ff"));
     QCOMPARE(stored.edits.size(), std::size_t(1));
     Document other;

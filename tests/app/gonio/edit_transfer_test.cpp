@@ -57,7 +57,7 @@ class EditTransferTest : public QObject {
   }
 
   void theClipboardKeepsEveryBit() {
-    editing::EditDocument document;
+    documents::EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
     document.edits = {{edit()}};
@@ -79,7 +79,7 @@ class EditTransferTest : public QObject {
     factors.edited = std::make_shared<const factorization::PdvFactors>(constantFactors(2));
     editing::DifferentialEdit identity = edit();
     identity.edited = identity.fitted;
-    editing::EditDocument document;
+    documents::EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
     document.edits = {{factors}, {identity}};

@@ -19,6 +19,7 @@
 
 namespace export_dialog_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 
@@ -123,7 +124,7 @@ class ExportDialogTest : public QObject {
     Editor editor;
     const QString source = editor.path("one.binary");
     QFile(source).open(QIODevice::WriteOnly);
-    auto blend = std::make_shared<editing::BlendSource>();
+    auto blend = std::make_shared<documents::BlendSource>();
     blend->materials.resize(2);
     blend->materials[1].sourcePath = source.toStdString();
     blend->weights = {0.5, 0.5};

@@ -11,6 +11,7 @@
 
 namespace figure_making_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 using figures::FigureDescription;

@@ -100,7 +100,7 @@ inline figures::FigureDescription detailedFigure() {
                      .size = 123,
                      .samples = 45,
                      .exposure = 1.0 / 3,
-                     .toneMap = ToneMap::filmic};
+                     .toneMap = rendering::ToneMap::filmic};
   figure.numbers = {"bytes", "flip", "rendered-snr"};
   figure.inset = figures::FigureInset{1.0 / 7, 1.0 / 9, 1.0 / 3};
   figure.errorMaps = false;

@@ -71,7 +71,7 @@ class FileExportsTest : public QObject {
   /// Of a blend each material is a source.
   void theSourcesOfABlendAreNeverReplaced() {
     Editor editor;
-    auto blend = std::make_shared<editing::BlendSource>();
+    auto blend = std::make_shared<documents::BlendSource>();
     blend->materials.resize(2);
     blend->materials[1].sourcePath = editor.source.toStdString();
     blend->weights = {0.5, 0.5};

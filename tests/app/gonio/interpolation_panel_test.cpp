@@ -24,9 +24,10 @@
 
 namespace interpolation_panel_test {
 using namespace gonio;
+using namespace gonio::interpolation;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
-using editing::InterpolationSpace;
+using interpolation::InterpolationSpace;
 
 class InterpolationPanelTest : public QObject {
   Q_OBJECT

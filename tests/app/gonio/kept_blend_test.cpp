@@ -12,9 +12,10 @@
 
 namespace kept_blend_test {
 using namespace gonio;
+using namespace gonio::interpolation;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
-using editing::InterpolationSpace;
+using interpolation::InterpolationSpace;
 
 class KeptBlendTest : public QObject {
   Q_OBJECT
@@ -52,10 +53,10 @@ class KeptBlendTest : public QObject {
     QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.3) < 1e-6);
     QVERIFY(modelEdit(editor.document) && modelEdit(editor.document)->isIdentity());
     // What is saved names the materials and their weights.
-    const editing::EditDocument stored = editor.document.toEditDocument();
+    const documents::EditDocument stored = editor.document.toEditDocument();
     QCOMPARE(stored.blend->weights, (std::vector{0.75, 0.25}));
     QCOMPARE(stored.blend->materials[1].sourcePath, std::string("/nowhere/light.binary"));
-    QCOMPARE(stored.sourceSha256, editing::blendSha256(*stored.blend));
+    QCOMPARE(stored.sourceSha256, documents::blendSha256(*stored.blend));
     QTRY_VERIFY_WITH_TIMEOUT(editor.isSettled(), patienceMilliseconds);
   }
 
@@ -98,7 +99,7 @@ class KeptBlendTest : public QObject {
     editor.panel.openButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patienceMilliseconds);
     QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.5) < 1e-6);
-    const editing::EditDocument stored = editor.document.toEditDocument();
+    const documents::EditDocument stored = editor.document.toEditDocument();
     for (std::size_t i = 0; i < 2; ++i) {
       const bool dark = stored.blend->materials[i].sourcePath == "/nowhere/dark.binary";
       QCOMPARE(stored.blend->weights[i], dark ? 0.25 : 0.75);

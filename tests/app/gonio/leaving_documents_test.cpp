@@ -63,11 +63,11 @@ class LeavingDocumentsTest : public QObject {
   /// A window whose document has a file and one unsaved change.
   MainWindow* editedWindow(const QString& name) const {
     const QString path = folder_.filePath(name);
-    editing::EditDocument stored;
+    documents::EditDocument stored;
     stored.sourcePath = "library:sgd/chrome";
     stored.sourceSha256 = materials::readMaterial(stored.sourcePath).source.sha256;
     stored.edits = {{editing::DifferentialEdit{&models::findModel("lambert"), {{Rgb(0.2)}}, {{Rgb(0.2)}}}}};
-    editing::writeDocument(stored, path.toStdString());
+    documents::writeDocument(stored, path.toStdString());
     auto* window = new MainWindow;
     window->files().open(path);
     if (!QTest::qWaitFor([&] { return modelEdit(documentOf(*window)) != nullptr; }, patienceMilliseconds))
@@ -77,7 +77,7 @@ class LeavingDocumentsTest : public QObject {
   }
 
   bool isSaved(const QString& name) const {
-    const auto stored = editing::readDocument(folder_.filePath(name).toStdString());
+    const auto stored = documents::readDocument(folder_.filePath(name).toStdString());
     return std::get<editing::DifferentialEdit>(stored.edits[0].content).edited.values[0] == Rgb(0.3);
   }
 
@@ -125,7 +125,7 @@ class LeavingDocumentsTest : public QObject {
       QVERIFY(answers.texts()[0].contains("Save changes to a?") && answers.texts()[0].contains("brass"));
       QTRY_COMPARE(documentOf(*window).name(), QString(button == QMessageBox::Cancel ? "a" : "brass"));
       if (button == QMessageBox::Cancel) QCOMPARE(diffuse(*window), 0.4);
-      const auto stored = editing::readDocument(folder_.filePath("a.gonio").toStdString());
+      const auto stored = documents::readDocument(folder_.filePath("a.gonio").toStdString());
       const Rgb expected(button == QMessageBox::Save ? 0.4 : 0.3);
       QVERIFY(std::get<editing::DifferentialEdit>(stored.edits[0].content).edited.values[0] == expected);
       if (button != QMessageBox::Cancel) delete window;

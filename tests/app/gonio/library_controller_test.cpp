@@ -114,8 +114,9 @@ class LibraryControllerTest : public QObject {
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
     edit.edited.values[*model.spec().find("diffuse")] = Rgb(0.9, 0, 0);
-    editing::writeDocument({.sourcePath = "library:sgd/brass", .sourceSha256 = source.source.sha256, .edits = {{edit}}},
-                           document.toStdString());
+    documents::writeDocument(
+        {.sourcePath = "library:sgd/brass", .sourceSha256 = source.source.sha256, .edits = {{edit}}},
+        document.toStdString());
     const QSignalSpy added(&library, &LibraryController::added);
     library.addOwn(document);
     QCOMPARE(added.value(0).value(0).toString(), document);

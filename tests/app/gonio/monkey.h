@@ -205,18 +205,18 @@ class Monkey : public QObject {
   static QString slowDocument() {
     const QString path = QDir::current().absoluteFilePath("slow.gonio");
     if (QFile::exists(path)) return path;
-    auto blend = std::make_shared<editing::BlendSource>();
+    auto blend = std::make_shared<documents::BlendSource>();
     for (const char* id : {"sgd/chrome", "sgd/brass", "sgd/teflon", "sgd/nickel", "sgd/pvc", "sgd/silver-paint"}) {
-      editing::EditDocument material;
+      documents::EditDocument material;
       material.sourcePath = std::string(materials::libraryScheme) + id;
       material.sourceSha256 = materials::librarySha256(material.sourcePath);
       blend->materials.push_back(material);
       blend->weights.push_back(1.0 / 6);
     }
-    editing::EditDocument document;
-    document.sourceSha256 = editing::blendSha256(*blend);
+    documents::EditDocument document;
+    document.sourceSha256 = documents::blendSha256(*blend);
     document.blend = std::move(blend);
-    editing::writeDocument(document, path.toStdString());
+    documents::writeDocument(document, path.toStdString());
     return path;
   }
 

@@ -23,6 +23,8 @@
 
 namespace monkey_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::app;
 
 QStringList messages;

@@ -32,7 +32,7 @@ editing::EditList editsOfStep(int step) {
 int stepOf(const editing::EditList& edits) { return edits.empty() ? 0 : QString::fromStdString(edits[0].name).toInt(); }
 /// -1 if there is no such file. @throws Error for a damaged file.
 int stepOfFile(const QString& path) {
-  return QFile::exists(path) ? stepOf(editing::readDocument(path.toStdString()).edits) : -1;
+  return QFile::exists(path) ? stepOf(documents::readDocument(path.toStdString()).edits) : -1;
 }
 /// The copies that the next start offers, in its order.
 std::vector<int> stepsOfCopies() {

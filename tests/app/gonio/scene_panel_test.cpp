@@ -21,6 +21,7 @@
 
 namespace scene_panel_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using app::ScenePanel;
 
 class ScenePanelTest : public QObject {

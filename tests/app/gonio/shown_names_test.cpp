@@ -43,6 +43,8 @@
 
 namespace shown_names_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::documents;
 using namespace gonio::app;
 
 /// Whether HTML shows an image other than one that it contains itself, or a heading.

@@ -12,6 +12,7 @@
 
 namespace table_error_monitor_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::app;
 
 constexpr int patience = 60000;

@@ -34,10 +34,10 @@ class ThumbnailTest : public QObject {
     const QTemporaryDir folder;
     const QString path = folder.filePath("edited.gonio");
     const models::Model& model = models::findModel("lambert");
-    editing::writeDocument({.sourcePath = "library:sgd/brass",
-                            .sourceSha256 = materials::librarySha256("library:sgd/brass"),
-                            .edits = {{editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.3)}}}}}},
-                           path.toStdString());
+    documents::writeDocument({.sourcePath = "library:sgd/brass",
+                              .sourceSha256 = materials::librarySha256("library:sgd/brass"),
+                              .edits = {{editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.3)}}}}}},
+                             path.toStdString());
     std::string failure;
     try {
       (void)materialThumbnail(path, folder.filePath("cache"), {}, std::chrono::milliseconds(1));

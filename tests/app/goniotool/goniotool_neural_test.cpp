@@ -24,7 +24,7 @@ class GoniotoolNeuralTest : public QObject {
     const ToolResult result = runJson({"train-neural", plastic_, "--steps", "200", "--samples", "1", "--out", out});
     VERIFY_SUCCESS(result);
     const auto table = readTable(plastic_);
-    const neural::NeuralFit fit = neural::fitNeural(*table, {.steps = 200});
+    const baselines::NeuralFit fit = baselines::fitNeural(*table, {.steps = 200});
     QVERIFY(std::ranges::equal(formats::readNeural(std::filesystem::path(out.toStdString())).weights(), fit.weights));
     QVERIFY(result.json["losses"] == nlohmann::json(fit.losses));
     QCOMPARE(result.json["weights"].get<int>(), 675);

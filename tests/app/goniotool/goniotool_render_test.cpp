@@ -11,6 +11,7 @@
 
 namespace goniotool_render_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::test;
 
 /// The text attribute of an OpenEXR file: its name, the type "string", the length in four bytes, the text.

@@ -37,7 +37,7 @@ class GoniotoolSystemsTest : public QObject {
       }
     }
     QVERIFY(commands > 25);
-    for (const factorization::Baseline& baseline : factorization::baselines())
+    for (const baselines::Baseline& baseline : baselines::allBaselines())
       QVERIFY2(methods.contains(QString::fromUtf8(baseline.id.data())), baseline.id.data());
   }
 

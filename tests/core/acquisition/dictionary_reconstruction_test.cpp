@@ -16,6 +16,7 @@
 
 namespace dictionary_reconstruction_test {
 using namespace gonio;
+using namespace gonio::factorization;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;

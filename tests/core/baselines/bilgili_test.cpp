@@ -10,6 +10,7 @@
 
 namespace bilgili_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 using factorization::test_support::axesWithoutHorizon;
 using factorization::test_support::halfOutSamples;

@@ -11,6 +11,7 @@
 
 namespace bivariate_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 using test::FunctionBrdf;
 

@@ -12,6 +12,7 @@
 
 namespace gaussian_process_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 
 const HalfDifferenceGrid grid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};

@@ -13,6 +13,7 @@
 
 namespace half_difference_tensor_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 using factorization::test_support::halfDifferenceSamples;
 using factorization::test_support::worstAtNodes;

@@ -12,17 +12,18 @@
 namespace gonio::factorization::test_support {
 
 /// Nodes that all have a light above the horizon: no holes.
-inline HalfOutAxes axesWithoutHorizon() {
-  HalfOutAxes axes = makeHalfOutAxes(12, 8, 9);
+inline baselines::HalfOutAxes axesWithoutHorizon() {
+  baselines::HalfOutAxes axes = baselines::makeHalfOutAxes(12, 8, 9);
   for (double& theta : axes.thetaH) theta *= 0.3;
   for (double& theta : axes.thetaO) theta *= 0.3;
   return axes;
 }
 
 /// Samples of any function of (theta_h, |phi_h|, theta_o) at nodes that have a light above the horizon.
-inline HalfOutSamples halfOutSamples(
-    const HalfOutAxes& axes, const std::function<Rgb(double thetaH, double phiH, double thetaO, double cosI)>& rho) {
-  HalfOutSamples s = emptySamples(axes);
+inline baselines::HalfOutSamples halfOutSamples(
+    const baselines::HalfOutAxes& axes,
+    const std::function<Rgb(double thetaH, double phiH, double thetaO, double cosI)>& rho) {
+  baselines::HalfOutSamples s = emptySamples(axes);
   for (std::size_t h = 0; h < axes.thetaH.size(); ++h)
     for (std::size_t p = 0; p < axes.phiH.size(); ++p)
       for (std::size_t o = 0; o < axes.thetaO.size(); ++o) {
@@ -38,7 +39,7 @@ inline HalfOutSamples halfOutSamples(
 }
 
 /// Largest relative difference of a BRDF from the samples at the valid nodes.
-inline double worstAtNodes(const HalfOutSamples& s, const Brdf& brdf) {
+inline double worstAtNodes(const baselines::HalfOutSamples& s, const Brdf& brdf) {
   double worst = 0;
   for (std::size_t h = 0; h < s.axes.thetaH.size(); ++h)
     for (std::size_t p = 0; p < s.axes.phiH.size(); ++p)

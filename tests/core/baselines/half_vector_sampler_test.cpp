@@ -14,6 +14,7 @@
 
 namespace half_vector_sampler_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 
 std::shared_ptr<const Brdf> lawrenceOf(double roughness) {

@@ -12,6 +12,7 @@
 
 namespace mccool_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 using factorization::test_support::halfDifferenceSamples;
 using factorization::test_support::worstAtNodes;

@@ -14,7 +14,7 @@
 
 namespace neural_fit_test {
 using namespace gonio;
-using namespace gonio::neural;
+using namespace gonio::baselines;
 
 Weights randomWeights(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);

@@ -13,6 +13,7 @@
 
 namespace tensor_half_vector_sampler_test {
 using namespace gonio;
+using namespace gonio::baselines;
 using namespace gonio::factorization;
 
 std::shared_ptr<const Brdf> bilgiliOf(double roughness) {

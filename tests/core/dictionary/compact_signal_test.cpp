@@ -10,6 +10,7 @@
 
 namespace compact_signal_test {
 using namespace gonio;
+using namespace gonio::factorization;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 

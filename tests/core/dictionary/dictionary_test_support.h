@@ -27,15 +27,16 @@ inline ModeMatrices<double> randomDictionary(const Sizes& sizes, std::mt19937_64
           randomOrthonormal(sizes[2], random)};
 }
 
-inline Tensor tensorOf(const double* block, const Sizes& sizes) {
-  Tensor tensor({sizes[0], sizes[1], sizes[2]});
+inline factorization::Tensor tensorOf(const double* block, const Sizes& sizes) {
+  factorization::Tensor tensor({sizes[0], sizes[1], sizes[2]});
   std::copy(block, block + tensor.count(), tensor.data());
   return tensor;
 }
 
 /// S x_0 U_0 x_1 U_1 x_2 U_2 by the general tensor products.
-inline Tensor composed(Tensor coefficients, const ModeMatrices<double>& matrices) {
-  for (int mode = 0; mode < 3; ++mode) coefficients = modeProduct(coefficients, matrices[std::size_t(mode)], mode);
+inline factorization::Tensor composed(factorization::Tensor coefficients, const ModeMatrices<double>& matrices) {
+  for (int mode = 0; mode < 3; ++mode)
+    coefficients = factorization::modeProduct(coefficients, matrices[std::size_t(mode)], mode);
   return coefficients;
 }
 
@@ -45,9 +46,9 @@ inline Matrix<double> plantedSignals(const Sizes& sizes, const std::vector<ModeM
   Matrix<double> result(Eigen::Index(count(sizes)), signals);
   std::normal_distribution<double> normal;
   for (int s = 0; s < signals; ++s) {
-    Tensor coefficients({sizes[0], sizes[1], sizes[2]});
+    factorization::Tensor coefficients({sizes[0], sizes[1], sizes[2]});
     for (int t = 0; t < sparsity; ++t) coefficients[std::size_t(random() % coefficients.count())] = 1 + normal(random);
-    const Tensor signal = composed(coefficients, dictionaries[std::size_t(s) % dictionaries.size()]);
+    const factorization::Tensor signal = composed(coefficients, dictionaries[std::size_t(s) % dictionaries.size()]);
     result.col(s) = Eigen::Map<const Eigen::VectorXd>(signal.data(), result.rows());
   }
   return result;

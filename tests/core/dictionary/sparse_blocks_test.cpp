@@ -12,6 +12,7 @@
 
 namespace sparse_blocks_test {
 using namespace gonio;
+using namespace gonio::factorization;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 

@@ -14,6 +14,8 @@
 
 namespace blend_source_test {
 using namespace gonio;
+using namespace gonio::interpolation;
+using namespace gonio::documents;
 using namespace gonio::editing;
 
 std::shared_ptr<const TabulatedBrdf> lambert(double albedo) {

@@ -13,6 +13,7 @@
 
 namespace edit_document_test {
 using namespace gonio;
+using namespace gonio::documents;
 using namespace gonio::editing;
 using namespace gonio::test;
 using models::ParameterValues;

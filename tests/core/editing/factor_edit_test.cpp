@@ -13,6 +13,7 @@
 
 namespace factor_edit_test {
 using namespace gonio;
+using namespace gonio::documents;
 using namespace gonio::editing;
 using namespace gonio::test;
 using factorization::PdvFactors;

@@ -21,6 +21,8 @@
 
 namespace blender_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 
 constexpr int sunSamples = 64;
 

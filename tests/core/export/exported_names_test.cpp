@@ -29,6 +29,8 @@
 /// here by its rules, which finds the name as plainText() where it belongs and nothing else.
 namespace exported_names_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using exports::ExportPart;
 using materials::EditedMaterial;
 

@@ -18,6 +18,8 @@
 
 namespace scene_files_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 
 /// Radiance that is the direction itself, shifted to positive values: every turn and mirror shows.
 std::shared_ptr<const EnvironmentMap> directions() {

@@ -18,15 +18,15 @@ inline Eigen::MatrixXd randomMatrix(int rows, int columns, unsigned seed, bool p
   return result;
 }
 
-inline Tensor randomTensor(const std::vector<int>& sizes, unsigned seed) {
+inline factorization::Tensor randomTensor(const std::vector<int>& sizes, unsigned seed) {
   int rest = 1;
   for (std::size_t mode = 1; mode < sizes.size(); ++mode) rest *= sizes[mode];
-  return fold(randomMatrix(sizes[0], rest, seed), 0, sizes);
+  return factorization::fold(randomMatrix(sizes[0], rest, seed), 0, sizes);
 }
 
 /// |a - b| / |b|.
-inline double relativeDifference(const Tensor& a, const Tensor& b) {
-  Tensor difference = a;
+inline double relativeDifference(const factorization::Tensor& a, const factorization::Tensor& b) {
+  factorization::Tensor difference = a;
   for (std::size_t i = 0; i < a.count(); ++i) difference[i] -= b[i];
   return difference.norm() / b.norm();
 }

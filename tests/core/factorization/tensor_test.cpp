@@ -12,6 +12,7 @@
 
 namespace tensor_test {
 using namespace gonio;
+using namespace gonio::factorization;
 using Matrix = Eigen::MatrixXd;
 using gonio::test::randomMatrix;
 

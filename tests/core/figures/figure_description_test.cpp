@@ -16,6 +16,8 @@
 
 namespace figure_description_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::documents;
 using namespace gonio::figures;
 namespace fs = std::filesystem;
 
@@ -143,10 +145,10 @@ class FigureDescriptionTest : public QObject {
     FigureDescription figure = test::smallFigure();
     const fs::path table = folder() / "table.binary", document = folder() / "edited.gonio";
     io::writeFileAtomically(table, std::string("x"));
-    editing::EditDocument edited;
+    documents::EditDocument edited;
     edited.sourcePath = table.string();
     edited.sourceSha256 = std::string(64, 'a');
-    editing::writeDocument(edited, document);
+    documents::writeDocument(edited, document);
     figure.materials = {{document.string(), ""}};
     for (const fs::path& taken : {document, table, folder() / "." / "table.binary"}) try {
         checkFigureOutput(figure, taken);

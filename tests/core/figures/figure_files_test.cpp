@@ -21,6 +21,7 @@
 
 namespace figure_files_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::figures;
 
 /// Every character half as wide as the font is high.

@@ -22,6 +22,7 @@
 
 namespace figure_measurement_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::figures;
 
 /// Two materials on a small grid.
@@ -175,7 +176,7 @@ class FigureMeasurementTest : public QObject {
     FigureDescription figure = quickFigure();
     const std::filesystem::path table = figure.materials[0].path,
                                 document = table.parent_path() / "edited-chrome.gonio";
-    editing::writeDocument({.sourcePath = table.string(), .sourceSha256 = std::string(64, 'a')}, document);
+    documents::writeDocument({.sourcePath = table.string(), .sourceSha256 = std::string(64, 'a')}, document);
     figure.materials = {{document.string(), ""}};
     FigureMeasurement known = test::madeUpMeasurement(figure);
     known.fileTimes = knownPart(figure, {}).fileTimes;

@@ -10,6 +10,7 @@
 
 namespace bounding_volumes_test {
 using namespace gonio;
+using namespace gonio::geometry;
 
 std::vector<AxisBox> boxesOf(const TriangleMesh& mesh) {
   std::vector<AxisBox> boxes;

@@ -11,6 +11,7 @@
 
 namespace bundled_meshes_test {
 using namespace gonio;
+using namespace gonio::geometry;
 
 class BundledMeshesTest : public QObject {
   Q_OBJECT

@@ -12,6 +12,7 @@
 
 namespace mesh_intersector_test {
 using namespace gonio;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -11,6 +11,7 @@
 
 namespace polygon_test {
 using namespace gonio;
+using namespace gonio::geometry;
 
 using Points = std::vector<glm::vec3>;
 

@@ -11,6 +11,7 @@
 
 namespace triangle_mesh_test {
 using namespace gonio;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 std::string refusal(const MeshArrays& arrays) {

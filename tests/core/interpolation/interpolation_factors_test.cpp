@@ -10,6 +10,7 @@
 
 namespace interpolation_factors_test {
 using namespace gonio;
+using namespace gonio::interpolation;
 using namespace gonio::editing;
 using namespace gonio::editing::test_support;
 

@@ -16,6 +16,7 @@
 
 namespace interpolation_test {
 using namespace gonio;
+using namespace gonio::interpolation;
 using namespace gonio::editing;
 using namespace gonio::editing::test_support;
 

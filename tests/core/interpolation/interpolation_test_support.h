@@ -12,10 +12,11 @@
 namespace gonio::editing::test_support {
 
 using dictionary::test_support::smallGrid;
-using Table = Interpolation::Table;
-inline constexpr std::array allSpaces{InterpolationSpace::linear, InterpolationSpace::parameters,
-                                      InterpolationSpace::differential, InterpolationSpace::factors,
-                                      InterpolationSpace::dictionary};
+using Table = interpolation::Interpolation::Table;
+inline constexpr std::array allSpaces{
+    interpolation::InterpolationSpace::linear, interpolation::InterpolationSpace::parameters,
+    interpolation::InterpolationSpace::differential, interpolation::InterpolationSpace::factors,
+    interpolation::InterpolationSpace::dictionary};
 
 /// GGX with noise that no model explains, and a few cells without data.
 inline Table measured(double diffuse, double roughness, unsigned seed, const HalfDifferenceGrid& grid = smallGrid) {
@@ -31,8 +32,8 @@ inline Table measured(double diffuse, double roughness, unsigned seed, const Hal
   return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
 }
 
-inline InterpolationOptions options() {
-  InterpolationOptions result;
+inline interpolation::InterpolationOptions options() {
+  interpolation::InterpolationOptions result;
   result.ensemble = std::make_shared<const dictionary::Ensemble>(dictionary::test_support::randomEnsemble(3));
   result.pdv.terms = 2;
   result.pdv.deviationNodes = {0, 0.05, 0.2, 0.6, 1.2, 2};
@@ -40,8 +41,8 @@ inline InterpolationOptions options() {
   return result;
 }
 
-inline std::vector<InterpolationMaterial> endsOf(const std::vector<Table>& tables) {
-  std::vector<InterpolationMaterial> ends;
+inline std::vector<interpolation::InterpolationMaterial> endsOf(const std::vector<Table>& tables) {
+  std::vector<interpolation::InterpolationMaterial> ends;
   for (const Table& table : tables) ends.push_back({.table = table});
   return ends;
 }
@@ -50,7 +51,7 @@ inline std::vector<InterpolationMaterial> endsOf(const std::vector<Table>& table
 class ThreeMaterials {
  protected:
   const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
-  const std::vector<InterpolationMaterial> ends_ = endsOf(tables_);
+  const std::vector<interpolation::InterpolationMaterial> ends_ = endsOf(tables_);
   const std::vector<double> weights_{0.5, 0.2, 0.3};
 };
 
@@ -69,7 +70,7 @@ inline double maxDifference(const TabulatedBrdf& a, const TabulatedBrdf& b, bool
 }
 
 /// The mixture as a picture computes it.
-inline Table mixed(const TransformedMixture& mixture, std::span<const double> weights) {
+inline Table mixed(const interpolation::TransformedMixture& mixture, std::span<const double> weights) {
   const auto& first = mixture.tables[0];
   std::vector<TabulatedBrdf::Value> values(first.grid.size());
   std::vector<std::uint8_t> valid(first.grid.size(), 1);

@@ -14,6 +14,7 @@
 
 namespace native_form_blend_test {
 using namespace gonio;
+using namespace gonio::interpolation;
 using namespace gonio::editing;
 using namespace gonio::editing::test_support;
 

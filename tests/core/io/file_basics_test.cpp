@@ -93,7 +93,7 @@ class FileBasicsTest : public QObject {
     QTest::newRow("factors") << Read([](const fs::path& path) { formats::readPdv(path); });
     QTest::newRow("checkpoint") << Read([](const fs::path& path) { materials::readCheckpoint("training", path); });
     QTest::newRow("picture") << Read([](const fs::path& path) { io::readImage(path); });
-    QTest::newRow("document") << Read([](const fs::path& path) { editing::readDocument(path); });
+    QTest::newRow("document") << Read([](const fs::path& path) { documents::readDocument(path); });
     QTest::newRow("nonparametric") << Read([](const fs::path& path) {
       writeFile("io/npf_row_order.csv", {});
       materials::readNpf(path);
@@ -191,7 +191,7 @@ class FileBasicsTest : public QObject {
     for (const fs::path& path : {pipe, toPipe, fs::path("/dev/null")}) {
       QVERIFY(contains(errorOf([&] { io::FileSource source(path); }), "a pipe"));
       QVERIFY(contains(errorOf([&] { materials::readMaterial(path); }), path.string()));
-      QVERIFY(!editing::isDocument(path.string()));
+      QVERIFY(!documents::isDocument(path.string()));
       QVERIFY(contains(errorOf([&] { io::writeFileAtomically(path, "x"); }), "a pipe"));
       QVERIFY(contains(errorOf([&] { io::checkWritable(path); }), path.string()));
     }

@@ -15,6 +15,7 @@
 
 namespace mesh_file_test {
 using namespace gonio;
+using namespace gonio::geometry;
 using namespace gonio::io;
 
 std::string textOf(const fuzz::Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }

@@ -9,6 +9,7 @@
 
 namespace obj_file_test {
 using namespace gonio;
+using namespace gonio::geometry;
 using namespace gonio::io;
 
 TriangleMesh read(std::string_view text, const TaskControl& control = {}) {

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
 # cmake -DROOT=FOLDER -DCORE_MODULES=A,B,.. -DWIDGET_MODULES=.. -DAPP_MODULES=.. -P check_layers.cmake: fails where a layer
-# includes from a layer above it, or a module from a module behind it in its layer's list. Lists every offence.
+# includes from a layer above it, or a module from a module behind it in its layer's list, or where the namespace of a module of
+# core has another name than its folder. Lists every offence.
 cmake_minimum_required(VERSION 3.22)
 
 set(qt "[<\"](Q[A-Z][A-Za-z0-9]*|Qt[A-Z][A-Za-z0-9]*/.*)(\\.h)?[>\"]")
@@ -43,12 +44,35 @@ function(check_modules layer modules)
   endwhile()
 endfunction()
 
+# check_namespaces(MODULES): a module of core has its own namespace; the modules at the bottom share gonio, `export` is a keyword.
+function(check_namespaces modules)
+  string(REPLACE "," ";" modules "${modules}")
+  foreach(module ${modules})
+    set(name "gonio::${module}")
+    if(module MATCHES "^(support|math|coordinates|brdf|sampling)$")
+      set(name gonio)
+    elseif(module STREQUAL export)
+      set(name gonio::exports)
+    endif()
+    file(GLOB_RECURSE files ${ROOT}/core/${module}/*.h ${ROOT}/core/${module}/*.cpp)
+    foreach(file ${files})
+      file(STRINGS ${file} lines REGEX "^namespace gonio[a-z_:]* {$")
+      foreach(line ${lines})
+        if(NOT line MATCHES "^namespace ${name}(::[a-z_]+)? {$")
+          message(SEND_ERROR "${file} should be in the namespace ${name}: ${line}")
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+endfunction()
+
 must_not_include(core Qt "${qt}")
 must_not_include(core OpenGL "${opengl}")
 must_not_include(core "the layers above it" "[<\"](widgets|app|tests)/")
 must_not_include(widgets "the layers above it" "[<\"](app|tests)/")
 must_not_include(python "other layers than core" "[<\"](widgets|app|tests)/")
 check_modules(core "${CORE_MODULES}")
+check_namespaces("${CORE_MODULES}")
 check_modules(widgets "${WIDGET_MODULES}")
 check_modules(app/gonio "${APP_MODULES}")
 # Menus and panels get what they use: the window composes them, and none of them knows it.

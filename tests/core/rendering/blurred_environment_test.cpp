@@ -11,6 +11,7 @@
 
 namespace blurred_environment_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// Means over the sphere.
 Rgb meanRadiance(const EnvironmentMap& map) {

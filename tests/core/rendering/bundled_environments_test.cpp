@@ -10,6 +10,7 @@
 
 namespace bundled_environments_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 std::vector<double> luminances(const EnvironmentMap& map) {
   std::vector<double> values;

@@ -11,6 +11,7 @@
 
 namespace camera_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// Where a ray meets the unit sphere.
 std::optional<Direction> sphereHit(const Ray& ray) {

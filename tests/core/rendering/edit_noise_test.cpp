@@ -12,6 +12,7 @@
 
 namespace edit_noise_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::editing;
 
 /// Root mean square difference of two renderings with noise of their own, relative to the picture, over the sphere.

@@ -10,6 +10,7 @@
 
 namespace effect_costs_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));

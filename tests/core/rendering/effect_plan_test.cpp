@@ -15,6 +15,8 @@
 
 namespace effect_plan_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 const auto grey = diffuseMaterial(Rgb(0.5));

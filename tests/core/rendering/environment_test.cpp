@@ -14,6 +14,7 @@
 
 namespace environment_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 Direction randomDirection(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);

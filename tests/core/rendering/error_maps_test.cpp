@@ -9,6 +9,7 @@
 
 namespace error_maps_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 Image grey(float value, int side = 20) {
   Image image(side, side);

@@ -10,6 +10,7 @@
 
 namespace false_colour_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// Relative luminance of a display colour.
 double lightness(const DisplayColour& colour) {

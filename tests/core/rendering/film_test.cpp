@@ -10,6 +10,7 @@
 
 namespace film_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 class FilmTest : public QObject {
   Q_OBJECT

@@ -13,6 +13,8 @@
 namespace path_tracer_hard_cases_test {
 /// Scenes at the edges: no light, no object, light where it cannot be, and brightness of all orders.
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));

@@ -22,6 +22,8 @@
 namespace path_tracer_materials_test {
 /// Every kind of material in the path tracer: energy in the furnace, and each representation against its own table.
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 /// A mesh without smooth shading, which would lose the light between both horizons; or with its inside outward.

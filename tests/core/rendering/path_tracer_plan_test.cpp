@@ -13,6 +13,8 @@
 namespace path_tracer_plan_test {
 /// The path tracer does what its plan says, and a plan leaves out nothing that shows.
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 const Material glossy = traced(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.8), 0.25, 0.4));

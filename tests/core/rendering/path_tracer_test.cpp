@@ -13,6 +13,7 @@
 
 namespace path_tracer_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));

@@ -14,6 +14,7 @@
 
 namespace picture_refinement_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 struct Picture {
   Scene scene = sphereScene(skyEnvironment());

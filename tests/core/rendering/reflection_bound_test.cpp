@@ -14,6 +14,7 @@
 
 namespace reflection_bound_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 ReflectionBound boundOf(std::shared_ptr<const Brdf> brdf) { return RenderMaterial(std::move(brdf)).bound(); }
 

@@ -12,6 +12,7 @@
 
 namespace render_material_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// A GGX surface whose own density is the cosine, of a stated cost.
 class PoorlySampled final : public Brdf {

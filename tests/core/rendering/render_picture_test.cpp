@@ -15,6 +15,7 @@
 
 namespace render_picture_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using test::quadrature;
 
 RenderOptions sized(int size, int samples, std::uint64_t seed = 1) {

@@ -13,6 +13,7 @@
 
 namespace rendered_comparison_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 std::shared_ptr<const TabulatedBrdf> plastic() {
   static const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04),

@@ -19,6 +19,8 @@
 
 namespace scene_file_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 
 /// A scene of one of everything that a scene file may say.
 const char* const everything = R"({

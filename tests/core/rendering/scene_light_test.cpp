@@ -11,6 +11,8 @@
 
 namespace scene_light_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

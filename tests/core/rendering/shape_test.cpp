@@ -12,6 +12,8 @@
 
 namespace shape_test {
 using namespace gonio;
+using namespace gonio::rendering;
+using namespace gonio::geometry;
 using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

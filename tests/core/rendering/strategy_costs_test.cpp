@@ -11,6 +11,7 @@
 
 namespace strategy_costs_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 /// A sphere under a small lamp, and nothing else.
 std::vector<StrategyCost> costsOf(double roughness) {

@@ -9,6 +9,7 @@
 
 namespace tone_map_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 class ToneMapTest : public QObject {
   Q_OBJECT

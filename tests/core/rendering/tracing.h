@@ -12,33 +12,36 @@
 /// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.
 namespace gonio::test {
 
-using Material = std::shared_ptr<const RenderMaterial>;
+using Material = std::shared_ptr<const rendering::RenderMaterial>;
 
 inline Material traced(std::shared_ptr<const Brdf> brdf) {
-  return std::make_shared<const RenderMaterial>(std::move(brdf));
+  return std::make_shared<const rendering::RenderMaterial>(std::move(brdf));
 }
 
 struct TraceOptions {
   int size = 24, samples = 16;
   std::uint64_t seed = 1;
-  EffectOverrides overrides{};
-  PathTracer::Strategy strategy = PathTracer::Strategy::both;
+  rendering::EffectOverrides overrides{};
+  rendering::PathTracer::Strategy strategy = rendering::PathTracer::Strategy::both;
 };
 
-inline PathTracer tracerOf(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
-  const std::vector<Material> slotMaterials(std::size_t(std::max(1, materialSlotCount(scene))), material);
-  const auto bound = bindMaterials(scene, slotMaterials);
-  return PathTracer(scene, bound, planEffects(scene, bound, options.overrides), options.seed, options.strategy);
+inline rendering::PathTracer tracerOf(const rendering::Scene& scene, const Material& material,
+                                      const TraceOptions& options = {}) {
+  const std::vector<Material> slotMaterials(std::size_t(std::max(1, rendering::materialSlotCount(scene))), material);
+  const auto bound = rendering::bindMaterials(scene, slotMaterials);
+  return rendering::PathTracer(scene, bound, rendering::planEffects(scene, bound, options.overrides), options.seed,
+                               options.strategy);
 }
 
-inline Film trace(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
-  Film film(options.size, options.size);
+inline rendering::Film trace(const rendering::Scene& scene, const Material& material,
+                             const TraceOptions& options = {}) {
+  rendering::Film film(options.size, options.size);
   tracerOf(scene, material, options).accumulate(film, options.samples);
   return film;
 }
 
 /// Through a lens so long that the picture is one point of the scene.
-inline Rgb traceOnePoint(Scene scene, const Material& material, TraceOptions options = {}) {
+inline Rgb traceOnePoint(rendering::Scene scene, const Material& material, TraceOptions options = {}) {
   scene.camera.fieldOfView = 1e-6;
   Rgb mean(0);
   for (const Rgb& sum : trace(scene, material, options).radiance) mean += sum / double(options.samples);
@@ -46,8 +49,8 @@ inline Rgb traceOnePoint(Scene scene, const Material& material, TraceOptions opt
 }
 
 /// What a camera at `eye` sees at `target`.
-inline OrbitCamera lookFrom(const Direction& eye, const Direction& target) {
-  OrbitCamera camera;
+inline rendering::OrbitCamera lookFrom(const Direction& eye, const Direction& target) {
+  rendering::OrbitCamera camera;
   const Direction way = eye - target;
   camera.distance = glm::length(way);
   camera.yaw = std::atan2(way.x, way.z);
@@ -57,17 +60,17 @@ inline OrbitCamera lookFrom(const Direction& eye, const Direction& target) {
 }
 
 /// Radiance of the unit sphere toward the camera along one ray: all of the environment's directions, no random number.
-inline Rgb quadrature(const Brdf& brdf, const Scene& scene, const Ray& ray, int width) {
-  const auto hit = nearestHit(Sphere{}, ray);
+inline Rgb quadrature(const Brdf& brdf, const rendering::Scene& scene, const Ray& ray, int width) {
+  const auto hit = rendering::nearestHit(rendering::Sphere{}, ray);
   if (!hit) return Rgb(0);
-  const ShadingFrame frame = shadingFrame(hit->shadingNormal);
+  const rendering::ShadingFrame frame = rendering::shadingFrame(hit->shadingNormal);
   const Direction wo = frame.toLocal(-ray.direction);
-  const EnvironmentRotation rotation(scene.environmentRotation);
+  const rendering::EnvironmentRotation rotation(scene.environmentRotation);
   const int height = width / 2;
   Rgb sum(0);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const Direction w = EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
+      const Direction w = rendering::EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
       const Direction wi = frame.toLocal(rotation.fromEnvironment(w));
       if (wi.z <= 0) continue;
       const double solidAngle = 2 * pi / width * pi / height * std::sin(pi * (y + 0.5) / height);
@@ -115,7 +118,8 @@ inline QString disagreement(const Tiles& a, const Tiles& b, double slack = 0) {
 }
 
 /// Tiles of six pictures of a scene, of seeds from `firstSeed` on.
-inline Tiles tracedTiles(const Scene& scene, const Material& material, TraceOptions options, std::uint64_t firstSeed) {
+inline Tiles tracedTiles(const rendering::Scene& scene, const Material& material, TraceOptions options,
+                         std::uint64_t firstSeed) {
   return tilesOf(
       6,
       [&](std::uint64_t seed) {

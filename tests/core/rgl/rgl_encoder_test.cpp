@@ -16,6 +16,7 @@
 
 namespace rgl_encoder_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using rgl::EncodedRgl;
 using rgl::RglFileSource;
 

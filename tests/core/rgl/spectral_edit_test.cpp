@@ -15,6 +15,7 @@
 
 namespace spectral_edit_test {
 using namespace gonio;
+using namespace gonio::rendering;
 
 using namespace gonio::test::spectral;
 

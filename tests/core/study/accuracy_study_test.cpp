@@ -19,6 +19,7 @@
 
 namespace accuracy_study_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::study;
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};

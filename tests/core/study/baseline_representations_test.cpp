@@ -28,8 +28,8 @@ std::vector<Representation> baselineRows(std::vector<int> terms, std::vector<std
 }
 
 /// All except the non-parametric factors, which are a family of their own.
-std::vector<const factorization::Baseline*> studiedBaselines() {
-  std::vector<const factorization::Baseline*> studied;
+std::vector<const baselines::Baseline*> studiedBaselines() {
+  std::vector<const baselines::Baseline*> studied;
   for (const RepresentationKind& kind : representationKinds())
     if (kind.baseline) studied.push_back(kind.baseline);
   return studied;
@@ -46,7 +46,7 @@ class BaselineRepresentationsTest : public QObject {
       QCOMPARE(formats::pdvFileBytes(form, 2), formats::pdvFileBytes(factors));
     }
     const auto rows = baselineRows({2, 10, 20});
-    for (const factorization::Baseline* baseline : studiedBaselines()) {
+    for (const baselines::Baseline* baseline : studiedBaselines()) {
       std::vector<double> budgets;
       for (const Representation& row : rows)
         if (row.kind->id == baseline->id) budgets.push_back(row.budget);
@@ -58,7 +58,7 @@ class BaselineRepresentationsTest : public QObject {
       else
         QVERIFY(budgets == (std::vector<double>{10'120, 44'680, 87'880}));
     }
-    QCOMPARE(studiedBaselines().size(), factorization::baselines().size() - 1);
+    QCOMPARE(studiedBaselines().size(), baselines::allBaselines().size() - 1);
     QVERIFY(std::ranges::none_of(rows, [](const Representation& row) { return row.kind->id == "nonparametric"; }));
     RepresentationChoice choice{.names = {"baselines"}};
     const std::vector<std::string> wrong{"nonparametric"};
@@ -82,12 +82,12 @@ class BaselineRepresentationsTest : public QObject {
   /// The records equal the results of separate calls of the library for each budget.
   void recordsAreThoseOfTheLibrary_data() {
     QTest::addColumn<QString>("id");
-    for (const factorization::Baseline* baseline : studiedBaselines())
+    for (const baselines::Baseline* baseline : studiedBaselines())
       QTest::newRow(baseline->id.data()) << QString(baseline->id.data());
   }
   void recordsAreThoseOfTheLibrary() {
     QFETCH(QString, id);
-    const factorization::Baseline& baseline = factorization::findBaseline(id.toStdString());
+    const baselines::Baseline& baseline = baselines::findBaseline(id.toStdString());
     const auto rows = baselineRows({1, 3}, {id.toStdString()});
     StudyOptions options;
     options.picture = {.width = 16, .height = 16, .samples = 4};
@@ -97,7 +97,7 @@ class BaselineRepresentationsTest : public QObject {
     const auto log = std::size_t(metrics::BrdfMetric::log);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::array<std::size_t, 1> budget{std::size_t(rows[i].budget)};
-      const factorization::ComparedModel model = baseline.build(*plastic(), budget, {}).front();
+      const baselines::ComparedModel model = baseline.build(*plastic(), budget, {}).front();
       QCOMPARE(records[i].bytes, model.bytes);
       QVERIFY(rows[i].budget == 0 || double(model.bytes) <= rows[i].budget);
       QVERIFY(records[i].errors == metrics::brdfErrors(*plastic(), *model.brdf));

@@ -13,6 +13,7 @@
 
 namespace fit_ranking_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::fitting;
 using namespace gonio::study;
 

@@ -13,6 +13,7 @@
 
 namespace gamma_selection_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::fitting;
 using namespace gonio::study;
 

@@ -13,6 +13,7 @@
 
 namespace picture_encoding_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 using namespace gonio::study;

@@ -28,6 +28,7 @@
 
 namespace same_bits_test {
 using namespace gonio;
+using namespace gonio::rendering;
 using dictionary::test_support::ggxMaterials;
 using Bytes = std::vector<std::byte>;
 

@@ -21,10 +21,10 @@ struct Triangle {
   glm::vec3 corners[3], normals[3];
 };
 
-std::vector<Triangle> trianglesOf(std::span<const MeshShape> meshes) {
+std::vector<Triangle> trianglesOf(std::span<const rendering::MeshShape> meshes) {
   std::vector<Triangle> all;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const TriangleMesh& mesh = meshes[i]->mesh();
+    const geometry::TriangleMesh& mesh = meshes[i]->mesh();
     for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
       Triangle& triangle = all.emplace_back();
       triangle.mesh = std::uint32_t(i);
@@ -37,7 +37,7 @@ std::vector<Triangle> trianglesOf(std::span<const MeshShape> meshes) {
   return all;
 }
 
-AxisBox boxOf(const Triangle& triangle) {
+geometry::AxisBox boxOf(const Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
@@ -48,8 +48,8 @@ glm::uvec4 texel(const glm::vec3& v, std::uint32_t number = 0) {
 }
 
 /// 4 texels: low and high corner of each child's box; beside the low one, where the child is.
-void addNode(Texels& texels, const BoundingVolumes::Node& node) {
-  for (const BoundingVolumes::Child& child : node.children) {
+void addNode(Texels& texels, const geometry::BoundingVolumes::Node& node) {
+  for (const geometry::BoundingVolumes::Child& child : node.children) {
     const bool isEmpty = child.count == 0 && child.first == 0;
     texels.push_back(texel(child.box.min, child.first << 3 | (isEmpty ? emptyChild : child.count)));
     texels.push_back(texel(child.box.max));
@@ -61,13 +61,13 @@ struct Layout {
   Texels texels;
   int triangles = 0, normals = 0;
 
-  explicit Layout(std::span<const MeshShape> meshes) {
+  explicit Layout(std::span<const rendering::MeshShape> meshes) {
     const std::vector<Triangle> all = trianglesOf(meshes);
-    std::vector<AxisBox> boxes;
+    std::vector<geometry::AxisBox> boxes;
     boxes.reserve(all.size());
     for (const Triangle& triangle : all) boxes.push_back(boxOf(triangle));
-    const BoundingVolumes volumes = buildBoundingVolumes(boxes);
-    for (const BoundingVolumes::Node& node : volumes.nodes) addNode(texels, node);
+    const geometry::BoundingVolumes volumes = geometry::buildBoundingVolumes(boxes);
+    for (const geometry::BoundingVolumes::Node& node : volumes.nodes) addNode(texels, node);
     triangles = int(texels.size());
     for (const std::uint32_t index : volumes.order) {
       const auto& [a, b, c] = all[index].corners;
@@ -81,7 +81,7 @@ struct Layout {
 
 }  // namespace
 
-MeshTexture::MeshTexture(QOpenGLFunctions_4_1_Core& gl, std::span<const MeshShape> meshes) {
+MeshTexture::MeshTexture(QOpenGLFunctions_4_1_Core& gl, std::span<const rendering::MeshShape> meshes) {
   Layout layout(meshes);
   constexpr std::size_t width = std::size_t(1) << rowBits;
   const std::size_t rows = (layout.texels.size() + width - 1) / width;

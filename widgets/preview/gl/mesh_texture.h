@@ -20,7 +20,7 @@ class MeshTexture {
 
   /// Builds the hierarchy and uploads it, in about 1 s per million triangles. Needs at least one mesh.
   /// @throws Error if there is not enough memory for the bounding volumes.
-  MeshTexture(QOpenGLFunctions_4_1_Core& gl, std::span<const MeshShape> meshes);
+  MeshTexture(QOpenGLFunctions_4_1_Core& gl, std::span<const rendering::MeshShape> meshes);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program);
 
  private:

@@ -53,7 +53,7 @@ void PreviewDisplay::setSettings(QOpenGLShaderProgram& program, const QSize& vie
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   program.setUniformValue("exposure", float(settings.exposure));
-  program.setUniformValue("filmic", settings.toneMap == ToneMap::filmic);
+  program.setUniformValue("filmic", settings.toneMap == rendering::ToneMap::filmic);
   program.setUniformValue("backgroundCentre", toVector(settings.backgroundCentre));
   program.setUniformValue("backgroundEdge", toVector(settings.backgroundEdge));
   program.setUniformValue("checker", settings.checker);

@@ -20,7 +20,7 @@ struct ShownPicture {
 /// Conversion of radiance to display colours.
 struct DisplaySettings {
   double exposure = 0;  ///< stops
-  ToneMap toneMap = ToneMap::filmic;
+  rendering::ToneMap toneMap = rendering::ToneMap::filmic;
   QColor backgroundCentre{58, 58, 60}, backgroundEdge{34, 34, 36};
   bool checker = false;  ///< draws grey squares instead, which show transparency
 };

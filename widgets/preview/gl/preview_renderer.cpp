@@ -28,8 +28,8 @@ QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d
 }  // namespace
 
 PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
-  const Scene sphere = sphereScene();
-  setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
+  const rendering::Scene sphere = rendering::sphereScene();
+  setScene(sphere, previewPlan(sphere, rendering::diffuseMaterial(Rgb(0.5))));
 }
 
 PreviewRenderer::~PreviewRenderer() = default;
@@ -53,7 +53,7 @@ void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   restart();
 }
 
-void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan,
+void PreviewRenderer::setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
                                const std::vector<PreviewSubject>& otherSlotSubjects) {
   SceneUniforms uniforms(scene, plan);
   const auto sameMaterial = [](const PreviewSubject& a, const PreviewSubject& b) {
@@ -78,7 +78,7 @@ void PreviewRenderer::setSize(const QSize& size) {
 std::vector<PreviewRenderer::Pass> PreviewRenderer::passes() {
   while (otherTextures_.size() < otherSlotSubjects_.size()) otherTextures_.emplace_back();
   std::vector<Pass> all{{subject_, textures_, 1}};
-  for (int slot = 1; slot < materialSlotCount(scene_); ++slot) {
+  for (int slot = 1; slot < rendering::materialSlotCount(scene_); ++slot) {
     const auto other = std::size_t(slot - 1);
     if (other < otherSlotSubjects_.size() && !otherSlotSubjects_[other].isEmpty())
       all.push_back({otherSlotSubjects_[other], otherTextures_[other], 1 << slot});
@@ -96,14 +96,14 @@ QOpenGLShaderProgram& PreviewRenderer::sceneProgram(const PreviewSubject& subjec
 }
 
 void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
-  const CameraFrame camera = cameraFrame(scene_.camera);
+  const rendering::CameraFrame camera = rendering::cameraFrame(scene_.camera);
   QMatrix3x3 axes;
   for (int row = 0; row < 3; ++row) {
     axes(row, 0) = float(camera.right[row]);
     axes(row, 1) = float(camera.up[row]);
     axes(row, 2) = float(camera.forward[row]);
   }
-  const glm::dvec2 extent = viewExtent(camera, double(size_.width()) / size_.height());
+  const glm::dvec2 extent = rendering::viewExtent(camera, double(size_.width()) / size_.height());
   program.setUniformValue("eye", toVector(camera.eye));
   program.setUniformValue("cameraAxes", axes);
   program.setUniformValue("viewExtent", QVector2D(float(extent.x), float(extent.y)));
@@ -206,7 +206,7 @@ void PreviewRenderer::drawInBands() {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void PreviewRenderer::showTraced(const Film& film) {
+void PreviewRenderer::showTraced(const rendering::Film& film) {
   setSize({film.width, film.height});
   createTarget();
   std::vector<glm::vec4> texels, features;

@@ -37,7 +37,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   const PreviewSubject& subject() const { return subject_; }
   /// Sets a scene for which SceneUniforms::canDraw() is true, and the plan of its effects.
   /// @param otherSlotSubjects subjects of the slots after the first; empty or missing ones show the first subject.
-  void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& otherSlotSubjects = {});
+  void setScene(const rendering::Scene& scene, const rendering::EffectPlan& plan,
+                const std::vector<PreviewSubject>& otherSlotSubjects = {});
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
 
@@ -52,7 +53,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// @throws Error with the compiler's log if a shader does not compile.
   void accumulate(int count);
   /// Replaces the picture, and its size, by a path-traced one with its features.
-  void showTraced(const Film& film);
+  void showTraced(const rendering::Film& film);
 
   /// RGBA32F: sum of samples() samples of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
@@ -85,7 +86,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
   std::vector<PreviewSubject> otherSlotSubjects_;
-  Scene scene_;
+  rendering::Scene scene_;
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};
   int samples_ = 0;

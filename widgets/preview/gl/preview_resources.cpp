@@ -91,12 +91,12 @@ std::shared_ptr<ShaderBase> PreviewResources::base(const std::shared_ptr<const B
 }
 
 std::shared_ptr<const MixtureTextures> PreviewResources::mixture(
-    const std::shared_ptr<const editing::TransformedMixture>& mixture) {
+    const std::shared_ptr<const interpolation::TransformedMixture>& mixture) {
   std::erase_if(mixtures_, [](const auto& entry) { return entry.second.expired(); });
   auto& known = mixtures_[mixture];
   if (auto textures = known.lock()) return textures;
   auto textures = std::make_shared<MixtureTextures>();
-  for (const editing::TransformedTable& table : mixture->tables) {
+  for (const interpolation::TransformedTable& table : mixture->tables) {
     auto& texture = *textures->tables.emplace_back(std::make_unique<TableTexture>());
     texture.phiPeriod = table.grid.phiDPeriod();
     uploadTable(*this, texture.name, table.grid, table.values, table.valid);
@@ -105,7 +105,7 @@ std::shared_ptr<const MixtureTextures> PreviewResources::mixture(
   return textures;
 }
 
-void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+void PreviewResources::bindEnvironment(const std::shared_ptr<const rendering::EnvironmentMap>& environment) {
   if (environment != uploadedEnvironment_) {
     glActiveTexture(GL_TEXTURE0 + environmentUnit);
     uploadEnvironment(*this, environmentTexture_, lightPoolTexture_, lightPoolRadianceTexture_,
@@ -120,7 +120,7 @@ void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMa
   glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
 }
 
-void PreviewResources::bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes) {
+void PreviewResources::bindMeshes(QOpenGLShaderProgram& program, const std::vector<rendering::MeshShape>& meshes) {
   if (meshes != uploadedMeshes_ || !meshTexture_) {
     meshTexture_.reset();
     QOpenGLFunctions_4_1_Core& gl = *this;
@@ -141,7 +141,7 @@ void PreviewResources::uploadColourMap(bool isSigned) {
   std::vector<glm::vec4> texels;
   for (int i = 0; i < size; ++i) {
     const double x = i / (size - 1.0);
-    const DisplayColour colour = isSigned ? signedColour(2 * x - 1) : viridis(x);
+    const rendering::DisplayColour colour = isSigned ? rendering::signedColour(2 * x - 1) : rendering::viridis(x);
     texels.push_back(glm::vec4(colour[0], colour[1], colour[2], 255) / 255.f);
   }
   uploadColours(*this, colourMaps_[isSigned], size, texels);

@@ -90,14 +90,15 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// (IncidentDirection).
   std::shared_ptr<ShaderBase> base(const std::shared_ptr<const Brdf>& base);
   /// The textures of all tables of a mixture, uploaded at first use.
-  std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
+  std::shared_ptr<const MixtureTextures> mixture(
+      const std::shared_ptr<const interpolation::TransformedMixture>& mixture);
   /// Whether codes are decoded on the card. By default true, except with software OpenGL (CodeDecoder::isSoftware()).
   bool decodesCodes() const { return decodesCodes_; }
   void setDecodesCodes(bool decodes) { decodesCodes_ = decodes; }
   /// Binds the environment's pictures to their units; uploads them if the environment changed.
-  void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  void bindEnvironment(const std::shared_ptr<const rendering::EnvironmentMap>& environment);
   /// Binds a scene's meshes; uploads them if they changed.
-  void bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes);
+  void bindMeshes(QOpenGLShaderProgram& program, const std::vector<rendering::MeshShape>& meshes);
   /// Binds viridis or the signed map (core/rendering/error_maps.h) to its unit.
   void bindColourMap(bool isSigned);
 
@@ -112,10 +113,11 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   GLuint colourMaps_[2] = {0, 0};
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
   std::map<std::weak_ptr<const void>, std::weak_ptr<ShaderBase>, std::owner_less<>> bases_;
-  std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>
+  std::map<std::weak_ptr<const interpolation::TransformedMixture>, std::weak_ptr<const MixtureTextures>,
+           std::owner_less<>>
       mixtures_;
-  std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;
-  std::vector<MeshShape> uploadedMeshes_;
+  std::shared_ptr<const rendering::EnvironmentMap> uploadedEnvironment_;
+  std::vector<rendering::MeshShape> uploadedMeshes_;
   std::unique_ptr<MeshTexture> meshTexture_;
 };
 

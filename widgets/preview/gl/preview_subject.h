@@ -28,10 +28,10 @@ struct StandaloneModel {
 
 /// Materials mixed by the shader: the result of `interpolation` at the weights, from tables except for `own`.
 struct PreviewBlend {
-  std::shared_ptr<const editing::Interpolation> interpolation;
+  std::shared_ptr<const interpolation::Interpolation> interpolation;
   /// The mixture of `interpolation`. The same object while the weights change, so it is uploaded once. At most four
   /// materials.
-  std::shared_ptr<const editing::TransformedMixture> mixture;
+  std::shared_ptr<const interpolation::TransformedMixture> mixture;
   std::vector<double> weights;
   /// One edit per material, applied before mixing, all with the same edited parameters; may be empty.
   std::vector<editing::DifferentialEdit> edits = {};

@@ -13,19 +13,22 @@ namespace {
 
 constexpr float materialSlot = 0, diffuse = 1, emitting = 2;  // of preview/scene_shapes.glsl
 
-glm::vec4 colourOf(const SceneObject& object) {
+glm::vec4 colourOf(const rendering::SceneObject& object) {
   if (object.emits()) return glm::vec4(object.radiance, emitting);
-  if (const auto* surface = std::get_if<Diffuse>(&object.material)) return glm::vec4(surface->reflectance, diffuse);
-  return {float(std::get<MaterialSlot>(object.material).number), 0, 0, materialSlot};
+  if (const auto* surface = std::get_if<rendering::Diffuse>(&object.material))
+    return glm::vec4(surface->reflectance, diffuse);
+  return {float(std::get<rendering::MaterialSlot>(object.material).number), 0, 0, materialSlot};
 }
 
 /// The shader's numbers of the objects: spheres, meshes, rectangles, area lights.
-std::vector<std::size_t> drawnOrder(const Scene& scene) {
+std::vector<std::size_t> drawnOrder(const rendering::Scene& scene) {
   std::vector<std::size_t> order;
   const auto rank = [&](std::size_t i) {
-    const SceneObject& object = scene.objects[i];
+    const rendering::SceneObject& object = scene.objects[i];
     if (object.emits()) return 3;
-    return std::holds_alternative<Sphere>(object.shape) ? 0 : std::holds_alternative<MeshShape>(object.shape) ? 1 : 2;
+    return std::holds_alternative<rendering::Sphere>(object.shape)      ? 0
+           : std::holds_alternative<rendering::MeshShape>(object.shape) ? 1
+                                                                        : 2;
   };
   for (std::size_t i = 0; i < scene.objects.size(); ++i) order.push_back(i);
   std::ranges::stable_sort(order, {}, rank);
@@ -34,40 +37,41 @@ std::vector<std::size_t> drawnOrder(const Scene& scene) {
 
 }  // namespace
 
-bool SceneUniforms::canDraw(const Scene& scene) {
+bool SceneUniforms::canDraw(const rendering::Scene& scene) {
   std::size_t triangles = 0;
-  for (const SceneObject& object : scene.objects)
-    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) triangles += (*mesh)->mesh().triangles().size();
+  for (const rendering::SceneObject& object : scene.objects)
+    if (const auto* mesh = std::get_if<rendering::MeshShape>(&object.shape))
+      triangles += (*mesh)->mesh().triangles().size();
   return !scene.objects.empty() && scene.objects.size() <= maxObjects && scene.directionalLights.size() <= maxLights &&
          scene.pointLights.size() <= maxLights && triangles <= MeshTexture::maxTriangles;
 }
 
-SceneUniforms::SceneUniforms(const Scene& scene, const EffectPlan& plan) {
+SceneUniforms::SceneUniforms(const rendering::Scene& scene, const rendering::EffectPlan& plan) {
   addObjects(scene, plan);
   addLights(scene, plan);
   reflections_ = std::clamp(plan.reflections, 1, maxReflections);
-  const bool emitted = plan.simulates(Effect::emittedLight);
+  const bool emitted = plan.simulates(rendering::Effect::emittedLight);
   showLamps_ = emitted && lamps_ > 0;
   showEnvironment_ = emitted && scene.environment && scene.showEnvironment;
   blurBackground_ = showEnvironment_ && scene.blurBackground;
 }
 
-void SceneUniforms::addObjects(const Scene& scene, const EffectPlan& plan) {
+void SceneUniforms::addObjects(const rendering::Scene& scene, const rendering::EffectPlan& plan) {
   const std::vector<std::size_t> order = drawnOrder(scene);
   std::vector<int> numbers(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = int(i);
   bool anyBlocks = false;
   for (const std::size_t index : order) {
-    const SceneObject& object = scene.objects[index];
+    const rendering::SceneObject& object = scene.objects[index];
     colours_.push_back(colourOf(object));
     diffuse_ = diffuse_ || colours_.back().w == diffuse;
     lamps_ += object.emits();
-    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+    if (const auto* sphere = std::get_if<rendering::Sphere>(&object.shape)) {
       spheres_.emplace_back(sphere->centre, sphere->radius);
-    } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+    } else if (const auto* mesh = std::get_if<rendering::MeshShape>(&object.shape)) {
       meshes_.push_back(*mesh);
     } else {
-      const auto& rectangle = std::get<Rectangle>(object.shape);
+      const auto& rectangle = std::get<rendering::Rectangle>(object.shape);
       centres_.emplace_back(rectangle.centre);
       sides_.emplace_back(rectangle.halfU);
       sides_.emplace_back(rectangle.halfV);
@@ -81,25 +85,25 @@ void SceneUniforms::addObjects(const Scene& scene, const EffectPlan& plan) {
   if (!anyBlocks) blockers_.clear();
 }
 
-void SceneUniforms::addLights(const Scene& scene, const EffectPlan& plan) {
-  for (const SceneLight& light : plan.lights) {
-    const bool distant = light.kind == SceneLight::Kind::environment;
-    if (!plan.simulates(distant ? Effect::environmentLight : Effect::directLight)) continue;
+void SceneUniforms::addLights(const rendering::Scene& scene, const rendering::EffectPlan& plan) {
+  for (const rendering::SceneLight& light : plan.lights) {
+    const bool distant = light.kind == rendering::SceneLight::Kind::environment;
+    if (!plan.simulates(distant ? rendering::Effect::environmentLight : rendering::Effect::directLight)) continue;
     switch (light.kind) {
-      case SceneLight::Kind::environment:
+      case rendering::SceneLight::Kind::environment:
         lightEnvironment_ = true;
         break;
-      case SceneLight::Kind::directional:
+      case rendering::SceneLight::Kind::directional:
         distantDirections_.emplace_back(scene.directionalLights[light.index].toLight);
         distantIrradiances_.emplace_back(scene.directionalLights[light.index].irradiance);
         break;
-      case SceneLight::Kind::point:
+      case rendering::SceneLight::Kind::point:
         pointPositions_.emplace_back(scene.pointLights[light.index].position);
         pointIntensities_.emplace_back(scene.pointLights[light.index].intensity);
         break;
-      case SceneLight::Kind::rectangle:
+      case rendering::SceneLight::Kind::rectangle:
         lightLamps_ = true;
-        drawLamps_ = plan.simulates(Effect::areaLightSampling);
+        drawLamps_ = plan.simulates(rendering::Effect::areaLightSampling);
         break;
     }
   }
@@ -134,7 +138,7 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
   };
   wide("spheres", spheres_);
   std::vector<float> radii;
-  for (const MeshShape& mesh : meshes_) radii.push_back(float(mesh->mesh().boundingSphere().radius));
+  for (const rendering::MeshShape& mesh : meshes_) radii.push_back(float(mesh->mesh().boundingSphere().radius));
   if (!radii.empty()) program.setUniformValueArray("meshRadii", radii.data(), int(radii.size()), 1);
   wide("objectColours", colours_);
   vectors("rectangleCentres", centres_);
@@ -148,9 +152,13 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
   if (!blockers_.empty()) program.setUniformValueArray("blockers", blockers_.data(), int(blockers_.size()));
 }
 
-EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
-                       const EffectOverrides& overrides, const RenderMaterials& otherSlotMaterials) {
-  return planEffects(scene, bindMaterials(scene, materialsInSlots(scene, material, otherSlotMaterials)), overrides);
+rendering::EffectPlan previewPlan(const rendering::Scene& scene,
+                                  const std::shared_ptr<const rendering::RenderMaterial>& material,
+                                  const rendering::EffectOverrides& overrides,
+                                  const rendering::RenderMaterials& otherSlotMaterials) {
+  return rendering::planEffects(
+      scene, rendering::bindMaterials(scene, rendering::materialsInSlots(scene, material, otherSlotMaterials)),
+      overrides);
 }
 
 }  // namespace gonio::widgets

@@ -17,10 +17,10 @@ class SceneUniforms {
   static constexpr std::size_t maxObjects = 24, maxLights = 8;
 
   /// Whether the shader can draw the scene; larger ones are traced on the CPU.
-  static bool canDraw(const Scene& scene);
+  static bool canDraw(const rendering::Scene& scene);
 
   SceneUniforms() = default;
-  SceneUniforms(const Scene& scene, const EffectPlan& plan);
+  SceneUniforms(const rendering::Scene& scene, const rendering::EffectPlan& plan);
 
   /// The definitions of the shader variant.
   QStringList definitions() const;
@@ -30,15 +30,15 @@ class SceneUniforms {
   /// Whether the shader samples reflected directions.
   bool samplesDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
-  const std::vector<MeshShape>& meshes() const { return meshes_; }
+  const std::vector<rendering::MeshShape>& meshes() const { return meshes_; }
   bool operator==(const SceneUniforms&) const = default;
 
  private:
-  void addObjects(const Scene& scene, const EffectPlan& plan);
-  void addLights(const Scene& scene, const EffectPlan& plan);
+  void addObjects(const rendering::Scene& scene, const rendering::EffectPlan& plan);
+  void addLights(const rendering::Scene& scene, const rendering::EffectPlan& plan);
 
   std::vector<glm::vec4> spheres_, colours_;
-  std::vector<MeshShape> meshes_;
+  std::vector<rendering::MeshShape> meshes_;
   std::vector<glm::vec3> centres_, sides_;
   std::vector<int> blockers_;  ///< bit masks of objects; empty: no shadows are simulated
   std::vector<glm::vec3> distantDirections_, distantIrradiances_, pointPositions_, pointIntensities_;
@@ -49,7 +49,9 @@ class SceneUniforms {
 
 /// Plans the effects of a scene with `material` in its first slot and `otherSlotMaterials` in the others
 /// (materialsInSlots()).
-EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
-                       const EffectOverrides& overrides = {}, const RenderMaterials& otherSlotMaterials = {});
+rendering::EffectPlan previewPlan(const rendering::Scene& scene,
+                                  const std::shared_ptr<const rendering::RenderMaterial>& material,
+                                  const rendering::EffectOverrides& overrides = {},
+                                  const rendering::RenderMaterials& otherSlotMaterials = {});
 
 }  // namespace gonio::widgets

@@ -25,7 +25,7 @@ class BlendTextures {
   std::shared_ptr<const MixtureTextures> textures_;
   std::shared_ptr<ShaderBase> own_;
   std::shared_ptr<const Brdf> uploadedOwn_;
-  std::shared_ptr<const editing::TransformedMixture> uploaded_;
+  std::shared_ptr<const interpolation::TransformedMixture> uploaded_;
 };
 
 /// One subject on the graphics card, for shaders/preview/material.glsl and sampling_density.glsl. Uploaded data stay

@@ -14,7 +14,8 @@ namespace gonio::widgets {
 
 namespace {
 
-std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environment, const EnvironmentMap& blurred) {
+std::shared_ptr<const EnvironmentTexels> compute(const rendering::EnvironmentMap& environment,
+                                                 const rendering::EnvironmentMap& blurred) {
   const Image& image = environment.image();
   auto texels = std::make_shared<EnvironmentTexels>();
   texels->width = image.width;
@@ -22,7 +23,8 @@ std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environme
   texels->map.resize(image.pixels.size());
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      const Direction centre = EnvironmentMap::directionAt((x + 0.5) / image.width, (y + 0.5) / image.height);
+      const Direction centre =
+          rendering::EnvironmentMap::directionAt((x + 0.5) / image.width, (y + 0.5) / image.height);
       texels->map[image.index(x, y)] = glm::vec4(image.at(x, y), static_cast<float>(environment.pdf(centre)));
     }
   constexpr int count = EnvironmentTexels::poolSide * EnvironmentTexels::poolSide;
@@ -37,17 +39,19 @@ std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environme
 
 }  // namespace
 
-std::shared_ptr<const EnvironmentTexels> environmentTexels(const std::shared_ptr<const EnvironmentMap>& environment) {
+std::shared_ptr<const EnvironmentTexels> environmentTexels(
+    const std::shared_ptr<const rendering::EnvironmentMap>& environment) {
   static std::mutex mutex;
   // Kept as long as the environment lives: it may come back to the preview, and to other windows.
-  static std::map<std::weak_ptr<const EnvironmentMap>, std::shared_ptr<const EnvironmentTexels>, std::owner_less<>>
+  static std::map<std::weak_ptr<const rendering::EnvironmentMap>, std::shared_ptr<const EnvironmentTexels>,
+                  std::owner_less<>>
       known;
   {
     const std::scoped_lock lock(mutex);
     std::erase_if(known, [](const auto& entry) { return entry.first.expired(); });
     if (const auto found = known.find(environment); found != known.end()) return found->second;
   }
-  auto texels = compute(*environment, *blurredEnvironment(environment));
+  auto texels = compute(*environment, *rendering::blurredEnvironment(environment));
   const std::scoped_lock lock(mutex);
   return known.try_emplace(environment, std::move(texels)).first->second;
 }

@@ -45,7 +45,8 @@ struct EnvironmentTexels {
 
 /// Computes the texels, or returns the cached ones while the environment exists. About 10 ms for 512 x 256, up to a
 /// second for large pictures, so call it in the background first. Thread-safe.
-std::shared_ptr<const EnvironmentTexels> environmentTexels(const std::shared_ptr<const EnvironmentMap>& environment);
+std::shared_ptr<const EnvironmentTexels> environmentTexels(
+    const std::shared_ptr<const rendering::EnvironmentMap>& environment);
 
 /// Uploads three RGBA32F pictures. The blurred environment has no separate texture, because all 16 guaranteed texture
 /// units are used.
