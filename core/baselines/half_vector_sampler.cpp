@@ -105,12 +105,12 @@ double HalfVectorSampler::total(double thetaO) const {
 }
 
 DirectionSample HalfVectorSampler::sample(const Direction& wo, const glm::dvec3& u) const {
-  const double thetaO = polarAngle(wo), all = total(thetaO), share = all > 0 ? cosineFraction : 1;
-  if (u.x < share) {
+  const double thetaO = polarAngle(wo), all = total(thetaO), cosinePart = all > 0 ? cosineFraction : 1;
+  if (u.x < cosinePart) {
     const Direction wi = CosineDensity().sample(wo, {u.y, u.z});
     return {wi, pdf(wi, wo)};
   }
-  double wanted = (u.x - share) / (1 - share) * all;
+  double wanted = (u.x - cosinePart) / (1 - cosinePart) * all;
   const Curves* chosen = nullptr;
   double mass = 0;
   for (const Curves& curves : curves_) {

@@ -18,7 +18,7 @@ namespace gonio::documents {
 
 namespace {
 
-constexpr double readShare = 0.5;
+constexpr double readFraction = 0.5;
 
 bool hasModel(interpolation::InterpolationSpace space) {
   return space == interpolation::InterpolationSpace::parameters ||
@@ -69,7 +69,7 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
   BlendSource found = blend;
   std::vector<interpolation::InterpolationMaterial> ends;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
-    const double each = readShare / double(blend.materials.size());
+    const double each = readFraction / double(blend.materials.size());
     const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
     const materials::Material source = readSource(blend.materials[i], path, part);
     found.materials[i].sourceSha256 = source.source.sha256;
@@ -79,7 +79,7 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
                                          editing::bakeEdits(table, edits, {control.stop, {}}), edits));
   }
   const auto interpolation = interpolation::prepareInterpolation(blend.space, ends, blendOptions(blend.model),
-                                                                 control.between(readShare, 0.9));
+                                                                 control.between(readFraction, 0.9));
   return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 

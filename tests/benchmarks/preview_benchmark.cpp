@@ -162,17 +162,16 @@ struct CodeFixture : QOpenGLFunctions_4_1_Core {
 
 void decodeOnTheCard(benchmark::State& state) {
   CodeFixture fixture{std::size_t(state.range(0))};
-  widgets::PreviewResources resources;
+  widgets::ProgramCache programs;
   widgets::CodeDecoder decoder;
-  resources.initialize();
   const auto run = [&] {
-    decoder.decode(fixture, resources, widgets::codeTexels(fixture.bundled->ensemble, fixture.code), fixture.texture);
+    decoder.decode(fixture, programs, widgets::codeTexels(fixture.bundled->ensemble, fixture.code), fixture.texture);
     fixture.glFinish();
   };
   run();  // shaders and the cosines of the grid are there when the first code comes
   for (auto _ : state) run();
   decoder.release(fixture);
-  resources.release();
+  programs.release(fixture);
 }
 void decodeAndUpload(benchmark::State& state) {
   CodeFixture fixture{std::size_t(state.range(0))};

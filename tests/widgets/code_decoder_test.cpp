@@ -33,7 +33,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   Q_OBJECT
  private:
   std::unique_ptr<test::OffscreenContext> m_context;
-  widgets::PreviewResources m_resources;
+  widgets::ProgramCache m_programs;
   widgets::CodeDecoder m_decoder;
 
   std::vector<glm::vec4> texelsOf(GLuint texture, const HalfDifferenceGrid& grid) {
@@ -44,7 +44,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   }
   std::vector<glm::vec4> decoded(const Ensemble& ensemble, const SparseCode& code) {
     GLuint texture = 0;
-    m_decoder.decode(*this, m_resources, widgets::codeTexels(ensemble, code), texture);
+    m_decoder.decode(*this, m_programs, widgets::codeTexels(ensemble, code), texture);
     const auto texels = texelsOf(texture, code.grid);
     glDeleteTextures(1, &texture);
     return texels;
@@ -75,12 +75,11 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     m_context = std::make_unique<test::OffscreenContext>();
     if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     QVERIFY(initializeOpenGLFunctions());
-    m_resources.initialize();
   }
   void cleanupTestCase() {
     if (!m_context || !m_context->isValid()) return;
     m_decoder.release(*this);
-    m_resources.release();
+    m_programs.release(*this);
     QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
   }
 
@@ -195,7 +194,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     const auto table = dictionary::decode(ensemble, code);
     GLuint uploaded = 0, texture = 0;
     widgets::uploadTable(*this, uploaded, oddGrid, table->values(), table->valid());
-    m_decoder.decode(*this, m_resources, widgets::codeTexels(ensemble, code), texture);
+    m_decoder.decode(*this, m_programs, widgets::codeTexels(ensemble, code), texture);
     QVERIFY(texture != 0 && texture != uploaded);
     const auto properties = [this](GLuint name) {
       std::vector<GLint> values;
@@ -211,7 +210,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     QCOMPARE(properties(texture).front(), oddGrid.phiDCount);
     // A texture that is there is filled anew.
     const GLuint first = texture;
-    m_decoder.decode(*this, m_resources, widgets::codeTexels(ensemble, code.truncated(3)), texture);
+    m_decoder.decode(*this, m_programs, widgets::codeTexels(ensemble, code.truncated(3)), texture);
     QCOMPARE(texture, first);
     QCOMPARE(texelsOf(texture, oddGrid), decoded(ensemble, code.truncated(3)));
     glDeleteTextures(1, &uploaded);
@@ -229,9 +228,9 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     for (const GLenum capability : {GL_BLEND, GL_SCISSOR_TEST}) glEnable(capability);
     for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE}) glDisable(capability);
     glActiveTexture(GL_TEXTURE2);
-    QOpenGLShaderProgram& program = m_resources.program("preview/decode_fibres.frag");
+    QOpenGLShaderProgram& program = m_programs.program("preview/decode_fibres.frag");
     program.bind();
-    m_decoder.decode(*this, m_resources, texels, texture);
+    m_decoder.decode(*this, m_programs, texels, texture);
     GLint bound[4] = {};
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, bound);
     QCOMPARE(bound[0], GLint(framebuffer));

@@ -62,9 +62,9 @@ LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<con
 }
 
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
-  constexpr double readShare = 0.3;
-  return loadInMemory(materials::readMaterial(path, control.between(0, readShare)), nullptr,
-                      control.between(readShare, 1));
+  constexpr double readFraction = 0.3;
+  return loadInMemory(materials::readMaterial(path, control.between(0, readFraction)), nullptr,
+                      control.between(readFraction, 1));
 }
 
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
@@ -75,9 +75,9 @@ LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskContro
 }
 
 LoadedMaterialPtr loadSource(const documents::EditDocument& document, const TaskControl& control) {
-  const double readShare = document.blend ? 0.8 : 0.3;
-  return loadInMemory(documents::readSource(document, {}, control.between(0, readShare)), document.blend,
-                      control.between(readShare, 1));
+  const double readFraction = document.blend ? 0.8 : 0.3;
+  return loadInMemory(documents::readSource(document, {}, control.between(0, readFraction)), document.blend,
+                      control.between(readFraction, 1));
 }
 
 QString reconstructionFolder() {

@@ -10,7 +10,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/signals.h"
 #include "core/support/error.h"
-#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/program_cache.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
@@ -243,7 +243,7 @@ void CodeDecoder::bindWeights(Gl& gl, const HalfDifferenceGrid& grid) {
   weightsGrid_ = grid;
 }
 
-void CodeDecoder::decode(Gl& gl, PreviewResources& resources, const CodeTexels& texels, GLuint& texture) {
+void CodeDecoder::decode(Gl& gl, ProgramCache& programs, const CodeTexels& texels, GLuint& texture) {
   const HalfDifferenceGrid& grid = texels.grid;
   setTableTexels(gl, texture, grid, nullptr);
   const KeptState kept(gl);
@@ -255,16 +255,16 @@ void CodeDecoder::decode(Gl& gl, PreviewResources& resources, const CodeTexels& 
     return passes.picture(GL_R32F, GL_RED, size, 3 * size, texels.atoms[mode].data());
   };
 
-  QOpenGLShaderProgram& fibreProgram = resources.program("preview/decode_fibres.frag");
+  QOpenGLShaderProgram& fibreProgram = programs.program("preview/decode_fibres.frag");
   const GLuint fibres = passes.picture(GL_RGBA32F, GL_RGBA, grid.phiDCount, texels.groups);
   passes.drawInto(fibres, grid.phiDCount, texels.groups);
   passes.read(fibreProgram, {{"coefficients", GL_TEXTURE_BUFFER, passes.list(GL_RG32F, texels.coefficients)},
                              {"groupRanges", GL_TEXTURE_BUFFER, groupRanges},
                              {"phiDAtoms", GL_TEXTURE_2D, atoms(0, grid.phiDCount)}});
   fibreProgram.setUniformValue("groupCount", texels.groups);
-  resources.drawFullscreen();
+  programs.drawFullscreen(gl);
 
-  QOpenGLShaderProgram& slabProgram = resources.program("preview/decode_slabs.frag");
+  QOpenGLShaderProgram& slabProgram = programs.program("preview/decode_slabs.frag");
   const int slabRows = texels.slabs * grid.thetaDCount;
   const GLuint slabs = passes.picture(GL_RGBA32F, GL_RGBA, grid.phiDCount, slabRows);
   passes.drawInto(slabs, grid.phiDCount, slabRows);
@@ -274,10 +274,10 @@ void CodeDecoder::decode(Gl& gl, PreviewResources& resources, const CodeTexels& 
                             {"thetaDAtoms", GL_TEXTURE_2D, atoms(1, grid.thetaDCount)}});
   slabProgram.setUniformValue("groupCount", texels.groups);
   slabProgram.setUniformValue("slabCount", texels.slabs);
-  resources.drawFullscreen();
+  programs.drawFullscreen(gl);
 
   QOpenGLShaderProgram& tableProgram =
-      resources.program("preview/decode_table.frag", {QString("TRANSFORM %1").arg(int(texels.transform))});
+      programs.program("preview/decode_table.frag", {QString("TRANSFORM %1").arg(int(texels.transform))});
   const GLuint thetaHAtoms =
       passes.picture(GL_RGBA32F, GL_RGBA, texels.slabs, 3 * 2 * texels.blocks(), texels.thetaHAtoms.data());
   passes.read(tableProgram, {{"slabs", GL_TEXTURE_2D, slabs},
@@ -287,7 +287,7 @@ void CodeDecoder::decode(Gl& gl, PreviewResources& resources, const CodeTexels& 
   for (int block = 0; block < texels.blocks(); ++block) {
     passes.drawInto(texture, grid, block * CodeTexels::layersAtOnce);
     tableProgram.setUniformValue("block", block);
-    resources.drawFullscreen();
+    programs.drawFullscreen(gl);
   }
 }
 

@@ -48,7 +48,7 @@ struct CodeTexels {
 /// @throws Error as dictionary::checkCode().
 CodeTexels codeTexels(const dictionary::Ensemble& ensemble, const dictionary::SparseCode& code);
 
-class PreviewResources;
+class ProgramCache;
 
 /// Decodes sparse codes on the graphics card, in three steps of mode products: coefficients into fibres along phi_d,
 /// fibres into slabs over phi_d and theta_d, slabs into the table. Same result as dictionary::decode() on the CPU, up
@@ -67,7 +67,7 @@ class CodeDecoder {
   /// Fills `texture` as uploadTable() does with the decoded table; creates it if it is 0. Afterwards the texture is
   /// bound to the active unit; other bindings stay, except the units of the decoder.
   /// @throws Error with the compiler's log, or if the card cannot render to the textures.
-  void decode(QOpenGLFunctions_4_1_Core& gl, PreviewResources& resources, const CodeTexels& texels, GLuint& texture);
+  void decode(QOpenGLFunctions_4_1_Core& gl, ProgramCache& programs, const CodeTexels& texels, GLuint& texture);
   void release(QOpenGLFunctions_4_1_Core& gl);
 
  private:

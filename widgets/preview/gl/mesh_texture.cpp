@@ -6,7 +6,6 @@
 #include <glm/vec4.hpp>
 
 #include "core/geometry/mesh_intersector.h"
-#include "widgets/preview/gl/preview_resources.h"
 
 namespace gonio::widgets {
 

@@ -7,7 +7,6 @@
 
 #include "core/rendering/error_maps.h"
 #include "core/support/error.h"
-#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 
@@ -18,7 +17,6 @@ TableTexture::~TableTexture() {
 
 void PreviewResources::initialize() {
   if (!initializeOpenGLFunctions()) throw Error(openGlTooOld);
-  glGenVertexArrays(1, &vertexArray_);
   const bool isSoftware = CodeDecoder::isSoftware(*this);
   decodesCodes_ = !isSoftware;
   setUsesFlatUniforms(isSoftware);
@@ -32,9 +30,8 @@ void PreviewResources::release() {
     if (*texture) glDeleteTextures(1, texture);
     *texture = 0;
   }
-  glDeleteVertexArrays(1, &vertexArray_);
   decoder_.release(*this);
-  programs_.clear();
+  programs_.release(*this);
   tables_.clear();
   bases_.clear();
   mixtures_.clear();
@@ -50,18 +47,12 @@ void PreviewResources::setUsesFlatUniforms(bool uses) {
   programs_.setFlatVectors(uses ? std::optional(vectors - 1) : std::nullopt);  // one is the position's
 }
 
-void PreviewResources::drawFullscreen() {
-  glBindVertexArray(vertexArray_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-}
-
 bool PreviewResources::decode(const EnsembleCode& code, GLuint& texture) {
   if (!decodesCodes_) return false;
   const CodeTexels texels = codeTexels(*code.ensemble, code.code);
   if (!CodeDecoder::fits(*this, texels)) return false;
   try {
-    decoder_.decode(*this, *this, texels, texture);
+    decoder_.decode(*this, programs_, texels, texture);
   } catch (const Error&) {
     decodesCodes_ = false;  // the decoded table is at hand
   }

@@ -15,33 +15,9 @@
 #include "widgets/preview/gl/mesh_texture.h"
 #include "widgets/preview/gl/program_cache.h"
 #include "widgets/preview/gl/shader_base.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
-
-enum TextureUnit {
-  tableUnit,
-  environmentUnit,
-  lightPoolUnit,
-  lightPoolRadianceUnit,
-  accumulationUnit,
-  otherAccumulationUnit,
-  colourMapUnit,
-  factorUnit,
-  firstBlendUnit,  ///< and the following ones, one per material
-  endOfBlendUnits = firstBlendUnit + 4,
-  firstDecoderUnit = endOfBlendUnits,  ///< and the three after it; together 16 units, which every card has
-  // The units of the display pass and of the decoder are free while a picture is rendered. An RGL file may occur
-  // together with the tables of a blend; its visible normals use the unit of the table.
-  rglRowUnit = accumulationUnit,
-  rglColourUnit = otherAccumulationUnit,
-  rglDistributionUnit = firstDecoderUnit + 2,
-  rglAreaUnit = firstDecoderUnit + 3,
-  baseNodeUnit = firstBlendUnit,  ///< nodes of a table by angle of incidence, which never occurs with a blend
-  // Nothing is decoded while a picture is rendered.
-  densityCellUnit = firstDecoderUnit,
-  densityRowUnit,
-  meshUnit = colourMapUnit,
-};
 
 /// A table on the graphics card. The context must be current when it is destroyed.
 struct TableTexture {
@@ -80,7 +56,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// programs.
   void setUsesFlatUniforms(bool uses);
   /// Draws the whole viewport with the bound program.
-  void drawFullscreen();
+  void drawFullscreen() { programs_.drawFullscreen(*this); }
 
   /// The texture of a table, uploaded at first use (about 20 ms for 90 x 90 x 180). If a code is given, the card
   /// decodes it instead, provided that decodesCodes() and the code fits its textures.
@@ -109,7 +85,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   CodeDecoder decoder_;
   ProgramCache programs_;
   bool initialized_ = false, decodesCodes_ = false;
-  GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
+  GLuint environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
   GLuint colourMaps_[2] = {0, 0};
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
   std::map<std::weak_ptr<const void>, std::weak_ptr<ShaderBase>, std::owner_less<>> bases_;

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/program_cache.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <QHash>
 #include <QRegularExpression>
-#include <QStringList>
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -127,6 +128,17 @@ std::unique_ptr<QOpenGLShaderProgram> linkedWithFlatUniforms(const PassShaders& 
   return link(*program, withFlatUniforms(shaders, vectors)) ? std::move(program) : nullptr;
 }
 
+/// Writes a shader for reading, if the environment asks for it (see ProgramCache).
+void writeForReading(const QString& name, const QByteArray& shader) {
+  const QString folder = qEnvironmentVariable("GONIO_SHADER_OUTPUT");
+  if (folder.isEmpty()) return;
+  QString path;
+  for (int number = 1; path.isEmpty() || QFile::exists(path); ++number)
+    path = QString("%1/%2-%3.frag").arg(folder, QFileInfo(name).completeBaseName()).arg(number);
+  if (QFile file(path); !file.open(QIODevice::WriteOnly) || file.write(shader) != shader.size())
+    qWarning("cannot write %s: %s", qPrintable(path), qPrintable(file.errorString()));
+}
+
 std::unique_ptr<QOpenGLShaderProgram> linked(const PassShaders& shaders, const QString& name) {
   auto program = std::make_unique<QOpenGLShaderProgram>();
   if (!link(*program, shaders))
@@ -155,8 +167,21 @@ QOpenGLShaderProgram& ProgramCache::program(const QString& fragment, const QStri
   return *known->second.program;
 }
 
+void ProgramCache::drawFullscreen(QOpenGLFunctions_4_1_Core& gl) {
+  if (!vertexArray_) gl.glGenVertexArrays(1, &vertexArray_);
+  gl.glBindVertexArray(vertexArray_);
+  gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+  gl.glBindVertexArray(0);
+}
+
+void ProgramCache::release(QOpenGLFunctions_4_1_Core& gl) {
+  programs_.clear();
+  gl.glDeleteVertexArrays(1, &vertexArray_);
+  vertexArray_ = 0;
+}
+
 void ProgramCache::makeRoom() {
-  if (programs_.size() < mostPrograms) return;
+  if (programs_.size() < maxPrograms) return;
   programs_.erase(std::ranges::min_element(programs_, {}, [](const auto& entry) { return entry.second.lastUse; }));
 }
 
@@ -164,6 +189,7 @@ std::unique_ptr<QOpenGLShaderProgram> ProgramCache::compiled(const QString& frag
                                                              const QStringList& preamble) const {
   if (compileListener_) compileListener_();
   const PassShaders shaders{assembleShader("preview/fullscreen.vert"), assembleShader(fragment, definitions, preamble)};
+  writeForReading(fragment, shaders.fragment);
   if (flatVectors_)
     if (auto program = linkedWithFlatUniforms(shaders, *flatVectors_)) return program;
   return linked(shaders, fragment);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <QByteArray>
+#include <QOpenGLFunctions_4_1_Core>
 #include <QOpenGLShaderProgram>
+#include <QStringList>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -31,16 +33,23 @@ PassShaders withFlatUniforms(const PassShaders& shaders, int vectors);
 
 /// The linked programs of the fullscreen passes of one OpenGL context. Each combination of scene, base and edits has
 /// its own, so that only those that were used last are kept. The context must be current in all calls.
+///
+/// With the environment variable GONIO_SHADER_OUTPUT=FOLDER, each fragment shader is written to that folder when it is
+/// compiled, complete and before withFlatUniforms(): NAME-1.frag, NAME-2.frag, ... The comment `// FILE` precedes the
+/// text of each file.
 class ProgramCache {
  public:
   /// More than a single picture needs, and more than the combinations that a user is likely to switch between. A
   /// program of a scene takes about 2 MB with software OpenGL.
-  static constexpr std::size_t mostPrograms = 32;
+  static constexpr std::size_t maxPrograms = 32;
 
   /// The program with the given fragment shader, assembled and linked unless it is kept. The reference is valid until
-  /// mostPrograms other programs were used. @throws Error with the compiler's log.
-  QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions, const QStringList& preamble);
-  void clear() { programs_.clear(); }
+  /// maxPrograms other programs were used. @throws Error with the compiler's log.
+  QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions = {},
+                                const QStringList& preamble = {});
+  /// Draws the whole viewport with the bound program.
+  void drawFullscreen(QOpenGLFunctions_4_1_Core& gl);
+  void release(QOpenGLFunctions_4_1_Core& gl);
 
   /// The listener is called before a program is compiled, which can take a second.
   void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
@@ -62,6 +71,7 @@ class ProgramCache {
   std::optional<int> flatVectors_;
   std::map<QString, LinkedProgram> programs_;
   std::uint64_t uses_ = 0;
+  GLuint vertexArray_ = 0;
 };
 
 }  // namespace gonio::widgets

@@ -10,7 +10,6 @@
 #include "core/factorization/pdv_factors.h"
 #include "core/models/model.h"
 #include "widgets/preview/gl/model_uniforms.h"
-#include "widgets/preview/gl/preview_resources.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {

@@ -27,9 +27,10 @@ QByteArray readShader(const QString& name) {
 void appendExpanded(QByteArray& text, const QString& name, QSet<QString>& included) {
   if (included.contains(name)) return;
   included.insert(name);
+  text += "// " + name.toUtf8() + '\n';
   for (const QByteArray& line : readShader(name).split('\n')) {
     const QByteArray trimmed = line.trimmed();
-    if (trimmed == "#pragma once") continue;
+    if (trimmed == "#pragma once" || trimmed.startsWith("// SPDX-")) continue;
     if (trimmed.startsWith("#include"))
       appendExpanded(text, QString::fromUtf8(trimmed.mid(8).trimmed().replace('"', "")), included);
     else

@@ -9,8 +9,9 @@
 namespace gonio::widgets {
 
 /// Source of a shader in shaders/, e.g. "preview/scene.frag", with its #include "file" lines replaced by those files
-/// (each once): files of shaders/, formulas "core/models/FILE.glsl", and the models of modelFile(). Read from the
-/// program's resources or, during development, from the folder of the sources in GONIO_SHADER_DIR.
+/// (each once, after a comment with its name): files of shaders/, formulas "core/models/FILE.glsl", and the models of
+/// modelFile(). Read from the program's resources or, during development, from the folder of the sources in
+/// GONIO_SHADER_DIR.
 /// @throws gonio::Error that names the missing file.
 QByteArray shaderText(const QString& name);
 

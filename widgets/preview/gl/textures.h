@@ -19,6 +19,32 @@ inline constexpr const char* openGlTooOld =
     "the graphics driver does not support OpenGL 4.1 (core profile); update the driver, or start Gonio with the "
     "environment variable LIBGL_ALWAYS_SOFTWARE=1 (software rendering by Mesa)";
 
+/// The texture units of all passes. A pass binds its own; units that two passes share are never bound in one.
+enum TextureUnit {
+  tableUnit,
+  environmentUnit,
+  lightPoolUnit,
+  lightPoolRadianceUnit,
+  accumulationUnit,
+  otherAccumulationUnit,
+  colourMapUnit,
+  factorUnit,
+  firstBlendUnit,  ///< and the following ones, one per material
+  endOfBlendUnits = firstBlendUnit + 4,
+  firstDecoderUnit = endOfBlendUnits,  ///< and the three after it; together 16 units, which every card has
+  // The units of the display pass and of the decoder are free while a picture is rendered. An RGL file may occur
+  // together with the tables of a blend; its visible normals use the unit of the table.
+  rglRowUnit = accumulationUnit,
+  rglColourUnit = otherAccumulationUnit,
+  rglDistributionUnit = firstDecoderUnit + 2,
+  rglAreaUnit = firstDecoderUnit + 3,
+  baseNodeUnit = firstBlendUnit,  ///< nodes of a table by angle of incidence, which never occurs with a blend
+  // Nothing is decoded while a picture is rendered.
+  densityCellUnit = firstDecoderUnit,
+  densityRowUnit,
+  meshUnit = colourMapUnit,
+};
+
 /// Uploads for the preview's shaders. Each function creates the texture if `texture` is 0, else replaces its content.
 
 /// RGBA32F of (rgb * valid, valid): x phi_d (repeats), y theta_d, z theta_h (shaders/preview/table.glsl).
