@@ -7,8 +7,7 @@
 
 namespace gonio::editing {
 
-/// A drag of control points on a curve; the curve follows the points smoothly. Interpolation is monotone cubic, without
-/// overshoot between the points.
+/// A drag of control points on a curve; the curve follows the points smoothly, without overshoot between them.
 struct CurveDrag {
   enum class Mode {
     add,      ///< amounts are added to the curve; 0: no change
@@ -21,8 +20,10 @@ struct CurveDrag {
 };
 
 /// The curve after the drag: stretched along its axis as the points move (the ends of the axis stay fixed), then
-/// changed by the amounts, interpolated between the points. Detail between the points is preserved; negative values
-/// become 0. @param nodes strictly increasing, one per value of the curve.
+/// changed by the difference (add) or the ratio (multiply) of two monotone cubics: that through the values of the
+/// points after the drag, and that through their values before it. Detail between the points is preserved. Where the
+/// curve rises or falls between two points, it does so after the drag, as the points do. Negative values become 0.
+/// @param nodes strictly increasing, one per value of the curve.
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag);
 
 /// Selects nodes, including the ends, such that a monotone cubic through them approximates the curve to within

@@ -132,29 +132,40 @@ void CurveEditor::cancelDrag() {
   layOut();
 }
 
+double CurveEditor::reachableDistance(double pixels) const {
+  // Beside a neighbour that stays, or at the ends of the axis. Points that are close to each other move half way.
+  constexpr double closest = 8;
+  for (std::size_t i = 1; i < m_points.size(); ++i) {
+    const bool isEnd = m_pointsBefore[i - 1] <= 0, moves = m_selected[i] && m_pointsBefore[i] < m_view.last;
+    const bool moved = m_selected[i - 1] && !isEnd;
+    if (moves == moved) continue;
+    const double apart = m_view.toX(m_pointsBefore[i]) - m_view.toX(m_pointsBefore[i - 1]);
+    const double room = apart - std::min(closest, apart / 2);
+    pixels = moves ? std::max(pixels, -room) : std::min(pixels, room);
+  }
+  return pixels;
+}
+
 void CurveEditor::dragBy(const QPointF& pixels) {
   using editing::CurveDrag;
   const std::vector<double> shown = shownCurve(m_curvesBefore), slopes = monotoneSlopes(m_nodes, shown);
   CurveDrag drag{.from = m_pointsBefore, .to = m_pointsBefore, .amounts = {}};
   std::vector<double> factors, differences;
   const double nearly = 1e-3 * m_view.high;
+  const double distance = reachableDistance(pixels.x());
   bool reachable = true;  // by factors
   for (std::size_t i = 0; i < drag.to.size(); ++i) {
     const double before = evaluateMonotoneCubic(m_nodes, shown, slopes, m_pointsBefore[i]);
     double after = before;
     if (m_selected[i]) {
       if (drag.to[i] > 0 && drag.to[i] < m_view.last)
-        drag.to[i] = m_view.toPlace(m_view.toX(m_pointsBefore[i]) + pixels.x());
+        drag.to[i] = m_view.toPlace(m_view.toX(m_pointsBefore[i]) + distance);
       if (pixels.y() != 0) after = m_view.toValue(m_view.toY(before) + pixels.y());
       reachable = reachable && (after == before || before > (m_view.logarithmic ? m_view.low : nearly));
     }
     factors.push_back(before > 0 ? after / before : 1);
     differences.push_back(after - before);
   }
-  // Points keep their order: one that would pass its neighbour stops beside it.
-  const double gap = 1e-4 * m_view.last;
-  for (std::size_t i = 1; i < drag.to.size(); ++i) drag.to[i] = std::max(drag.to[i], drag.to[i - 1] + gap);
-  for (std::size_t i = drag.to.size() - 1; i-- > 0;) drag.to[i] = std::min(drag.to[i], drag.to[i + 1] - gap);
   drag.mode =
       reachable && (m_view.logarithmic || m_channel == allChannels) ? CurveDrag::Mode::multiply : CurveDrag::Mode::add;
   drag.amounts = drag.mode == CurveDrag::Mode::multiply ? factors : differences;

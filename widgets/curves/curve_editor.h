@@ -84,6 +84,8 @@ class CurveEditor : public QWidget {
   void select(int point, bool extend);
   /// Moves the selected points by pixels, relative to the start of the drag.
   void dragBy(const QPointF& pixels);
+  /// The part of a horizontal move that keeps the selected points between their neighbours.
+  double reachableDistance(double pixels) const;
   void beginDrag();
   void cancelDrag();
   void hover(const QPointF& position);

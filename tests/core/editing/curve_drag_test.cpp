@@ -55,6 +55,23 @@ class CurveDragTest : public QObject {
     QVERIFY(std::is_sorted(moved.rbegin(), moved.rend()));
   }
 
+  /// Between two points a falling curve falls, however high or far one of them is dragged: no dip, no wall behind it.
+  void aFallingCurveFallsBetweenThePoints() {
+    const auto curve = curveOf([](double x) { return 1 / (1 + 400 * x * x); });
+    for (const auto mode : {CurveDrag::Mode::add, CurveDrag::Mode::multiply})
+      for (const double height : {0.004, 0.1, 0.5, 0.9})
+        for (const double place : {0.3, 0.5, 1.2}) {
+          const double before = 1 / (1 + 400 * 0.25);
+          const double amount = mode == CurveDrag::Mode::add ? height - before : height / before;
+          const double none = mode == CurveDrag::Mode::add ? 0 : 1;
+          const auto dragged = draggedCurve(nodes(), curve, {{0, 0.5, 2}, {0, place, 2}, {none, amount, none}, mode});
+          QVERIFY(std::is_sorted(dragged.rbegin(), dragged.rend()));
+          QVERIFY(std::abs(dragged[std::size_t(std::lround(100 * place))] - height) < 1e-9);
+          QCOMPARE(dragged.front(), curve.front());
+          QCOMPARE(dragged.back(), curve.back());
+        }
+  }
+
   void nothingFallsBelowZero() {
     const auto curve = curveOf([](double) { return 1.0; });
     for (const double value : draggedCurve(nodes(), curve, {{0, 1, 2}, {0, 1, 2}, {0, -5, 0}})) QVERIFY(value >= 0);
