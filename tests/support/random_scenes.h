@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/rendering/scene.h"
+#include "core/rendering/scene_light.h"
 #include "tests/support/simple_meshes.h"
 
 /// Shapes and scenes of shapes drawn by chance, and points on them.
@@ -48,6 +49,25 @@ inline std::vector<Direction> surfacePoints(const rendering::Shape& shape, int c
   std::vector<Direction> points;
   for (int i = 0; i < count; ++i) points.push_back(randomSurfacePoint(shape, random).position);
   return points;
+}
+
+/// A way from a place to a source, drawn by chance; length 0 where the source does not send that way.
+struct Way {
+  Direction direction{0};
+  double length = 0;
+};
+inline Way randomWay(const Scene& scene, const SceneLight& light, const Direction& from, std::mt19937_64& random) {
+  if (light.kind == SceneLight::Kind::directional)
+    return {scene.directionalLights[light.index].toLight, std::numeric_limits<double>::infinity()};
+  if (light.kind == SceneLight::Kind::environment)
+    return {randomDirection(random), std::numeric_limits<double>::infinity()};
+  const SurfacePoint end = light.kind == SceneLight::Kind::point
+                               ? SurfacePoint{scene.pointLights[light.index].position, Direction(0)}
+                               : randomSurfacePoint(scene.objects[light.index].shape, random);
+  const double length = glm::length(end.position - from);
+  const Direction direction = (end.position - from) / length;
+  if (light.kind == SceneLight::Kind::rectangle && !(glm::dot(end.normal, direction) < 0)) return {};
+  return {direction, length};
 }
 
 }  // namespace gonio::test

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/test_program.h"
+#include "tests/widgets/pixels.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/half_difference_chart.h"
@@ -202,9 +203,12 @@ class AcquisitionChartsTest : public QObject {
   void aMarkedSampleIsDrawnOtherwise() {
     Shown<HalfDifferenceChart> shown;
     const QPointF at = shown.chart.places(2)[0];
-    const QColor before = shown.colourAt(at);
+    const PlotStyle style = PlotStyle::of(shown.chart.palette());
+    QCOMPARE(shown.colourAt(at), style.text);
     shown.chart.setCurrent(2);
-    QVERIFY(shown.colourAt(at) != before);
+    QCOMPARE(shown.colourAt(at), style.accent);
+    shown.chart.setCurrent(-1);
+    QCOMPARE(shown.colourAt(at), style.text);
     shown.chart.setSamples({samples()[0]});
     QCOMPARE(shown.chart.current(), -1);
   }
@@ -226,12 +230,17 @@ class AcquisitionChartsTest : public QObject {
     QCOMPARE(curve.pointAt(*curve.place(1) + QPointF(3, -2)), 1);
     QCOMPARE(curve.pointAt((*curve.place(1) + *curve.place(2)) / 2), -1);
     QTest::qWait(0);
-    const QColor dot = curve.grab().toImage().pixelColor(curve.place(1)->toPoint());
-    QVERIFY(dot != curve.palette().color(QPalette::Base));
-    const QImage before = curve.grab().toImage();
+    // Each point is a dot in the colour of fits; that of 20 samples gets a ring in the accent's colour, no other does.
+    const PlotStyle style = PlotStyle::of(curve.palette());
+    const auto ringed = [&](int point) { return test::colouredAround(curve, *curve.place(point), 7.5, style.accent); };
+    for (const int point : {0, 1, 2}) {
+      const QColor dot = curve.grab().toImage().pixelColor(curve.place(point)->toPoint());
+      QVERIFY(test::isNear(dot, style.colour(SeriesRole::fit)));
+      QVERIFY(ringed(point) < 0.4);  // where the line crosses
+    }
     curve.setMarked(20);
     QTest::qWait(0);
-    QVERIFY(curve.grab().toImage() != before);
+    QVERIFY(ringed(1) > 0.9 && ringed(0) < 0.4 && ringed(2) < 0.4);
   }
 };
 

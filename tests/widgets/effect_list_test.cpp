@@ -25,15 +25,18 @@ class EffectListTest : public QObject {
     costs.effects[std::size_t(Effect::interreflection)] = {
         .effect = Effect::interreflection, .seconds = -0.004, .secondsNoise = 0.01};
     EffectList list;
-    QCOMPARE(list.costOf(Effect::castShadows).text(), "-");
+    const QLabel &shadows = list.costOf(Effect::castShadows), &reflections = list.costOf(Effect::interreflection);
+    const QString none = shadows.text();
+    QVERIFY(!none.contains(QRegularExpression("[0-9]")));
     list.setCosts(costs);
-    QCOMPARE(list.costOf(Effect::castShadows).text(), "50.0 ms (25 %)");
-    QCOMPARE(list.costOf(Effect::castShadows).toolTip(),
-             "CPU time that the effect adds to the image: 50.0 ± 10.0 ms. The effect "
-             "changes the image by 2 %; noise alone changes it by 0.1 %.");
-    QCOMPARE(list.costOf(Effect::interreflection).text(), "within noise");
+    // 0.05 s of 0.2 s; the tip has the noise of both, too.
+    QVERIFY2(shadows.text().contains("50.0 ms") && shadows.text().contains("25 %"), qPrintable(shadows.text()));
+    for (const char* number : {"50.0 ± 10.0 ms", " 2 %", " 0.1 %"})
+      QVERIFY2(shadows.toolTip().contains(number), qPrintable(shadows.toolTip()));
+    QVERIFY(reflections.text() != none && !reflections.text().contains(QRegularExpression("[0-9]")));
     list.setCosts(std::nullopt);
-    QCOMPARE(list.costOf(Effect::castShadows).text(), "-");
+    QCOMPARE(shadows.text(), none);
+    QCOMPARE(reflections.text(), none);
   }
 };
 

@@ -116,10 +116,21 @@ class FigurePageTest : public QObject {
     QMouseEvent move(QEvent::MouseMove, to, m_page->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(m_page.get(), &move);
     const QImage during = m_page->grab().toImage();
-    const auto changed = [&](const QRectF& place) {
-      return before.copy(place.toRect()) != during.copy(place.toRect());
-    };
-    QVERIFY(changed(m_page->placeOf(0)) && changed(m_page->placeOf(1)));
+    for (const std::size_t picture : {0, 1}) {
+      // A white line between black ones, on all four sides; nothing else.
+      const QRect square(at(picture, 0.2, 0.2), at(picture, 0.6, 0.6));
+      const QPoint middle = square.center();
+      for (const auto& [side, across] : {std::pair(QPoint(square.left(), middle.y()), QPoint(1, 0)),
+                                         {QPoint(square.right(), middle.y()), QPoint(1, 0)},
+                                         {QPoint(middle.x(), square.top()), QPoint(0, 1)},
+                                         {QPoint(middle.x(), square.bottom()), QPoint(0, 1)}}) {
+        QCOMPARE(during.pixelColor(side), QColor(Qt::white));
+        for (const QPoint& beside : {side - across, side + across})
+          QCOMPARE(during.pixelColor(beside), QColor(Qt::black));
+        for (const QPoint& beyond : {side - 3 * across, side + 3 * across})
+          QCOMPARE(during.pixelColor(beyond), QColor(Qt::white));
+      }
+    }
     QTest::mouseRelease(m_page.get(), Qt::LeftButton, {}, to);
     QVERIFY(m_page->grab().toImage() == before);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/test_program.h"
+#include "tests/widgets/pixels.h"
 #include "tests/widgets/plot_test_support.h"
 
 namespace plots_test {
@@ -34,14 +35,73 @@ class PlotsTest : public QObject {
     QVERIFY(!plot.findChildren<QLabel*>().last()->isVisible());
   }
 
-  void everyPlotDrawsItsCurves() {
-    for (const auto& plot : allPlots()) {
+  /// Reflectances of 1 and 1/2: in the direction of the normal one lobe is twice as long as the other.
+  void polarCurvesAreAsLongAsTheirValues() {
+    const auto plot = polarPlot();
+    const PolarGeometry place = PolarGeometry::filling(plot->size(), plot->fontMetrics().height());
+    const QImage picture = plot->grab().toImage();
+    const auto length = [&](SeriesRole role) {
+      const QColor colour = PlotStyle::of(plot->palette()).colour(role);
+      double longest = 0;
+      for (int y = 0; y < int(place.centre.y()) - 5; ++y)
+        for (int x = -12; x <= 12; ++x)  // the lines are broken
+          if (const QPoint at(int(place.centre.x()) + x, y);
+              place.fractionOf(at) <= 1 && test::isNear(picture.pixelColor(at), colour))
+            longest = std::max(longest, place.fractionOf(at));
+      return longest;
+    };
+    const double measured = length(SeriesRole::measured), edited = length(SeriesRole::edited);
+    QVERIFY2(edited > 0.1 && std::abs(measured / edited - 2) < 0.1,
+             qPrintable(QString("%1 %2").arg(measured).arg(edited)));
+  }
+
+  /// In each column the curve of the larger reflectance is the higher one; both cross the chart.
+  void largerValuesAreHigher() {
+    for (Plot* plot : {static_cast<Plot*>(cartesianPlot().release()), static_cast<Plot*>(albedoPlot().release())}) {
+      const std::unique_ptr<Plot> owner(plot);
       const QImage picture = plot->grab().toImage();
-      QSet<QRgb> colours;
-      for (int y = 0; y < picture.height(); y += 2)
-        for (int x = 0; x < picture.width(); x += 2) colours << picture.pixel(x, y);
-      QVERIFY2(colours.size() > 8, qPrintable(plot->title()));
+      const PlotStyle style = PlotStyle::of(plot->palette());
+      int columns = 0;
+      for (int x = picture.width() / 5; x < picture.width() * 3 / 5; ++x) {
+        std::optional<int> measured, edited;
+        for (int y = 0; y < picture.height() * 4 / 5; ++y) {  // the legend is above the curves
+          if (test::isNear(picture.pixelColor(x, y), style.colour(SeriesRole::measured))) measured = y;
+          if (test::isNear(picture.pixelColor(x, y), style.colour(SeriesRole::edited))) edited = y;
+        }
+        if (!measured || !edited) continue;
+        ++columns;
+        QVERIFY2(*measured < *edited, qPrintable(plot->title()));
+      }
+      QVERIFY2(columns > 40, qPrintable(QString("%1 %2").arg(plot->title()).arg(columns)));
     }
+  }
+
+  /// The larger reflectance is the brighter slice; below the horizon there is nothing.
+  void slicesAreAsBrightAsTheirValues() {
+    const auto slice = slicePlot();
+    const QImage picture = slice->grab().toImage();
+    const auto at = [&](std::size_t panel, double thetaH, double thetaD) {
+      return picture.pixelColor(slice->position(panel, radians(thetaH), radians(thetaD)).toPoint());
+    };
+    for (const double thetaD : {5.0, 20.0, 35.0})
+      QVERIFY(at(0, 10, thetaD).lightness() > at(1, 10, thetaD).lightness());
+    QVERIFY(at(0, 80, 80) != at(0, 10, 20));
+    QCOMPARE(at(0, 80, 80), at(1, 80, 80));
+  }
+
+  /// Side by side at one scale, a lobe of half the values covers less.
+  void lobesAreAsLargeAsTheirValues() {
+    const auto lobe = lobePlot();
+    const QImage picture = lobe->grab().toImage();
+    const QColor paper = PlotStyle::of(lobe->palette()).background;
+    const auto covered = [&](int left) {
+      int count = 0;
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = left; x < left + picture.width() / 2; ++x) count += !test::isNear(picture.pixelColor(x, y), paper);
+      return count;
+    };
+    const double ratio = double(covered(0)) / covered(picture.width() / 2);
+    QVERIFY2(ratio > 1.5 && ratio < 5, qPrintable(QString::number(ratio)));
   }
 
   void arrowKeysTurnTheAngleOfIncidence() {

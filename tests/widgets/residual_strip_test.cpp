@@ -3,6 +3,7 @@
 #include "widgets/curves/residual_strip.h"
 
 #include <QTest>
+#include <algorithm>
 
 #include "tests/support/test_program.h"
 #include "widgets/curves/curve_editor.h"
@@ -41,15 +42,29 @@ class ResidualStripTest : public QObject {
                qPrintable(reported({0, fraction, 0})));
   }
 
-  /// The scale is a round share above the largest; what is above 1 is drawn up to the frame's top.
+  /// The scale is a round share above the largest.
   void theScaleHoldsTheLargest() {
     ResidualStrip strip(m_editor);
     for (const auto& [largest, scale] : {std::pair(0.004, 0.01), {0.05, 0.05}, {0.051, 0.1}, {0.7, 1.0}, {3.0, 1.0}}) {
       strip.setFractions({0, largest, 0}, "1 term");
       QCOMPARE(strip.scale(), scale);
     }
-    strip.resize(300, 60);
-    strip.grab();
+  }
+
+  /// The area ends at the fraction of the scale; what is above 1 at the frame's top.
+  void theAreaHasTheHeightOfTheFractions() {
+    ResidualStrip strip(m_editor);
+    strip.resize(m_editor.width(), 100);
+    const double top = strip.fontMetrics().height(), bottom = strip.height() - 3;
+    const QColor paper = PlotStyle::of(strip.palette()).background;
+    for (const double fraction : {0.25, 0.5, 0.75, 3.0}) {
+      strip.setFractions({1, fraction, 1}, "1 term");
+      const QImage picture = strip.grab().toImage();
+      const int x = int(m_editor.toX(0.5));
+      const double edge = bottom - std::min(1.0, fraction) * (bottom - top);
+      QVERIFY(picture.pixelColor(x, int(edge) + 6) != paper && picture.pixelColor(x, int(bottom) - 4) != paper);
+      if (fraction < 1) QCOMPARE(picture.pixelColor(x, int(edge) - 6), paper);
+    }
   }
 };
 

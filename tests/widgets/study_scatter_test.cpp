@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "tests/support/test_program.h"
+#include "tests/widgets/pixels.h"
 #include "tests/widgets/pointer.h"
 
 namespace study_scatter_test {
@@ -121,13 +122,17 @@ class StudyScatterTest : public QObject {
     QVERIFY(hint->isVisible() && !shown.scatter.place(0));
   }
 
+  /// A ring in the accent's colour about the point that is shown, about none other.
   void marksAreDrawn() {
     Shown shown;
-    QTest::qWait(0);
-    const QImage before = shown.scatter.grab().toImage();
-    shown.scatter.setMarks(2, 0);
-    QTest::qWait(0);
-    QVERIFY(shown.scatter.grab().toImage() != before);
+    const QColor accent = PlotStyle::of(shown.scatter.palette()).accent;
+    const auto ringed = [&](int point) { return test::colouredAround(shown.chart, shown.at(point), 8.5, accent); };
+    for (const int marked : {-1, 2, 1}) {
+      shown.scatter.setMarks(marked, 0);
+      QTest::qWait(0);
+      for (const int point : {0, 1, 2})
+        QVERIFY2((point == marked) ? ringed(point) > 0.8 : ringed(point) < 0.2, qPrintable(QString::number(point)));
+    }
   }
 };
 

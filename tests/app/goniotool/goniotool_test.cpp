@@ -5,12 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/documents/open_material.h"
 #include "core/editing/edit.h"
 #include "core/io/image_io.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
+#include "core/rendering/render_picture.h"
 #include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/function_brdf.h"
 #include "tests/support/grain.h"
 #include "tests/support/table_file.h"
 #include "tests/support/test_program.h"
@@ -123,6 +126,14 @@ class GoniotoolTest : public QObject {
     const auto snr = [&](const QString& table) {
       return runJson({"compare", material, table, "--size", "48", "--samples", "16"}).json["renderedSnr"].get<double>();
     };
+    const auto table = readTable(folded);
+    const auto mean = meanOfBothOrders(editing::openMaterial("library:rgl/satin_purple").brdf);
+    for (std::size_t node = 0; node < table->grid().size(); node += 997) {
+      if (!table->grid().nodeWithin(node, radians(85))) continue;
+      const DirectionPair at = table->grid().directions(node);
+      const Rgb expected = mean.evaluate(at.wi, at.wo), found = table->evaluate(at.wi, at.wo);
+      QVERIFY(maxChannel(glm::abs(found - expected)) <= 1e-4 * maxChannel(expected) + 1e-6);
+    }
     const double ofFolded = snr(folded), ofWhole = snr(whole);
     qInfo("folded %.1f dB, whole circle %.1f dB", ofFolded, ofWhole);
     QVERIFY(ofWhole > ofFolded + 6);
@@ -145,6 +156,25 @@ class GoniotoolTest : public QObject {
                       result.json["grazingCells"].get<int>();
     QCOMPARE(std::size_t(cells), smallGrid.size());
     QVERIFY(metrics::brdfErrors(*readTable(plastic_), *readTable(out))[0] < 1e-5);
+  }
+
+  /// GGX contains the Lambertian model: of any measurement its error is not the larger, and its parameters are allowed.
+  void fitsOfMeasurements_data() {
+    QTest::addColumn<QString>("material");
+    for (const char* name : {"rgl/vch_golden_yellow", "rgl/paper_blue", "merl-copy/chrome", "merl-copy/white-fabric"})
+      QTest::newRow(name) << QString("library:") + name;
+  }
+  void fitsOfMeasurements() {
+    QFETCH(QString, material);
+    const ToolResult matte = runJson({"fit", material, "--model", "lambert"}),
+                     result = runJson({"fit", material, "--model", "ggx"});
+    VERIFY_SUCCESS(matte);
+    VERIFY_SUCCESS(result);
+    const models::ModelSpec& spec = models::findModel("ggx").spec();
+    models::ParameterValues values = models::parametersFromJson(spec, result.json["parameters"], "parameters");
+    QVERIFY(models::clampToHardRange(spec, values).empty());
+    const double error = result.json["errors"]["log"].get<double>();
+    QVERIFY(error > 0 && error < matte.json["errors"]["log"].get<double>());
   }
 
   void fitAllRanksEveryModel() {
@@ -350,7 +380,17 @@ class GoniotoolTest : public QObject {
     QVERIFY(!different.json["identical"].get<bool>());
     for (const char* key : {"renderedSnr", "renderedPsnr", "brdfSnr"}) QVERIFY(different.json[key].is_number());
     QCOMPARE(different.json["scene"].get<std::string>(), "sphere-studio");
-    QVERIFY(different.json["errors"]["cosine-l2"].get<double>() > 0);
+    const auto plastic = readTable(plastic_), matte = readTable(matte_);
+    const std::vector<double> errors = metrics::brdfErrors(*plastic, *matte);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const std::string id(metrics::metricId(metrics::allBrdfMetrics()[i]));
+      QVERIFY2(std::abs(different.json["errors"][id].get<double>() / errors[i] - 1) < 1e-9, id.c_str());
+    }
+    QVERIFY(std::abs(different.json["brdfSnr"].get<double>() - metrics::brdfSignalToNoiseRatio(*plastic, *matte)) <
+            1e-9);
+    const RenderedComparison comparison(*plastic, {.width = 32, .height = 32, .samples = 4});
+    const double snr = comparison.signalToNoiseRatio(comparison.render(*matte));
+    QVERIFY(std::abs(different.json["renderedSnr"].get<double>() - snr) < 1e-9);
     for (const auto& record : gonio::metrics::imageMetricRecords()) {
       const double value = different.json["imageMetrics"][std::string(record.id)].get<double>();
       QVERIFY(value > 0 && (record.id != "ssim" || value < 1));

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/core/factorization/half_difference_test_support.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
@@ -80,6 +81,29 @@ class KautzMcCoolTest : public QObject {
           }
         });
     QVERIFY(std::abs(std::sqrt(left / total) / three.residuals[3] - 1) < 1e-6);
+  }
+
+  /// Eckart and Young 1936: no sum of as many products leaves less than the singular values that are left out, here of
+  /// the weighted matrix by Jacobi rotations. The residuals are that bound.
+  void residualsAreTheBestPossible() {
+    const auto s =
+        halfDifferenceSamples(axesWithoutHoles(), [](const auto& at, const auto&) { return manyProducts(at); });
+    const std::size_t differences = s.axes.thetaD.size() * s.axes.phiD.size();
+    Eigen::MatrixXd weighted(Eigen::Index(3 * s.axes.thetaH.size()), Eigen::Index(differences));
+    factorization::test_support::visitNodes(
+        s.axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair&) {
+          const double cosines = std::cos(s.axes.thetaH[h]) * std::cos(s.axes.thetaD[d]);
+          const double root = std::sqrt(projectedMeasure(s, h, d, p) / (s.cosI[i] * s.cosO[i])) * cosines;
+          for (int c = 0; c < 3; ++c)
+            weighted(Eigen::Index(3 * h) + c, Eigen::Index(d * s.axes.phiD.size() + p)) = root * s.values[i][c];
+        });
+    const Eigen::VectorXd values = test::singularValues(weighted);
+    const KautzMcCoolFactors f = factorizeKautzMcCool(s, 6), nonnegative = factorizeNonnegativeHalfDifference(s, 3);
+    for (Eigen::Index k = 0; k <= 6; ++k) {
+      const double best = values.tail(values.size() - k).norm() / values.norm();
+      QVERIFY2(std::abs(f.residuals[std::size_t(k)] / best - 1) < 1e-6, qPrintable(QString::number(k)));
+      if (k == 3) QVERIFY(nonnegative.residuals.back() >= best);
+    }
   }
 
   /// Exact for one product without negative values; never better than the SVD, the best of all sums of as many

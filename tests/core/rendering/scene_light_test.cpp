@@ -48,23 +48,6 @@ Scene randomScene(const std::vector<Shape>& known, std::mt19937_64& random) {
   return scene;
 }
 
-/// A way from a place to a source, drawn by chance; length 0 where the source does not send that way.
-struct Way {
-  Direction direction{0};
-  double length = 0;
-};
-Way randomWay(const Scene& scene, const SceneLight& light, const Direction& from, std::mt19937_64& random) {
-  if (light.kind == Kind::directional) return {scene.directionalLights[light.index].toLight, infinity};
-  if (light.kind == Kind::environment) return {randomDirection(random), infinity};
-  const SurfacePoint end = light.kind == Kind::point
-                               ? SurfacePoint{scene.pointLights[light.index].position, Direction(0)}
-                               : randomSurfacePoint(scene.objects[light.index].shape, random);
-  const double length = glm::length(end.position - from);
-  const Direction direction = (end.position - from) / length;
-  if (light.kind == Kind::rectangle && !(glm::dot(end.normal, direction) < 0)) return {};
-  return {direction, length};
-}
-
 struct Counts {
   int reached = 0, blocked = 0, seen = 0, noes = 0, freePairs = 0;
 };
