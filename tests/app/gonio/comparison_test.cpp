@@ -139,7 +139,7 @@ class ComparisonTest : public QObject {
     const widgets::PreviewSubject other = widgets::measuredSubject(lambertMaterial("other", 0.2)->table());
     editor.comparison.setStandIn(StandIn::representation, other, "PDV, 3 terms");
     QVERIFY(!banner.isHidden());
-    QCOMPARE(banner.text(), QString("Showing PDV, 3 terms instead of grey"));
+    QVERIFY(banner.text().contains("PDV, 3 terms") && banner.text().contains("grey"));
     std::vector<StandIn> dismissed;
     connect(&editor.comparison, &ComparisonController::standInDismissed, this,
             [&](StandIn kind) { dismissed.push_back(kind); });

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "app/gonio/figures/figure_file_buttons.h"
+#include "core/figures/draw_figure.h"
 #include "core/figures/figure_formats.h"
 #include "core/figures/figure_tables.h"
 #include "tests/app/gonio/figure_test_support.h"
@@ -15,6 +16,20 @@ using namespace gonio::rendering;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 using figures::FigureDescription;
+
+/// What the page of a view shows of a figure: the core's drawing of what is measured, at the page's resolution.
+QImage expectedPage(FigureView& view, const FigureDescription& description) {
+  const figures::FigureMeasurement part = figures::knownPart(description, view.controller().known());
+  const figures::TextWidth width = figures::cairoTextWidth(description.font);
+  const double pageWidth = figures::figureLayout(description, part, width).width;
+  const figures::Raster raster =
+      figures::figureRaster(figures::drawFigure(description, part, width), view.page().pageWidth() / pageWidth * 25.4);
+  widgets::FigurePage page;
+  page.setPalette(view.page().palette());
+  page.resize(view.page().size());
+  page.setPage(QImage(raster.rgba.data(), raster.width, raster.height, 4 * raster.width, QImage::Format_RGBA8888), {});
+  return page.grab().toImage();
+}
 
 /// Measuring a figure, and its files.
 class FigureMakingTest : public QObject {
@@ -35,13 +50,16 @@ class FigureMakingTest : public QObject {
     QVERIFY(editor.settled(*dialog));
     QVERIFY2(dialog->view().status().startsWith("Every cell is measured"), qPrintable(dialog->view().status()));
     QVERIFY(dialog->view().page().grab().toImage() != page);
+    QVERIFY(dialog->view().page().grab().toImage() == expectedPage(dialog->view(), figure));
     const figures::FigureMeasurement measured = controller.known();
     const auto redraws = [&](const auto& change) {
       page = dialog->view().page().grab().toImage();
       change(figure);
       dialog->setDescription(figure);
       if (controller.isMeasuring() || !editor.settled(*dialog)) return false;
-      return dialog->view().page().grab().toImage() != page && dialog->view().status().startsWith("Every cell");
+      const QImage drawn = dialog->view().page().grab().toImage();
+      return drawn != page && drawn == expectedPage(dialog->view(), figure) &&
+             dialog->view().status().startsWith("Every cell");
     };
     QVERIFY(redraws([](FigureDescription& f) { f.materials[0].label = "mirror"; }));
     QVERIFY(redraws([](FigureDescription& f) { f.representations[0].label = "theirs"; }));

@@ -48,10 +48,10 @@ class ScenePanelTest : public QObject {
     QTRY_COMPARE(content().scene().name, std::string("sphere-point-light"));
     QVERIFY(content().plan().simulates(Effect::castShadows) && content().plan().simulates(Effect::directLight));
     QVERIFY(!content().plan().simulates(Effect::environmentLight));
-    QVERIFY(shows("the sphere may occlude the point light from the ground"));
+    QVERIFY(shows(QString::fromStdString(content().plan()[Effect::castShadows].reason)));
     choose("bowl");
     QTRY_VERIFY(content().plan().simulates(Effect::selfShadowing));
-    QVERIFY(shows("the bowl is not convex"));
+    QVERIFY(shows(QString::fromStdString(content().plan()[Effect::selfShadowing].reason)));
   }
 
   /// The environment and the background that the user chose stay when the scene changes; until then, and after "As the
