@@ -25,9 +25,6 @@ class EffectList : public QWidget {
   void setCosts(const std::optional<EffectCosts>& costs);
   void setOverrides(const EffectOverrides& overrides);
   EffectOverrides overrides() const;
-  /// The switch of an effect: auto, on, off.
-  QComboBox& switchOf(Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
-  QLabel& costOf(Effect effect) const { return *m_rows[std::size_t(effect)].cost; }
 
  Q_SIGNALS:
   /// By the user.
