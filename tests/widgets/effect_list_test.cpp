@@ -25,7 +25,8 @@ class EffectListTest : public QObject {
     costs.effects[std::size_t(Effect::interreflection)] = {
         .effect = Effect::interreflection, .seconds = -0.004, .secondsNoise = 0.01};
     EffectList list;
-    const QLabel &shadows = list.costOf(Effect::castShadows), &reflections = list.costOf(Effect::interreflection);
+    const QList<QLabel*> labels = list.findChildren<QLabel*>("cost");
+    const QLabel &shadows = *labels.at(int(Effect::castShadows)), &reflections = *labels.at(int(Effect::interreflection));
     const QString none = shadows.text();
     QVERIFY(!none.contains(QRegularExpression("[0-9]")));
     list.setCosts(costs);

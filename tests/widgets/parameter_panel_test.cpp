@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/parameters/parameter_panel.h"
+#include "tests/widgets/child.h"
 
 #include <QComboBox>
 #include <QSignalSpy>
@@ -27,6 +28,12 @@ class ParameterPanelTest : public QObject {
   const models::ModelSpec& m_spec = models::ggx().spec();
   std::size_t index(const char* id) const { return *m_spec.find(id); }
   static ParameterLine* line(const ParameterRow* row, int n) { return row->findChildren<ParameterLine*>().at(n); }
+
+  static QToolButton* resetButton(const ParameterLine* line) {
+    for (QToolButton* button : line->findChildren<QToolButton*>())
+      if (button->accessibleName().startsWith("Reset")) return button;
+    return nullptr;
+  }
 
   /// A panel whose owner takes every value, as the document does.
   struct Owned {
@@ -166,11 +173,11 @@ class ParameterPanelTest : public QObject {
     QCOMPARE(owned.finished, 1);
     QVERIFY(row->isModified());
     QVERIFY(row->label()->font().bold());
-    QVERIFY(!row->resetButton()->isHidden());
+    QVERIFY(!resetButton(row)->isHidden());
     QTest::keyClick(row->slider(), Qt::Key_Backspace);
     QVERIFY(owned.values == owned.fitted);
     QVERIFY(!row->isModified());
-    QVERIFY(row->resetButton()->isHidden());
+    QVERIFY(resetButton(row)->isHidden());
   }
 
   void typingReachesTheHardRange() {
@@ -210,13 +217,14 @@ class ParameterPanelTest : public QObject {
     Owned owned(m_spec);
     const std::size_t diffuse = index("diffuse");
     ParameterRow* row = owned.panel.row(diffuse);
-    QVERIFY(!row->channelsShown());
-    row->setChannelsShown(true);
+    QVERIFY(line(row, 2)->isHidden());
+    test::child<QToolButton>(*row, "Channels of " + toQString(row->spec().label))->click();
+    QVERIFY(!line(row, 2)->isHidden());
     QVERIFY(row->findChild<ColourSwatch*>());
     const Rgb before = owned.values.values[diffuse];
     QTest::keyClick(line(row, 2)->slider(), Qt::Key_End);
     QVERIFY(owned.values.values[diffuse] == Rgb(before.x, 1, before.z));
-    QTest::mouseClick(line(row, 2)->resetButton(), Qt::LeftButton);
+    QTest::mouseClick(resetButton(line(row, 2)), Qt::LeftButton);
     QVERIFY(owned.values == owned.fitted);
   }
 

@@ -23,6 +23,12 @@ std::vector<PlausibilityCheck> checks() {
   return {energy, {.name = "reciprocity"}, negative, {.name = "non-finite"}, {.name = "extrapolated"}};
 }
 
+PlausibilityBadge* badge(const PlausibilityBadges& badges, int check) {
+  return badges.findChildren<PlausibilityBadge*>().at(check);
+}
+const QLabel& explanation(const PlausibilityBadges& badges) { return *badges.findChild<QLabel*>("explanation"); }
+QPushButton* showButton(const PlausibilityBadges& badges) { return badges.findChild<QPushButton*>(); }
+
 class PlausibilityBadgesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -30,13 +36,13 @@ class PlausibilityBadgesTest : public QObject {
   void badgesTellTheirState() {
     PlausibilityBadges badges;
     badges.setChecks(checks());
-    QCOMPARE(badges.badgeCount(), std::size_t(5));
-    QCOMPARE(badges.badge(0)->state(), PlausibilityBadge::State::failed);
-    QCOMPARE(badges.badge(1)->state(), PlausibilityBadge::State::passed);
-    QVERIFY(badges.badge(0)->accessibleName().contains("failed"));
-    QVERIFY(badges.badge(1)->accessibleName().contains("passed"));
+    QCOMPARE(badges.findChildren<PlausibilityBadge*>().size(), 5);
+    QCOMPARE(badge(badges, 0)->state(), PlausibilityBadge::State::failed);
+    QCOMPARE(badge(badges, 1)->state(), PlausibilityBadge::State::passed);
+    QVERIFY(badge(badges, 0)->accessibleName().contains("failed"));
+    QVERIFY(badge(badges, 1)->accessibleName().contains("passed"));
     badges.setPending();
-    QCOMPARE(badges.badge(0)->state(), PlausibilityBadge::State::unknown);
+    QCOMPARE(badge(badges, 0)->state(), PlausibilityBadge::State::unknown);
   }
 
   /// By keyboard: Space opens what it means, the worst value and its angle; again closes it.
@@ -44,16 +50,16 @@ class PlausibilityBadgesTest : public QObject {
     PlausibilityBadges badges;
     badges.setChecks(checks());
     badges.show();
-    QVERIFY(badges.explanation()->isHidden());
-    QTest::keyClick(badges.badge(0), Qt::Key_Space);
-    QVERIFY(badges.explanation()->isVisible());
-    QVERIFY(badges.explanation()->text().contains("1.4") && badges.explanation()->text().contains("75"));
+    QVERIFY(explanation(badges).isHidden());
+    QTest::keyClick(badge(badges, 0), Qt::Key_Space);
+    QVERIFY(explanation(badges).isVisible());
+    QVERIFY(explanation(badges).text().contains("1.4") && explanation(badges).text().contains("75"));
     // Another one takes its place.
-    QTest::mouseClick(badges.badge(1), Qt::LeftButton);
-    QVERIFY(!badges.badge(0)->isChecked());
-    QVERIFY(badges.explanation()->text().contains("Passed") && badges.showButton()->isHidden());
-    QTest::keyClick(badges.badge(1), Qt::Key_Space);
-    QVERIFY(badges.explanation()->isHidden());
+    QTest::mouseClick(badge(badges, 1), Qt::LeftButton);
+    QVERIFY(!badge(badges, 0)->isChecked());
+    QVERIFY(explanation(badges).text().contains("Passed") && showButton(badges)->isHidden());
+    QTest::keyClick(badge(badges, 1), Qt::Key_Space);
+    QVERIFY(explanation(badges).isHidden());
   }
 
   /// "Show" names the check and the angle at which light falls in.
@@ -61,12 +67,12 @@ class PlausibilityBadgesTest : public QObject {
     PlausibilityBadges badges;
     badges.setChecks(checks());
     QSignalSpy wanted(&badges, &PlausibilityBadges::showRequested);
-    badges.badge(0)->click();
-    badges.showButton()->click();
+    badge(badges, 0)->click();
+    showButton(badges)->click();
     QCOMPARE(wanted.back().front().toString(), "energy");
     QVERIFY(std::abs(wanted.back().back().toDouble() - radians(75)) < 1e-9);
-    badges.badge(2)->click();
-    badges.showButton()->click();
+    badge(badges, 2)->click();
+    showButton(badges)->click();
     QCOMPARE(wanted.back().front().toString(), "negative");
     QVERIFY(std::abs(wanted.back().back().toDouble() - radians(30)) < 1e-9);
   }
@@ -74,9 +80,9 @@ class PlausibilityBadgesTest : public QObject {
   void nothingOpenIsSaid() {
     PlausibilityBadges badges;
     badges.setChecks(checks());
-    badges.badge(0)->click();
+    badge(badges, 0)->click();
     badges.clear();
-    QVERIFY(badges.explanation()->isHidden() && badges.badge(0)->isHidden());
+    QVERIFY(explanation(badges).isHidden() && badge(badges, 0)->isHidden());
     QVERIFY(!badges.findChild<QLabel*>()->isHidden());
   }
 };

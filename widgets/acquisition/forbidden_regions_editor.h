@@ -21,9 +21,6 @@ class ForbiddenRegionsEditor : public QWidget {
   explicit ForbiddenRegionsEditor(QWidget* parent = nullptr);
 
   const std::vector<acquisition::ForbiddenRegion>& regions() const { return m_regions; }
-  QTableWidget& table() const { return *m_table; }
-  QPushButton& addButton() const { return *m_add; }
-  QPushButton& removeButton() const { return *m_remove; }
 
  Q_SIGNALS:
   void regionsEdited();

@@ -26,7 +26,6 @@ class FigurePage : public QWidget {
   void setSquare(const std::optional<QRectF>& square);
   /// Whether the page is scaled so that the surrounding widget shows all of it.
   void setWhole(bool whole);
-  bool hasPage() const { return !m_page.isNull(); }
   /// Width of the page in screen pixels, for rendering it.
   int pageWidth() const;
   /// Position of a picture in the widget.

@@ -36,10 +36,6 @@ class MaterialSlotWidget : public QFrame {
   /// Enables the button Current, which puts the open material in the slot.
   void setCurrentAvailable(bool available);
 
-  QToolButton* currentButton() const { return m_current; }
-  QToolButton* fileButton() const { return m_file; }
-  QToolButton* clearButton() const { return m_clear; }
-
  Q_SIGNALS:
   /// @param id a file, or the id of a library material.
   void materialDropped(const QString& id);

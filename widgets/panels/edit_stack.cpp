@@ -39,6 +39,7 @@ EditRow::EditRow(QWidget* parent)
   }
   m_eye->setCheckable(true);
   m_delete->setIcon(glyphIcon(Glyph::close));
+  m_delete->setToolTip(tr("Deletes this edit"));
   m_name->setTextFormat(Qt::PlainText);
   m_name->setMinimumWidth(1);  // a long name must not widen the whole inspector
   m_nameField->setVisible(false);
@@ -46,6 +47,7 @@ EditRow::EditRow(QWidget* parent)
   m_nameField->installEventFilter(this);
   m_slider->setRange(0, 1, models::ParameterScale::linear);
   m_slider->setReference(1);
+  m_slider->setToolTip(tr("Strength: percentage of the change that is applied"));
   m_field->setRange(0, 1);
   m_field->setUnit(QStringLiteral("%"), percentScale);
   m_field->setStep(0.01);
@@ -81,37 +83,35 @@ EditRow::EditRow(QWidget* parent)
     if (m_nameField->isHidden()) return;  // hiding takes the focus and finishes once more
     const QString name = m_nameField->text();
     endRename();
-    if (name.trimmed() != m_ownName) Q_EMIT renamed(name.trimmed());
+    if (name.trimmed() != m_described->ownName) Q_EMIT renamed(name.trimmed());
   });
 }
 
 void EditRow::show(const EditEntry& entry) {
-  m_fullName = entry.name;
-  m_ownName = entry.ownName;
+  m_eye->setChecked(entry.enabled);
+  m_slider->setNumber(entry.strength);
+  m_slider->setModified(entry.strength != 1);
+  m_field->setValue(entry.strength);
+  if (m_described && m_described->hasSameTexts(entry)) return;
+  m_described = entry;
   elideName();
   m_name->setToolTip(entry.toolTip);
   m_name->setEnabled(entry.enabled);
-  m_eye->setChecked(entry.enabled);
   m_eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
   m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the image, the checks and exports")
                                   : tr("Includes this edit again"));
   m_eye->setAccessibleName(tr("%1 enabled").arg(entry.name));
-  m_slider->setNumber(entry.strength);
-  m_slider->setModified(entry.strength != 1);
-  m_slider->setToolTip(tr("Strength: percentage of the change that is applied"));
   m_slider->setAccessibleName(tr("Strength of %1").arg(entry.name));
-  m_field->setValue(entry.strength);
   m_field->setAccessibleName(tr("Strength of %1").arg(entry.name));
   m_effect->setText(entry.effect);
   m_effect->setVisible(!entry.effect.isEmpty());
-  m_delete->setToolTip(tr("Deletes this edit"));
   m_delete->setAccessibleName(tr("Delete %1").arg(entry.name));
   for (QWidget* control : std::initializer_list<QWidget*>{m_slider, m_field}) control->setEnabled(entry.enabled);
 }
 
 void EditRow::beginRename() {
-  m_nameField->setText(m_ownName);
-  m_nameField->setPlaceholderText(m_fullName);
+  m_nameField->setText(m_described->ownName);
+  m_nameField->setPlaceholderText(m_described->name);
   m_name->setVisible(false);
   m_nameField->setVisible(true);
   m_nameField->selectAll();
@@ -124,7 +124,8 @@ void EditRow::endRename() {
 }
 
 void EditRow::elideName() {
-  m_name->setText(m_name->fontMetrics().elidedText(m_fullName, Qt::ElideRight, std::max(1, m_name->width())));
+  if (!m_described) return;
+  m_name->setText(m_name->fontMetrics().elidedText(m_described->name, Qt::ElideRight, std::max(1, m_name->width())));
 }
 
 bool EditRow::eventFilter(QObject* watched, QEvent* event) {

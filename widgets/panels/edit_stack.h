@@ -5,6 +5,7 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -25,6 +26,11 @@ struct EditEntry {
   QString effect = {};   ///< measured effect, a line below the strength; empty: none
 
   bool operator==(const EditEntry&) const = default;
+  /// Whether all but the strength is equal, which changes with every step of a drag.
+  bool hasSameTexts(EditEntry other) const {
+    other.strength = strength;
+    return *this == other;
+  }
 };
 
 class NumberField;
@@ -65,7 +71,7 @@ class EditRow : public QWidget {
   NumberField* m_field;
   QToolButton* m_delete;
   QLabel* m_effect;
-  QString m_fullName, m_ownName;
+  std::optional<EditEntry> m_described;  ///< whose texts are shown
 };
 
 /// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and number,

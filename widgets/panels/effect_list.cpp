@@ -84,6 +84,7 @@ void EffectList::addRow(rendering::Effect effect) {
          "on: always, to verify that an effect left out by auto does not change the image.\n"
          "off: never, to see what the effect contributes."));
   row.choice->setFocusPolicy(Qt::StrongFocus);
+  row.cost->setObjectName(QStringLiteral("cost"));
   row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row.reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);

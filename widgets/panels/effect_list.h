@@ -25,9 +25,6 @@ class EffectList : public QWidget {
   void setCosts(const std::optional<rendering::EffectCosts>& costs);
   void setOverrides(const rendering::EffectOverrides& overrides);
   rendering::EffectOverrides overrides() const;
-  /// The switch of an effect: auto, on, off.
-  QComboBox& switchOf(rendering::Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
-  QLabel& costOf(rendering::Effect effect) const { return *m_rows[std::size_t(effect)].cost; }
 
  Q_SIGNALS:
   /// By the user.

@@ -77,6 +77,7 @@ PlausibilityBadges::PlausibilityBadges(QWidget* parent)
       m_explanation(new QLabel(this)),
       m_show(new QPushButton(tr("Show in Plot"), this)) {
   m_empty->setForegroundRole(QPalette::PlaceholderText);
+  m_explanation->setObjectName(QStringLiteral("explanation"));
   m_explanation->setWordWrap(true);
   m_explanation->setTextFormat(Qt::RichText);
   m_explanation->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -127,7 +128,8 @@ void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>
 
 void PlausibilityBadges::setPending() {
   m_empty->setText(tr("Checking..."));
-  for (PlausibilityBadge* badge : m_badges) badge->setState(PlausibilityBadge::State::unknown);
+  for (PlausibilityBadge* badge : m_badges)
+    if (badge->state() != PlausibilityBadge::State::unknown) badge->setState(PlausibilityBadge::State::unknown);
 }
 
 void PlausibilityBadges::clear() {

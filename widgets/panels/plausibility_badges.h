@@ -47,11 +47,6 @@ class PlausibilityBadges : public QWidget {
   /// Nothing to check.
   void clear();
 
-  PlausibilityBadge* badge(std::size_t check) const { return m_badges[check]; }
-  std::size_t badgeCount() const { return m_badges.size(); }
-  QLabel* explanation() const { return m_explanation; }
-  QPushButton* showButton() const { return m_show; }
-
  Q_SIGNALS:
   /// The user wants to display a check ("energy", "reciprocity", ...). @param theta polar angle of the worst value,
   /// rad: of the viewer for energy, of the light for the other checks.

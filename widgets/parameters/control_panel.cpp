@@ -122,6 +122,7 @@ void ControlPanel::addControl(ArtistControl control) {
                     "for every control.")
                      .arg(toQString(m_spec->name)));
   auto* changes = new QLabel(m_content);
+  changes->setObjectName(QStringLiteral("changes"));
   changes->setWordWrap(true);
   changes->setForegroundRole(QPalette::PlaceholderText);
   changes->setIndent(fontMetrics().height());
@@ -146,8 +147,10 @@ void ControlPanel::addDiffuse() {
 void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
   for (std::size_t i = 0; i < m_controls.size(); ++i) {
     const QStringList changes = changesOf(ArtistControl(i), edit);
-    m_controls[i].changes->setText(shortened(changes));
-    m_controls[i].changes->setToolTip(changes.size() > maxNamedChanges ? changes.join('\n') : QString());
+    QLabel& label = *m_controls[i].changes;
+    label.setText(shortened(changes));
+    const QString toolTip = changes.size() > maxNamedChanges ? changes.join('\n') : QString();
+    if (toolTip != label.toolTip()) label.setToolTip(toolTip);
   }
   placeChanges();
 }
@@ -160,10 +163,6 @@ void ControlPanel::placeChanges() {
 
 ParameterRow* ControlPanel::row(ArtistControl control) const {
   return m_controls.empty() ? nullptr : m_controls[std::size_t(control)].row;
-}
-
-QString ControlPanel::changesText(ArtistControl control) const {
-  return m_controls.empty() ? QString() : m_controls[std::size_t(control)].changes->text();
 }
 
 const ParameterRow* ControlPanel::currentRow() const {

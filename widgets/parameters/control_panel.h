@@ -29,9 +29,6 @@ class ControlPanel : public QWidget {
 
   /// Null if nothing can be edited.
   ParameterRow* row(editing::ArtistControl control) const;
-  ParameterRow* diffuseRow() const { return m_diffuse; }
-  /// The text below a control; empty if it has no effect.
-  QString changesText(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
   std::optional<editing::ArtistControl> currentControl() const;
   /// The model's parameter of the diffuse colour if its row is under the pointer or has the focus.

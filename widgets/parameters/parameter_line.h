@@ -44,7 +44,6 @@ class ParameterLine : public QWidget {
   ParameterSlider* slider() const { return m_slider; }
   NumberField* field() const { return m_field; }
   QLabel* label() const { return m_label; }
-  QToolButton* resetButton() const { return m_reset; }
 
  Q_SIGNALS:
   void editingStarted();

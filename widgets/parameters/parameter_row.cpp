@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/inputs/icons.h"
 #include "widgets/inputs/plain_text_style.h"
@@ -50,6 +51,8 @@ ParameterRow::ParameterRow(const models::ParameterSpec& spec, QWidget* parent) :
     buildChannels();
   else
     buildNumber();
+  describe();
+  refresh();
 }
 
 void ParameterRow::connectLine(ParameterLine* line) {
@@ -132,9 +135,11 @@ void ParameterRow::buildChoice() {
 }
 
 void ParameterRow::setValue(const Rgb& value, const Rgb& reference) {
+  const bool refitted = reference != m_reference;
+  if (!refitted && value == m_value) return;
   m_value = value;
   m_reference = reference;
-  describe();
+  if (refitted) describe();  // a value is not in it
   refresh();
 }
 
@@ -153,8 +158,7 @@ void ParameterRow::describe() {
 
 void ParameterRow::setActive(bool active, const QString& reason) {
   setEnabled(active);
-  m_inactiveReason = active ? QString() : reason;
-  describe();
+  if (const QString shown = active ? QString() : reason; shown != std::exchange(m_inactiveReason, shown)) describe();
 }
 
 void ParameterRow::showUnits() {
@@ -174,13 +178,9 @@ void ParameterRow::refresh() {
 }
 
 void ParameterRow::setChannelsShown(bool shown) {
-  if (!m_disclosure) return;
-  m_disclosure->setChecked(shown);
   m_disclosure->setIcon(glyphIcon(shown ? Glyph::expanded : Glyph::collapsed));
   for (ParameterLine* line : m_channels) line->setVisible(shown);
 }
-
-bool ParameterRow::channelsShown() const { return m_disclosure && m_disclosure->isChecked(); }
 
 }  // namespace gonio::widgets
 

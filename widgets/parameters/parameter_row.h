@@ -41,8 +41,6 @@ class ParameterRow : public QWidget {
   void setActive(bool active, const QString& reason);
   /// Updates the display after a change of the program's units.
   void showUnits();
-  void setChannelsShown(bool shown);
-  bool channelsShown() const;
 
  Q_SIGNALS:
   void editingStarted();
@@ -58,6 +56,7 @@ class ParameterRow : public QWidget {
   void offer(const Rgb& value);
   void refresh();
   void describe();
+  void setChannelsShown(bool shown);
 
   const models::ParameterSpec* m_spec;
   Rgb m_value{0}, m_reference{0};

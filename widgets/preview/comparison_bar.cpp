@@ -144,6 +144,8 @@ QWidget* ComparisonBar::buildDifference() {
 }
 
 void ComparisonBar::setSubjects(const std::array<QString, 4>& names) {
+  if (m_names == names) return;
+  m_names = names;
   for (QComboBox* list : m_sides) {
     auto* items = qobject_cast<QStandardItemModel*>(list->model());
     const QString fallback[] = {tr("Measured"), tr("Fit"), tr("Edited"), tr("Other material (none)")};

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "widgets/preview/gl/preview_comparison.h"
 
@@ -56,6 +57,7 @@ class ComparisonBar : public QWidget {
 
   PreviewComparison m_comparison;
   std::array<ComparedSubject, 2> m_chosen{ComparedSubject::edited, ComparedSubject::measured};
+  std::optional<std::array<QString, 4>> m_names;  ///< as shown, indexed by ComparedSubject
   QButtonGroup* m_modes;
   std::array<QComboBox*, 2> m_sides;
   QPushButton* m_hold;

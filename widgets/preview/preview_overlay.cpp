@@ -142,6 +142,7 @@ void PreviewOverlay::setComparison(const PreviewComparison& shown, const std::ar
 void PreviewOverlay::setRange(DifferenceKind kind, double range) { m_legend->setDifference(kind, range); }
 
 void PreviewOverlay::setBanner(const QString& text, const QString& button) {
+  if (text == m_banner->text() && (text.isEmpty() || button == m_banner->button()->text())) return;
   m_banner->showText(text, button);
   place();
 }

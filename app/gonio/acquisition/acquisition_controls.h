@@ -158,7 +158,6 @@ class AcquisitionControls : public QWidget {
   MeasuredMaterialRows& measuredMaterial() const { return *m_measuredMaterial; }
   TrainingRows& training() const { return *m_training; }
   DirectionRows& directions() const { return *m_directions; }
-  QComboBox& reconstructionBox() const { return *m_reconstruction; }
 
   PlanSettings planSettings() const;
   acquisition::MeasurementNoise noise() const;

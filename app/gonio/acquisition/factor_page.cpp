@@ -125,6 +125,8 @@ QLayout* FactorPage::buildSettings() {
 }
 
 QLayout* FactorPage::buildResult() {
+  m_numbers->setObjectName(QStringLiteral("numbers"));
+  m_warnings->setObjectName(QStringLiteral("warnings"));
   for (QLabel* label : {m_numbers, m_warnings}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
@@ -173,8 +175,6 @@ FactorSettings FactorPage::settings() const {
 
 QString FactorPage::resultName() const { return tr("%1 from two curves").arg(m_resultOf); }
 bool FactorPage::isBusy() const { return m_tasks.isRunning(factorKey); }
-QString FactorPage::numbers() const { return m_numbers->text(); }
-QString FactorPage::warnings() const { return m_warnings->text(); }
 
 void FactorPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);

@@ -43,25 +43,9 @@ class FactorPage : public QWidget {
   void saveReadings(const QString& path);
   /// Discards the readings of the file and simulates readings again.
   void simulate();
-  /// The file of the readings, without its folder; empty: they are simulated.
-  QString readingsName() const { return m_opened ? m_opened->name() : QString(); }
   /// "chrome from two curves"
   QString resultName() const;
   bool isBusy() const;
-
-  QComboBox& axesBox() const { return *m_axes; }
-  QCheckBox& boundBox() const { return *m_bound; }
-  widgets::NumberField& fixedAngle() const { return *m_fixedAngle; }
-  widgets::FactorCurves& curves() const { return *m_curves; }
-  widgets::ReconstructionView& view() const { return *m_view; }
-  QPushButton& openButton() const { return *m_open; }
-  widgets::NumberField& readingCount() const { return *m_readings; }
-  QPushButton& openReadingsButton() const { return *m_openReadings; }
-  QPushButton& saveReadingsButton() const { return *m_saveReadings; }
-  QPushButton& simulateButton() const { return *m_simulate; }
-  /// The numbers of the result, and the warnings, as text.
-  QString numbers() const;
-  QString warnings() const;
 
  Q_SIGNALS:
   /// The user wants the predicted material to become the document's material.

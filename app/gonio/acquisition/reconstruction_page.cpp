@@ -98,6 +98,7 @@ ReconstructionPage::ReconstructionPage(const AcquisitionSession& session, const 
       m_view(new widgets::ReconstructionView),
       m_numbers(new QLabel),
       m_open(new QPushButton(tr("Open as Mater&ial"))) {
+  m_numbers->setObjectName(QStringLiteral("numbers"));
   m_numbers->setWordWrap(true);
   m_numbers->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_open->setToolTip(
@@ -115,8 +116,6 @@ ReconstructionPage::ReconstructionPage(const AcquisitionSession& session, const 
   connect(&m_session, &AcquisitionSession::resultChanged, this, &ReconstructionPage::showResult);
   showResult();
 }
-
-QString ReconstructionPage::numbers() const { return m_numbers->text(); }
 
 void ReconstructionPage::showResult() {
   widgets::ReconstructionView::Content content;

@@ -51,10 +51,6 @@ class ReconstructionPage : public QWidget {
  public:
   ReconstructionPage(const AcquisitionSession& session, const AcquisitionControls& controls);
 
-  widgets::ReconstructionView& view() const { return *m_view; }
-  QPushButton& openButton() const { return *m_open; }
-  /// The numbers of the result as text.
-  QString numbers() const;
   void refresh();
 
  Q_SIGNALS:

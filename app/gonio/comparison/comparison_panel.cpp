@@ -78,7 +78,7 @@ void ComparisonPanel::subjectsChanged() {
   m_title->setText(
       hasBoth() ? tr("%1 against %2, comparison scene").arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]))
                 : tr("Open and fit a material to compare it with its fit."));
-  fillTable(m_numbers ? &*m_numbers : nullptr);
+  showNumbers();
   if (isVisible()) m_delay.start();
 }
 
@@ -103,7 +103,8 @@ void ComparisonPanel::measure() {
         m_reference = measured.reference;
         m_numbers = measured.numbers;
         m_current = true;
-        fillTable(&*m_numbers);
+        m_shown.reset();  // other values
+        showNumbers();
       },
       [this](const QString& error) {
         m_current = true;
@@ -111,12 +112,22 @@ void ComparisonPanel::measure() {
       });
 }
 
-void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
-  const auto lines = comparisonLines(numbers);
-  m_table->setRowCount(hasBoth() ? int(lines.size()) : 0);
+/// Fills the table if something else is to be shown: a slider that moves leaves outdated numbers as they are.
+void ComparisonPanel::showNumbers() {
+  const Shown shown{hasBoth(), m_numbers.has_value(), m_current, isVisible()};
+  if (shown == m_shown) return;
+  m_shown = shown;
+  fillTable(shown);
+}
+
+void ComparisonPanel::fillTable(const Shown& shown) {
+  const auto lines = comparisonLines(m_numbers ? &*m_numbers : nullptr);
+  m_table->setRowCount(shown.rows ? int(lines.size()) : 0);
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const ComparisonLine& line = lines[std::size_t(row)];
-    const QString value = numbers ? comparisonValue(line.value) : isVisible() ? tr("measuring...") : QString();
+    const QString value = shown.numbers     ? comparisonValue(line.value)
+                          : shown.measuring ? tr("measuring...")
+                                            : QString();
     const QString cells[] = {line.name, value, line.unit, line.meaning};
     for (int column = 0; column < columnCount; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
@@ -126,11 +137,12 @@ void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
         item->setData(widgets::richToolTipRole, line.formulaHtml);
       if (column == valueColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       // Grey: these are not the numbers of what is shown now.
-      if (column == valueColumn && !m_current) item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+      if (column == valueColumn && !shown.current)
+        item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
       m_table->setItem(row, column, item);
     }
   }
-  m_copy->setEnabled(numbers && m_current);
+  m_copy->setEnabled(shown.numbers && shown.current);
 }
 
 void ComparisonPanel::copy() {

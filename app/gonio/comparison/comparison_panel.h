@@ -37,7 +37,13 @@ class ComparisonPanel : public QWidget {
  private:
   void subjectsChanged();
   void measure();
-  void fillTable(const ComparisonNumbers* numbers);
+  /// What the table depends on, apart from the values of the numbers.
+  struct Shown {
+    bool rows = false, numbers = false, current = false, measuring = false;
+    bool operator==(const Shown&) const = default;
+  };
+  void showNumbers();
+  void fillTable(const Shown& shown);
   void copy();
   bool hasBoth() const;
 
@@ -50,6 +56,7 @@ class ComparisonPanel : public QWidget {
   std::optional<ComparisonNumbers> m_numbers;
   ComparisonReferencePtr m_reference;  ///< of the last measurement, reused as long as the subject does not change
   bool m_current = false;
+  std::optional<Shown> m_shown;  ///< by the table
 };
 
 }  // namespace gonio::app

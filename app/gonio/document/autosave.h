@@ -40,7 +40,6 @@ class Autosave : public QObject {
   /// could not be copied.
   bool update();
   void discard();
-  QString currentCopy() const { return m_current.path; }
 
   /// The copies of programs that no longer run.
   static QList<RecoverableWork> recoverable(const QString& dataFolder);

@@ -29,7 +29,6 @@ class FactorCurvesPanel : public QWidget {
   FactorCurvesPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   FactorColumn& column(FactorAxis axis) const { return *m_columns[std::size_t(axis)]; }
-  FactorTermsView& termsView() const { return *m_terms; }
   QCheckBox& preserveDetail() const { return *m_preserveDetail; }
   /// Whether the factors of the document's material are known, or nothing is shown.
   bool isSettled() const;

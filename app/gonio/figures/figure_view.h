@@ -27,7 +27,6 @@ class FigureView : public QWidget {
   void setDescription(const figures::FigureDescription& description);
   FigureController& controller() const { return *m_controller; }
   widgets::FigurePage& page() const { return *m_page; }
-  QPushButton& measureButton() const { return *m_measure; }
   /// The text beside the button: progress, missing cells or an error.
   QString status() const;
   /// Shows a message beside the button until the description changes.

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/inspector/monitors.h"
 
+#include <utility>
+
 #include "core/editing/edit_plausibility.h"
 #include "core/rendering/render_picture.h"
 #include "widgets/panels/plausibility_badges.h"
@@ -32,8 +34,7 @@ PlausibilityMonitor::PlausibilityMonitor(Document& document, BackgroundTasks& ta
 void PlausibilityMonitor::changed() {
   m_tasks.drop(plausibilityKey);
   m_current = !m_document.material();
-  m_energies.clear();
-  Q_EMIT energiesChanged();
+  if (!std::exchange(m_energies, {}).empty()) Q_EMIT energiesChanged();
   if (m_current) {
     m_delay.stop();
     return m_badges.clear();

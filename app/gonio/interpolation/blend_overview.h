@@ -26,9 +26,6 @@ class BlendPositionEditor : public QStackedWidget {
  public:
   explicit BlendPositionEditor(QWidget* parent = nullptr);
 
-  widgets::ParameterSlider& slider() const { return *m_slider; }
-  widgets::NumberField& number() const { return *m_number; }
-  widgets::BlendPad& pad() const { return *m_pad; }
   /// @param corners one per material.
   void setCorners(std::vector<widgets::BlendCorner> corners);
   void setPosition(const QPointF& position);
@@ -55,7 +52,6 @@ class BlendOverview : public QWidget {
   explicit BlendOverview(const BlendSpaces& spaces);
 
   widgets::BlendStrip& strip() const { return *m_strip; }
-  QPushButton& drawButton() const { return *m_draw; }
   /// Shows the spaces after BlendSpaces::setMaterials().
   void showSpaces();
 

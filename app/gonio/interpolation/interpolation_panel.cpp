@@ -124,13 +124,11 @@ void InterpolationPanel::connectParts() {
 
 std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_materials.count(), m_position); }
 
-bool InterpolationPanel::isShownInPreview() const { return m_show->isChecked(); }
-
 void InterpolationPanel::setShownInPreview(bool shown) { m_show->setChecked(shown); }
 
 std::optional<widgets::PreviewSubject> InterpolationPanel::subject() const {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
-  if (!isVisible() || !isShownInPreview() || !blend) return {};
+  if (!isVisible() || !m_show->isChecked() || !blend) return {};
   return widgets::blendSubject(*blend, m_spaces.ordered(weights()));
 }
 

@@ -44,13 +44,11 @@ class InterpolationPanel : public QWidget {
   BlendMaterials& materials() { return m_materials; }
   BlendSpaces& spaces() { return m_spaces; }
   interpolation::InterpolationSpace space() const { return m_space; }
-  void setSpace(interpolation::InterpolationSpace space);
   QPointF position() const { return m_position; }
   std::vector<double> weights() const;
   /// Moves the position, as the user does.
   void moveTo(const QPointF& position);
   void setShownInPreview(bool shown);
-  bool isShownInPreview() const;
 
   /// One id: puts the material in the next empty slot; adds a slot if all are filled. Several ids: adjusts the number
   /// of slots and fills all of them. Refuses more than widgets::maxBlended materials.
@@ -61,13 +59,6 @@ class InterpolationPanel : public QWidget {
   void openAsMaterial();
   /// Whether no work is pending.
   bool isSettled() const;
-
-  BlendSlots& blendSlots() const { return *m_slots; }
-  BlendPositionEditor& positionEditor() const { return *m_positionEditor; }
-  BlendOverview& overview() const { return *m_overview; }
-  QComboBox& spaceBox() const { return *m_spaceBox; }
-  widgets::ModelBox& modelBox() const { return *m_modelBox; }
-  QPushButton& openButton() const { return *m_open; }
 
  Q_SIGNALS:
   /// subject() changed.
@@ -86,6 +77,7 @@ class InterpolationPanel : public QWidget {
   void connectParts();
   void blendMaterialsChanged();
   void materialChanged();
+  void setSpace(editing::InterpolationSpace space);
   /// The user works in this panel, so the preview shows the blend.
   void touched() { setShownInPreview(true); }
   void showMaterials();

@@ -40,7 +40,6 @@ class SceneMaterialSlots : public QWidget {
   std::vector<widgets::SlotMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int slot, const QString& id);
-  widgets::MaterialSlotWidget& slotWidget(int slot) const { return *m_slots[std::size_t(slot)].widget; }
 
  Q_SIGNALS:
   void changed();
@@ -83,10 +82,6 @@ class ScenePanel : public QWidget {
   void open(const QString& nameOrPath, const std::function<void()>& shown = {});
   /// Asks the user for a file and opens it.
   void askForFile();
-  widgets::EffectList& effects() const { return *m_effects; }
-  QComboBox& scenes() const { return *m_scenes; }
-  QPushButton& measureButton() const { return *m_measure; }
-  QPushButton& compareButton() const { return *m_compare; }
   SceneMaterialSlots& otherSlots() const { return *m_otherSlots; }
   const std::optional<rendering::EffectCosts>& costs() const { return m_costs; }
   QString result() const;

@@ -27,11 +27,6 @@ class ViewStrip : public QWidget {
   ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, EnvironmentController& environment,
             BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  QComboBox& scenes() const { return *m_scenes; }
-  QComboBox& lights() const { return *m_lights; }
-  QComboBox& backgrounds() const { return *m_backgrounds; }
-  widgets::NumberField& exposure() const { return *m_exposure; }
-
  Q_SIGNALS:
   /// The user wants to choose a file.
   void sceneFileRequested();

@@ -42,7 +42,6 @@ class StudyWindow : public QDialog {
   widgets::StudyScatter& scatter() const { return *m_scatter; }
   StudySheet& sheet() const { return *m_sheet; }
   StudyChoice& choice() const { return *m_choice; }
-  StudyBudgetBar& budgetBar() const { return *m_budget; }
   /// The representation to show in the preview, and its name; nullopt: the material.
   const std::optional<widgets::PreviewSubject>& subject() const { return m_subject; }
   QString shownName() const;

@@ -39,8 +39,10 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   QLabel* representation =
       addPermanent(bar, tr("What the preview shows. Native form: evaluated as stored, not resampled to a table."));
   const auto showRepresentation = [this, representation, explanation = representation->toolTip()] {
-    representation->setText(representationText());
-    representation->setToolTip(representation->text() + '\n' + explanation);
+    const QString text = representationText(), toolTip = text + '\n' + explanation;
+    if (toolTip == representation->toolTip()) return;
+    representation->setText(text);
+    representation->setToolTip(toolTip);
   };
   for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
     connect(&m_comparison, signal, this, showRepresentation);

@@ -16,6 +16,7 @@
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "widgets/acquisition/factor_curves.h"
 #include "widgets/acquisition/reconstruction_view.h"
 #include "widgets/inputs/number_field.h"
@@ -50,9 +51,22 @@ struct Editor {
   }
   double snr() const { return page.result()->error->renderedSnr; }
   QString path(const QString& name) const { return library.folder.filePath(name); }
+  QComboBox& axes() const { return *test::child<QComboBox>(page, "Axes"); }
+  widgets::NumberField& fixedAngle() const { return *test::child<widgets::NumberField>(page, "Fixed angle"); }
+  widgets::NumberField& readingCount() const { return *test::child<widgets::NumberField>(page, "Readings per curve"); }
+  QCheckBox& bound() const { return *page.findChild<QCheckBox*>(); }
+  QPushButton& button(const QString& text) const { return *test::child<QPushButton>(page, text); }
+  QString text(const QString& label) const { return page.findChild<QLabel*>(label)->text(); }
+  const widgets::FactorCurves::Content& curves() const { return page.findChild<widgets::FactorCurves*>()->content(); }
+  qsizetype pictureCount() const { return page.findChild<widgets::ReconstructionView*>()->squares().size(); }
+  /// The file of the readings; empty: they are simulated.
+  QString readingsName() const {
+    if (!button("Simulate Readings").isEnabled()) return {};
+    return text("numbers").section("readings from ", 1).section(" · ", 0, 0);
+  }
   void chooseAxes(acquisition::FactorAxes axes) {
-    page.axesBox().setCurrentIndex(int(axes));
-    Q_EMIT page.axesBox().activated(int(axes));
+    this->axes().setCurrentIndex(int(axes));
+    Q_EMIT this->axes().activated(int(axes));
   }
   /// Opens a file that cannot be used; returns the error.
   QString errorOf(const QString& readings) {
@@ -96,9 +110,9 @@ class AcquisitionFactorsTest : public QObject {
   void withoutMaterialNothingIsMeasured() {
     Editor editor;
     QVERIFY(editor.settle());
-    QVERIFY(!editor.page.result() && !editor.page.openButton().isEnabled());
-    QVERIFY(editor.page.numbers().isEmpty() && editor.page.warnings().isEmpty());
-    QVERIFY(editor.page.curves().content().angles.empty());
+    QVERIFY(!editor.page.result() && !editor.button("Open as Material").isEnabled());
+    QVERIFY(editor.text("numbers").isEmpty() && editor.text("warnings").isEmpty());
+    QVERIFY(editor.curves().angles.empty());
   }
 
   /// Curves and prediction are those of core; the page shows readings, pictures and errors.
@@ -109,10 +123,10 @@ class AcquisitionFactorsTest : public QObject {
     const auto table = materials::readMaterial(editor.library.subject.toStdString()).tabulated();
     const auto expected = acquisition::measureFactors(*table, editor.page.settings().plan);
     QVERIFY(result.curves.along == expected.along && result.curves.across == expected.across);
-    QCOMPARE(editor.page.curves().content().angles.size(), expected.angles.size());
-    QVERIFY(std::abs(editor.page.curves().content().angles.back() - 89) < 1e-9);
-    QCOMPARE(editor.page.view().squares().size(), 3);
-    QVERIFY(editor.page.numbers().contains("rendered SNR") && editor.page.numbers().contains("readings"));
+    QCOMPARE(editor.curves().angles.size(), expected.angles.size());
+    QVERIFY(std::abs(editor.curves().angles.back() - 89) < 1e-9);
+    QCOMPARE(editor.pictureCount(), 3);
+    QVERIFY(editor.text("numbers").contains("rendered SNR") && editor.text("numbers").contains("readings"));
     QVERIFY(std::abs(result.error->logError - metrics::brdfError(metrics::BrdfMetric::log, *table, *result.table)) <
             1e-12);
     QVERIFY(editor.panel.charts().isHidden());
@@ -125,12 +139,12 @@ class AcquisitionFactorsTest : public QObject {
   void showsAnglesInDegrees() {
     Editor editor;
     QVERIFY(editor.open());
-    QVERIFY(editor.page.curves().content().distances == editor.page.result()->curves.distances);
-    editor.page.axesBox().setCurrentIndex(int(acquisition::FactorAxes::halfDifference));
-    Q_EMIT editor.page.axesBox().activated(0);
+    QVERIFY(editor.curves().distances == editor.page.result()->curves.distances);
+    editor.axes().setCurrentIndex(int(acquisition::FactorAxes::halfDifference));
+    Q_EMIT editor.axes().activated(0);
     QVERIFY(editor.settle() && editor.page.result());
     const double last = editor.page.result()->curves.distances.back();
-    QVERIFY(std::abs(editor.page.curves().content().distances.back() - last * 180 / pi) < 1e-9);
+    QVERIFY(std::abs(editor.curves().distances.back() - last * 180 / pi) < 1e-9);
   }
 
   void eachChangeMeasuresAgain() {
@@ -142,20 +156,20 @@ class AcquisitionFactorsTest : public QObject {
       return editor.settle() && editor.page.result() && editor.page.result() != before;
     };
     QVERIFY(change([&] {
-      editor.page.axesBox().setCurrentIndex(int(acquisition::FactorAxes::projectedDeviation));
-      Q_EMIT editor.page.axesBox().activated(0);
+      editor.axes().setCurrentIndex(int(acquisition::FactorAxes::projectedDeviation));
+      Q_EMIT editor.axes().activated(0);
     }));
     QVERIFY(editor.page.result()->curves.axes == acquisition::FactorAxes::projectedDeviation);
     QVERIFY(change([&] {
-      editor.page.fixedAngle().setValue(radians(20));
-      Q_EMIT editor.page.fixedAngle().valueEdited(radians(20));
+      editor.fixedAngle().setValue(radians(20));
+      Q_EMIT editor.fixedAngle().valueEdited(radians(20));
     }));
     QVERIFY(std::abs(editor.page.result()->curves.fixedAngle - radians(20)) < 1e-9);
     const double bounded = editor.snr();
-    QVERIFY(change([&] { editor.page.boundBox().click(); }));
+    QVERIFY(change([&] { editor.bound().click(); }));
     QVERIFY(editor.page.settings().bound == acquisition::FactorBound::none);
     QVERIFY2(editor.snr() < bounded, qPrintable(QString("%1 %2").arg(editor.snr()).arg(bounded)));
-    QVERIFY(editor.page.warnings().contains("Unreliable for"));
+    QVERIFY(editor.text("warnings").contains("Unreliable for"));
     QVERIFY(change([&] { Q_EMIT editor.panel.controls().noiseEdited(); }));
   }
 
@@ -163,8 +177,8 @@ class AcquisitionFactorsTest : public QObject {
   void savesAndOpensReadings() {
     Editor editor;
     QVERIFY(editor.open());
-    editor.page.fixedAngle().setValue(radians(40));
-    editor.page.readingCount().setValue(30);
+    editor.fixedAngle().setValue(radians(40));
+    editor.readingCount().setValue(30);
     editor.chooseAxes(acquisition::FactorAxes::halfDifference);
     QVERIFY(editor.settle() && editor.page.result());
     const FactorResultPtr saved = editor.page.result();
@@ -177,37 +191,37 @@ class AcquisitionFactorsTest : public QObject {
     editor.write("expected.csv", options);
     QCOMPARE(bytesOf(editor.path("saved.csv")), bytesOf(editor.path("expected.csv")));
 
-    editor.page.fixedAngle().setValue(radians(60));
-    editor.page.readingCount().setValue(90);
+    editor.fixedAngle().setValue(radians(60));
+    editor.readingCount().setValue(90);
     editor.chooseAxes(acquisition::FactorAxes::symmetricDeviation);
     QVERIFY(editor.settle() && !areClose(editor.page.result()->curves, saved->curves));
     editor.page.openReadings(editor.path("saved.csv"));
     QVERIFY(editor.settle() && editor.failed.isEmpty() && editor.page.result());
-    QCOMPARE(editor.page.readingsName(), QString("saved.csv"));
+    QCOMPARE(editor.readingsName(), QString("saved.csv"));
     QVERIFY(editor.page.settings().plan.axes == options.axes);
-    QVERIFY(std::abs(editor.page.fixedAngle().value() - options.fixedAngle) < 1e-7);
-    QCOMPARE(editor.page.readingCount().value(), 30.0);
+    QVERIFY(std::abs(editor.fixedAngle().value() - options.fixedAngle) < 1e-7);
+    QCOMPARE(editor.readingCount().value(), 30.0);
     QVERIFY(areClose(editor.page.result()->curves, saved->curves));
-    QVERIFY(editor.page.curves().content().along == editor.page.result()->curves.along);
+    QVERIFY(editor.curves().along == editor.page.result()->curves.along);
     QVERIFY(std::abs(editor.snr() - saved->error->renderedSnr) < 0.01);
-    QVERIFY(editor.page.numbers().contains("readings from saved.csv"));
+    QVERIFY(editor.text("numbers").contains("readings from saved.csv"));
     QCOMPARE(editor.page.resultName(), QString("saved from two curves"));
     QCOMPARE(editor.document.history().index(), undoSteps);
 
     // Settings of the file are fixed, and noise has no effect, until the readings are simulated again.
-    QVERIFY(!editor.page.fixedAngle().isEnabled() && !editor.page.readingCount().isEnabled());
-    QVERIFY(editor.page.fixedAngle().toolTip().contains("saved.csv"));
+    QVERIFY(!editor.fixedAngle().isEnabled() && !editor.readingCount().isEnabled());
+    QVERIFY(editor.fixedAngle().toolTip().contains("saved.csv"));
     const FactorResultPtr opened = editor.page.result();
     Q_EMIT editor.panel.controls().noiseEdited();
     QVERIFY(editor.settle() && editor.page.result() == opened);
-    editor.page.boundBox().click();
+    editor.bound().click();
     QVERIFY(editor.settle() && editor.page.result() != opened);
     QVERIFY(areClose(editor.page.result()->curves, saved->curves));
-    editor.page.simulateButton().click();
-    QVERIFY(editor.settle() && editor.page.readingsName().isEmpty());
-    QVERIFY(editor.page.fixedAngle().isEnabled() && editor.page.readingCount().isEnabled());
+    editor.button("Simulate Readings").click();
+    QVERIFY(editor.settle() && editor.readingsName().isEmpty());
+    QVERIFY(editor.fixedAngle().isEnabled() && editor.readingCount().isEnabled());
     QVERIFY(areClose(editor.page.result()->curves, saved->curves));
-    QVERIFY(!editor.page.numbers().contains("saved.csv"));
+    QVERIFY(!editor.text("numbers").contains("saved.csv"));
   }
 
   /// Readings of a rig need no material; with a material, the prediction is compared with it.
@@ -217,12 +231,12 @@ class AcquisitionFactorsTest : public QObject {
     editor.page.openReadings(editor.path("rig.csv"));
     QVERIFY(editor.settle() && editor.failed.isEmpty());
     const FactorResultPtr alone = editor.page.result();
-    QVERIFY(alone && !alone->error && editor.page.openButton().isEnabled());
+    QVERIFY(alone && !alone->error && editor.button("Open as Material").isEnabled());
     QVERIFY(areClose(alone->curves, acquisition::factorMeasurement(written.plan, written.values)));
-    QCOMPARE(editor.page.view().squares().size(), 1);
+    QCOMPARE(editor.pictureCount(), 1);
     QVERIFY(editor.open());
-    QVERIFY(editor.page.result()->error && editor.page.readingsName() == "rig.csv");
-    QCOMPARE(editor.page.view().squares().size(), 3);
+    QVERIFY(editor.page.result()->error && editor.readingsName() == "rig.csv");
+    QCOMPARE(editor.pictureCount(), 3);
     QVERIFY(areClose(editor.page.result()->curves, alone->curves));
   }
 
@@ -272,10 +286,10 @@ class AcquisitionFactorsTest : public QObject {
     editor.writeText("unnamed.csv", QByteArray(text).remove(0, text.indexOf('\n') + 1));
     error = editor.errorOf("unnamed.csv");
     QVERIFY2(error.contains("unnamed.csv: sample") && error.contains("Select the axes"), qPrintable(error));
-    QVERIFY(editor.settle() && editor.page.result() == before && editor.page.readingsName().isEmpty());
+    QVERIFY(editor.settle() && editor.page.result() == before && editor.readingsName().isEmpty());
     editor.chooseAxes(FactorAxes::halfDifference);
     QVERIFY(editor.errorOf("unnamed.csv").isEmpty());
-    QVERIFY(editor.settle() && editor.page.readingsName() == "unnamed.csv");
+    QVERIFY(editor.settle() && editor.readingsName() == "unnamed.csv");
     editor.page.saveReadings(editor.path("no-folder/saved.csv"));
     QCOMPARE(editor.failed.size(), 1);
     QVERIFY(editor.failed[0][1].toString().contains("no-folder/saved.csv"));
@@ -285,16 +299,16 @@ class AcquisitionFactorsTest : public QObject {
   void buttonsAreEnabledWhereTheyHaveAnEffect() {
     Editor editor;
     QVERIFY(editor.settle());
-    QVERIFY(editor.page.openReadingsButton().isEnabled());
-    QVERIFY(!editor.page.saveReadingsButton().isEnabled() && !editor.page.simulateButton().isEnabled());
-    QVERIFY(editor.page.saveReadingsButton().toolTip().startsWith("Available when"));
-    QVERIFY(editor.page.simulateButton().toolTip().startsWith("Available when"));
+    QVERIFY(editor.button("Open Readings...").isEnabled());
+    QVERIFY(!editor.button("Save Readings...").isEnabled() && !editor.button("Simulate Readings").isEnabled());
+    QVERIFY(editor.button("Save Readings...").toolTip().startsWith("Available when"));
+    QVERIFY(editor.button("Simulate Readings").toolTip().startsWith("Available when"));
     QVERIFY(editor.open());
-    QVERIFY(editor.page.saveReadingsButton().isEnabled() && !editor.page.simulateButton().isEnabled());
-    QVERIFY(editor.page.saveReadingsButton().toolTip().startsWith("Saves"));
+    QVERIFY(editor.button("Save Readings...").isEnabled() && !editor.button("Simulate Readings").isEnabled());
+    QVERIFY(editor.button("Save Readings...").toolTip().startsWith("Saves"));
     editor.page.saveReadings(editor.path("saved.csv"));
     editor.page.openReadings(editor.path("saved.csv"));
-    QVERIFY(editor.settle() && editor.page.simulateButton().isEnabled());
+    QVERIFY(editor.settle() && editor.button("Simulate Readings").isEnabled());
   }
 
   /// The dialogs start in the folder of the last file of an acquisition.
@@ -313,10 +327,10 @@ class AcquisitionFactorsTest : public QObject {
       Q_EMIT dialog->fileSelected(editor.path(name));
       delete dialog;
     };
-    choose(editor.page.saveReadingsButton(), "chosen.csv");
+    choose(editor.button("Save Readings..."), "chosen.csv");
     QVERIFY(QFile::exists(editor.path("chosen.csv")));
-    choose(editor.page.openReadingsButton(), "chosen.csv");
-    QVERIFY(editor.settle() && editor.page.readingsName() == "chosen.csv");
+    choose(editor.button("Open Readings..."), "chosen.csv");
+    QVERIFY(editor.settle() && editor.readingsName() == "chosen.csv");
   }
 
   /// The prediction becomes the material of the document: one undo step.
@@ -325,7 +339,7 @@ class AcquisitionFactorsTest : public QObject {
     QVERIFY(editor.open());
     QCOMPARE(editor.page.resultName(), QString("subject from two curves"));
     const auto predicted = editor.page.result()->table;
-    editor.page.openButton().click();
+    editor.button("Open as Material").click();
     QVERIFY(editor.settle());
     QVERIFY(editor.failed.isEmpty());
     QVERIFY(editor.document.name().startsWith("subject from two curves"));

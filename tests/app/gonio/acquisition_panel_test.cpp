@@ -19,6 +19,7 @@
 #include "core/acquisition/sampling_plan.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/forbidden_regions_editor.h"
@@ -56,11 +57,7 @@ struct Editor {
     panel.startButton().click();
     return settle() && panel.session().result();
   }
-  QPushButton* button(const QString& text) const {
-    for (QPushButton* one : panel.findChildren<QPushButton*>())
-      if (one->text().remove('&') == text) return one;
-    return nullptr;
-  }
+  QPushButton* button(const QString& text) const { return test::child<QPushButton>(panel, text); }
   QString failure() { return failed.isEmpty() ? QString() : failed.takeLast()[1].toString(); }
 };
 
@@ -86,8 +83,8 @@ class AcquisitionPanelTest : public QObject {
     for (int column = 0; column < AcquisitionSampleModel::ColumnCount; ++column)
       QVERIFY(!panel.samples().table().model()->index(3, column).data().toString().isEmpty());
     QCOMPARE(panel.pages().currentIndex(), int(AcquisitionPanel::reconstructionPage));
-    QCOMPARE(panel.reconstruction().view().squares().size(), 3);
-    QVERIFY(panel.reconstruction().numbers().contains("rendered SNR"));
+    QCOMPARE(panel.reconstruction().findChild<widgets::ReconstructionView*>()->squares().size(), 3);
+    QVERIFY(panel.reconstruction().findChild<QLabel*>("numbers")->text().contains("rendered SNR"));
     QVERIFY(!panel.charts().chart().slice().deviations.empty());
     QCOMPARE(panel.curve().curve().points().size(), curveCounts(8).size());
     QCOMPARE(panel.status(), "Values: simulated from subject");
@@ -219,22 +216,23 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     widgets::ForbiddenRegionsEditor& forbidden = panel.controls().directions().forbidden();
+    const QTableWidget& ranges = *forbidden.findChild<QTableWidget*>();
     const auto shaded = [&] {
       return std::ranges::count(panel.charts().chart().slice().states, widgets::CellState::forbidden);
     };
     QCOMPARE(shaded(), 0);
-    forbidden.addButton().click();
+    test::child<QPushButton>(forbidden, "Add")->click();
     QVERIFY(shaded() > 0);
-    forbidden.table().item(0, 0)->setText("50");
-    forbidden.table().item(0, 1)->setText("nonsense");
-    QCOMPARE(forbidden.table().item(0, 1)->text(), "90");
+    ranges.item(0, 0)->setText("50");
+    ranges.item(0, 1)->setText("nonsense");
+    QCOMPARE(ranges.item(0, 1)->text(), "90");
     QVERIFY(editor.acquire());
     const acquisition::MeasurableDirections measurable = panel.controls().planSettings().measurable;
     QCOMPARE(measurable.forbidden.size(), std::size_t(1));
     QVERIFY(std::abs(measurable.forbidden[0].thetaI.lowest - radians(50)) < 1e-12);
     for (const DirectionPair& pair : panel.charts().hemisphere().samples())
       QVERIFY(polarAngle(pair.wi) < radians(50) + 1e-9);
-    forbidden.removeButton().click();
+    test::child<QPushButton>(forbidden, "Remove")->click();
     QVERIFY(panel.controls().planSettings().measurable.forbidden.empty());
   }
 
@@ -244,7 +242,7 @@ class AcquisitionPanelTest : public QObject {
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
     const auto result = panel.session().result();
-    panel.reconstruction().openButton().click();
+    test::child<QPushButton>(panel.reconstruction(), "Open as Material")->click();
     QVERIFY(editor.settle());
     QVERIFY(editor.document.name().startsWith("subject from 8 samples"));
     QVERIFY(editor.document.history().canUndo());
@@ -268,8 +266,9 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(panel.session().result()->error->renderedSnr != snr);
     QVERIFY2(panel.status().contains("is in the training set"), qPrintable(panel.status()));
     const auto choose = [&](int index) {
-      panel.controls().reconstructionBox().setCurrentIndex(index);
-      Q_EMIT panel.controls().reconstructionBox().activated(index);
+      auto* box = test::child<QComboBox>(panel.controls(), "Reconstruct by");
+      box->setCurrentIndex(index);
+      Q_EMIT box->activated(index);
     };
     choose(3);
     QVERIFY(editor.settle());

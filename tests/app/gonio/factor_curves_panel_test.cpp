@@ -57,7 +57,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("√ρ"));
     QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
     QString text;
-    for (const QLabel* label : m_panel->termsView().findChildren<QLabel*>())
+    for (const QLabel* label : termsView().findChildren<QLabel*>())
       if (label->text().contains("kB")) text = label->text();
     QVERIFY2(text.contains(QString::number(100 * found.residuals[3], 'f', 1) + " %"), qPrintable(text));
     m_document.history().undo();
@@ -102,7 +102,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
 
   /// Fewer terms: the edit keeps what it changed in those that stay; terms that come are those of the measurement.
   void theNumberOfTermsIsAChoice() {
-    QSlider* slider = m_panel->termsView().findChild<QSlider*>();
+    QSlider* slider = termsView().findChild<QSlider*>();
     slider->setValue(2);
     QCOMPARE(m_document.history().count(), 0);  // nothing is edited: nothing to undo
     press(FactorAxis::theta, "Stronger");
@@ -129,8 +129,8 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
   void theCostOfTermsIsTold() {
     QString texts[2];
     for (const int terms : {1, 8}) {
-      m_panel->termsView().setTerms(terms);
-      for (const QLabel* label : m_panel->termsView().findChildren<QLabel*>())
+      termsView().setTerms(terms);
+      for (const QLabel* label : termsView().findChildren<QLabel*>())
         if (label->text().contains("kB")) texts[terms > 1] = label->text();
       const PdvFactors factors =
           factorization::factorizePdv(*m_document.material()->table(),
@@ -145,7 +145,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
   /// Under each curve: what that many terms leave unexplained at its nodes.
   void whatIsUnexplainedIsShown() {
     for (const int terms : {1, 6}) {
-      m_panel->termsView().findChild<QSlider*>()->setValue(terms);
+      termsView().findChild<QSlider*>()->setValue(terms);
       const auto found = factorization::factorizePdv(*m_document.material()->table(),
                                                      {.form = factorization::PdvForm::twoFactors, .terms = terms});
       const auto along = factorization::residualsAlong(*m_document.material()->table(), found.factors);

@@ -9,6 +9,7 @@
 #include "app/gonio/factors/factor_terms_view.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
+#include "tests/widgets/child.h"
 #include "widgets/curves/curve_editor.h"
 
 namespace gonio::app::test_support {
@@ -22,11 +23,10 @@ class OpenFactorCurves {
 
   const editing::FactorEdit& edit() const { return *factorEdit(m_document); }
   widgets::CurveEditor& editor(FactorAxis axis) const { return m_panel->column(axis).editor(); }
+  FactorTermsView& termsView() const { return *m_panel->findChild<FactorTermsView*>(); }
   template <class Widget>
-  Widget* child(const QString& accessibleName) const {
-    for (Widget* one : m_panel->findChildren<Widget*>())
-      if (one->accessibleName() == accessibleName) return one;
-    return nullptr;
+  Widget* child(const QString& name) const {
+    return test::child<Widget>(*m_panel, name);
   }
   void press(FactorAxis axis, const QString& text) const {
     for (QToolButton* button : m_panel->column(axis).findChildren<QToolButton*>())
@@ -47,7 +47,7 @@ class OpenFactorCurves {
   void undoAll() {
     m_document.history().setIndex(0);
     m_document.history().clear();
-    m_panel->termsView().setTerms(3);
+    termsView().setTerms(3);
     QVERIFY(!factorEdit(m_document));
   }
 };

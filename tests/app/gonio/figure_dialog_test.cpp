@@ -41,7 +41,7 @@ class FigureDialogTest : public QObject {
     FigureEditor editor;
     const auto dialog = editor.dialog();
     QVERIFY(dialog->view().page().message().startsWith("Add materials"));
-    QVERIFY(!dialog->view().measureButton().isEnabled());
+    QVERIFY(!measureButton(*dialog).isEnabled());
     for (const char* text : {"Save Figure", "Save Numbers", "Save Description"})
       QVERIFY(!buttonOf(*dialog, text)->isEnabled());
     QVERIFY(buttonOf(*dialog, "Open Description")->isEnabled());
@@ -62,7 +62,7 @@ class FigureDialogTest : public QObject {
     QCOMPARE(labelsOf(dialog->representations().list()),
              QStringList({"Ward", "PDV factors, three curves, 10 terms", "Sparse code, 256 coefficients"}));
     QVERIFY(editor.settled(*dialog));
-    QVERIFY(dialog->view().page().hasPage() && dialog->view().page().message().isEmpty());
+    QVERIFY(dialog->view().page().placeOf(0).isValid() && dialog->view().page().message().isEmpty());
     QVERIFY(dialog->view().status().startsWith("3 of 3 cells are not measured"));
     QVERIFY(editor.tasks.isIdle());
   }
@@ -204,7 +204,7 @@ class FigureDialogTest : public QObject {
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().page().message().contains("found 12 representations in a figure 84 mm wide"));
-    QVERIFY(!dialog->view().measureButton().isEnabled());
+    QVERIFY(!measureButton(*dialog).isEnabled());
     figure.width = figures::FigureWidth::twoColumns;
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
@@ -284,7 +284,7 @@ class FigureDialogTest : public QObject {
     {
       const auto dialog = editor.dialog();
       QVERIFY(editor.settled(*dialog));
-      dialog->view().measureButton().click();
+      measureButton(*dialog).click();
       QVERIFY(!editor.tasks.isIdle());
     }
     QVERIFY(editor.tasks.isIdle());

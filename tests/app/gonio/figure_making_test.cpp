@@ -44,9 +44,9 @@ class FigureMakingTest : public QObject {
     QVERIFY(editor.settled(*dialog));
     const FigureController& controller = dialog->view().controller();
     QImage page = dialog->view().page().grab().toImage();
-    dialog->view().measureButton().click();
+    measureButton(*dialog).click();
     QVERIFY(controller.isMeasuring());
-    QCOMPARE(dialog->view().measureButton().text().remove('&'), QString("Stop"));
+    QCOMPARE(measureButton(*dialog).text().remove('&'), QString("Stop"));
     QVERIFY(editor.settled(*dialog));
     QVERIFY2(dialog->view().status().startsWith("Every cell is measured"), qPrintable(dialog->view().status()));
     QVERIFY(dialog->view().page().grab().toImage() != page);
@@ -88,7 +88,7 @@ class FigureMakingTest : public QObject {
     figure.pictures.samples = 64;
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
-    dialog->view().measureButton().click();
+    measureButton(*dialog).click();
     const FigureController& controller = dialog->view().controller();
     QVERIFY(editor.wait([&] { return !controller.known().rows.empty(); }));
     QTest::keyClick(dialog.get(), Qt::Key_Escape);
@@ -96,7 +96,7 @@ class FigureMakingTest : public QObject {
     QVERIFY(editor.settled(*dialog));
     const auto first = controller.known().rows[0].cells[0];
     QVERIFY(first);
-    dialog->view().measureButton().click();
+    measureButton(*dialog).click();
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().status().startsWith("Every cell"));
     QVERIFY(controller.known().rows[0].cells[0] == first);
@@ -109,7 +109,7 @@ class FigureMakingTest : public QObject {
     figure.materials[1].path = editor.path("absent.binary").toStdString();
     dialog->setDescription(figure);
     QVERIFY(editor.settled(*dialog));
-    dialog->view().measureButton().click();
+    measureButton(*dialog).click();
     QVERIFY(editor.settled(*dialog));
     const QString status = dialog->view().status();
     QVERIFY2(status.startsWith("Cannot measure the cells of the figure: ") && status.contains("absent.binary"),
@@ -135,7 +135,7 @@ class FigureMakingTest : public QObject {
     QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failed.value(0).value(1).toString()));
     QVERIFY(editor.settled(*dialog));
     QVERIFY(dialog->view().status().startsWith("Wrote "));
-    QVERIFY(controller.known().missingCells() == 0 && !dialog->view().measureButton().isEnabled());
+    QVERIFY(controller.known().missingCells() == 0 && !measureButton(*dialog).isEnabled());
 
     const FigureDescription read = figures::readFigureDescription(editor.path("figure.json").toStdString());
     QVERIFY(read == figure);

@@ -108,6 +108,9 @@ inline figures::FigureDescription detailedFigure() {
   return figure;
 }
 
+/// "Measure", or "Stop" while it measures.
+inline QPushButton& measureButton(const FigureDialog& dialog) { return *dialog.view().findChild<QPushButton*>(); }
+
 inline QPushButton* buttonOf(const QWidget& part, const QString& text) {
   for (QPushButton* button : part.findChildren<QPushButton*>())
     if (button->text().remove('&').startsWith(text)) return button;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QMimeData>
@@ -29,6 +30,14 @@ using namespace gonio::app;
 using namespace gonio::app::test_support;
 using interpolation::InterpolationSpace;
 
+widgets::ParameterSlider& slider(const Editor& editor) { return *editor.panel.findChild<widgets::ParameterSlider*>(); }
+widgets::NumberField& number(const Editor& editor) { return *editor.panel.findChild<widgets::NumberField*>(); }
+widgets::BlendPad& pad(const Editor& editor) { return *editor.panel.findChild<widgets::BlendPad*>(); }
+widgets::BlendStrip& strip(const Editor& editor) { return *editor.panel.findChild<widgets::BlendStrip*>(); }
+QComboBox& spaceBox(const Editor& editor) { return *test::child<QComboBox>(editor.panel, "Interpolation space"); }
+widgets::ModelBox& modelBox(const Editor& editor) { return *editor.panel.findChild<widgets::ModelBox*>(); }
+QPushButton& drawButton(const Editor& editor) { return *test::child<QPushButton>(editor.panel, "Resume Rendering"); }
+
 class InterpolationPanelTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -37,9 +46,9 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     QVERIFY(editor.panel.isSettled());
     QVERIFY(!editor.panel.subject());
-    QVERIFY(editor.panel.overview().strip().rows().empty());
-    QVERIFY(!editor.panel.openButton().isEnabled());
-    QVERIFY(!editor.panel.blendSlots().slotWidget(0).currentButton()->isEnabled());
+    QVERIFY(strip(editor).rows().empty());
+    QVERIFY(!editor.openButton().isEnabled());
+    QVERIFY(!test::child<QToolButton>(editor.slotWidget(0), "Current")->isEnabled());
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.openAsMaterial();
     QCOMPARE(failed.count(), 1);
@@ -54,19 +63,19 @@ class InterpolationPanelTest : public QObject {
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
     QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
-    Q_EMIT editor.panel.positionEditor().slider().numberEdited(0.25);
+    Q_EMIT slider(editor).numberEdited(0.25);
     QVERIFY(changed.count() > 0);
-    QCOMPARE(editor.panel.positionEditor().number().value(), 0.25);
-    QCOMPARE(editor.panel.positionEditor().slider().number(), 0.25);
+    QCOMPARE(number(editor).value(), 0.25);
+    QCOMPARE(slider(editor).number(), 0.25);
     QVERIFY(std::holds_alternative<widgets::PreviewBlend>(editor.panel.subject()->shown));
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.3) < 1e-6);
-    Q_EMIT editor.panel.positionEditor().number().valueEdited(0.5);
-    QCOMPARE(editor.panel.positionEditor().slider().number(), 0.5);
+    Q_EMIT number(editor).valueEdited(0.5);
+    QCOMPARE(slider(editor).number(), 0.5);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.4) < 1e-6);
     QVERIFY(editor.panel.description().contains("50 % dark") && editor.panel.description().contains("Linear"));
-    QCOMPARE(editor.panel.blendSlots().slotWidget(1).content().note, QStringLiteral("50 %"));
+    QCOMPARE(editor.slotWidget(1).content().note, QStringLiteral("50 %"));
     // The end is the material, not a blend of one.
-    Q_EMIT editor.panel.positionEditor().slider().numberEdited(1);
+    Q_EMIT slider(editor).numberEdited(1);
     QVERIFY(editor.panel.subject()->isMeasured());
     QVERIFY(editor.panel.subject()->base() == editor.panel.materials().at(1)->material.table);
     // Swapped: the same place, the other end.
@@ -81,7 +90,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
-    const auto& rows = editor.panel.overview().strip().rows();
+    const auto& rows = strip(editor).rows();
     QCOMPARE(rows.size(), editor.panel.spaces().spaces().size());
     for (const auto& row : rows) {
       QVERIFY2(row.note.isEmpty(), qPrintable(row.name + ": " + row.note));
@@ -91,12 +100,12 @@ class InterpolationPanelTest : public QObject {
       QVERIFY(row.pictures.front() == rows[0].pictures.front());  // an end is the material in every space
       QVERIFY(!row.toolTip.isEmpty());
     }
-    Q_EMIT editor.panel.overview().strip().chosen(1, 2);
+    Q_EMIT strip(editor).chosen(1, 2);
     QCOMPARE(editor.panel.space(), editor.panel.spaces().spaces()[1]);
-    QCOMPARE(editor.panel.spaceBox().currentIndex(), 1);
+    QCOMPARE(spaceBox(editor).currentIndex(), 1);
     QVERIFY(std::abs(editor.panel.position().x() - 1 / 3.0) < 1e-12);
     // Its name takes the space alone.
-    Q_EMIT editor.panel.overview().strip().chosen(0, -1);
+    Q_EMIT strip(editor).chosen(0, -1);
     QCOMPARE(editor.panel.space(), InterpolationSpace::linear);
     QVERIFY(std::abs(editor.panel.position().x() - 1 / 3.0) < 1e-12);
   }
@@ -106,25 +115,27 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
-    QVERIFY(editor.panel.positionEditor().slider().isVisible());
+    QVERIFY(slider(editor).isVisible());
     editor.panel.materials().addSlot();
-    QVERIFY(!editor.panel.positionEditor().slider().isVisible() && editor.panel.positionEditor().pad().isVisible());
+    QVERIFY(!slider(editor).isVisible() && pad(editor).isVisible());
     QVERIFY(!editor.panel.subject());
     for (const double weight : editor.panel.weights()) QVERIFY(std::abs(weight - 1 / 3.0) < 1e-12);  // as before: equal
     editor.fill(2, "white", 0.9);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject() || !editor.panel.isShownInPreview(), patienceMilliseconds);
-    editor.panel.positionEditor().pad().setFocus();
-    QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_Home);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        editor.panel.subject() || !test::child<QCheckBox>(editor.panel, "Show in the preview")->isChecked(),
+        patienceMilliseconds);
+    pad(editor).setFocus();
+    QTest::keyClick(&pad(editor), Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
-    QVERIFY(editor.panel.positionEditor().pad().place() == editor.panel.position());
-    QVERIFY(editor.panel.weights() == editor.panel.positionEditor().pad().weights());
+    QVERIFY(pad(editor).place() == editor.panel.position());
+    QVERIFY(editor.panel.weights() == pad(editor).weights());
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 1.7 / 3) < 1e-6);
-    QTest::keyClick(&editor.panel.positionEditor().pad(), Qt::Key_3);
+    QTest::keyClick(&pad(editor), Qt::Key_3);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
     // Back to two: the place goes to the nearest that there is.
-    editor.panel.blendSlots().slotWidget(2).clearButton()->click();
+    test::child<QToolButton>(editor.panel, "Material C: empty the slot")->click();
     QCOMPARE(editor.panel.materials().count(), 2);
-    QVERIFY(editor.panel.positionEditor().slider().isVisible());
+    QVERIFY(slider(editor).isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
   }
 
@@ -134,22 +145,22 @@ class InterpolationPanelTest : public QObject {
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     const std::unique_ptr<QMimeData> data(widgets::toDrag("/nowhere/at-all.binary"));
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.blendSlots().slotWidget(0), &enter);
+    QApplication::sendEvent(&editor.slotWidget(0), &enter);
     QDropEvent drop(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.blendSlots().slotWidget(0), &drop);
-    QCOMPARE(editor.panel.blendSlots().slotWidget(0).content().note, QStringLiteral("Opening..."));
+    QApplication::sendEvent(&editor.slotWidget(0), &drop);
+    QCOMPARE(editor.slotWidget(0).content().note, QStringLiteral("Opening..."));
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
     QVERIFY(failed[0][1].toString().contains("at-all.binary"));
-    QVERIFY(editor.panel.blendSlots().slotWidget(0).content().failed);
+    QVERIFY(editor.slotWidget(0).content().failed);
     editor.fill(0, "dark", 0.2);
-    QVERIFY(!editor.panel.blendSlots().slotWidget(0).content().failed);
+    QVERIFY(!editor.slotWidget(0).content().failed);
   }
 
   /// Beside the wells, too: the nearest one takes it, and says so while it is dragged there.
   void aDropBesideAWellGoesIntoTheNearest() {
     Editor editor;
     const std::unique_ptr<QMimeData> data(widgets::toDrag("library:sgd/nickel"));
-    BlendSlots& blendSlots = editor.panel.blendSlots();
+    BlendSlots& blendSlots = *editor.panel.findChild<BlendSlots*>();
     const widgets::MaterialSlotWidget& second = blendSlots.slotWidget(1);
     const QPoint below = second.mapTo(blendSlots.viewport(), QPoint(5, second.height() + 12));
     QVERIFY(!second.geometry().contains(below));
@@ -207,13 +218,18 @@ class InterpolationPanelTest : public QObject {
   /// The choice of a model is there where the space has one.
   void theModelOfASpace() {
     Editor editor;
-    QVERIFY(editor.panel.modelBox().isHidden());
-    editor.panel.setSpace(InterpolationSpace::differential);
-    QVERIFY(!editor.panel.modelBox().isHidden());
-    Q_EMIT editor.panel.modelBox().modelChosen(&models::findModel("ward"));
+    const auto choose = [&](InterpolationSpace space) {
+      QComboBox& box = spaceBox(editor);
+      box.setCurrentIndex(box.findData(int(space)));
+      Q_EMIT box.activated(box.currentIndex());
+    };
+    QVERIFY(modelBox(editor).isHidden());
+    choose(InterpolationSpace::differential);
+    QVERIFY(!modelBox(editor).isHidden());
+    Q_EMIT modelBox(editor).modelChosen(&models::findModel("ward"));
     QVERIFY(&editor.panel.spaces().model() == &models::findModel("ward"));
-    editor.panel.setSpace(InterpolationSpace::factors);
-    QVERIFY(editor.panel.modelBox().isHidden());
+    choose(InterpolationSpace::factors);
+    QVERIFY(modelBox(editor).isHidden());
   }
 
   /// Cancelled work says so, and the button does it after all.
@@ -222,7 +238,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     const auto cancelled = [&] {
-      for (const auto& row : editor.panel.overview().strip().rows())
+      for (const auto& row : strip(editor).rows())
         if (row.note == "Cancelled") return true;
       return false;
     };
@@ -232,11 +248,11 @@ class InterpolationPanelTest : public QObject {
       return cancelled();
     };
     QTRY_VERIFY_WITH_TIMEOUT(cancel(), patienceMilliseconds);
-    QVERIFY(editor.panel.isSettled() && editor.panel.overview().drawButton().isVisible());
-    editor.panel.overview().drawButton().click();
+    QVERIFY(editor.panel.isSettled() && drawButton(editor).isVisible());
+    drawButton(editor).click();
     QVERIFY(!editor.panel.isSettled());
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
-    QVERIFY(!cancelled() && !editor.panel.overview().drawButton().isVisible());
+    QVERIFY(!cancelled() && !drawButton(editor).isVisible());
   }
 
   /// What is edited is what is seen: the preview leaves the blend, and comes back to it with the hand.

@@ -12,6 +12,7 @@
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "core/models/registry.h"
 #include "tests/app/gonio/patience.h"
+#include "tests/widgets/child.h"
 #include "widgets/interpolation/material_slot_widget.h"
 
 namespace gonio::app::test_support {
@@ -54,11 +55,13 @@ struct Editor {
     panel.resize(1300, 400);
     panel.show();
   }
+  QPushButton& openButton() const { return *test::child<QPushButton>(panel, "Open as Material"); }
+  widgets::MaterialSlotWidget& slotWidget(int slot) const { return panel.findChild<BlendSlots*>()->slotWidget(slot); }
   bool isSettled() const { return panel.isSettled() && tasks.isIdle(); }
   /// Opens a grey and takes it as it is.
   void fill(int slot, const char* name, double albedo) {
     document.setMaterial(greyMaterial(name, albedo));
-    panel.blendSlots().slotWidget(slot).currentButton()->click();
+    test::child<QToolButton>(slotWidget(slot), "Current")->click();
     QTRY_VERIFY_WITH_TIMEOUT(panel.materials().at(slot), patienceMilliseconds);
   }
 };

@@ -34,7 +34,7 @@ class KeptBlendTest : public QObject {
     setParameter(editor.document, 0, Rgb(0.5));
     editor.document.markSaved("/somewhere/light.gonio");
     editor.panel.moveTo({0.25, 0});
-    editor.panel.openButton().click();
+    editor.openButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 2, patienceMilliseconds);
     QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.3) < 1e-6);
     QVERIFY(editor.document.isModified() && editor.document.path().isEmpty());
@@ -82,7 +82,7 @@ class KeptBlendTest : public QObject {
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
     editor.panel.moveTo({0.25, 0});
-    editor.panel.openButton().click();
+    editor.openButton().click();
     editor.document.setMaterial(greyMaterial("opened", 0.9));
     QTRY_VERIFY_WITH_TIMEOUT(editor.isSettled(), patienceMilliseconds);
     QCOMPARE(editor.document.material()->material.name, std::string("opened"));
@@ -96,7 +96,7 @@ class KeptBlendTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
     editor.panel.materials().swap(0, 1);
     editor.panel.moveTo({0.25, 0});
-    editor.panel.openButton().click();
+    editor.openButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patienceMilliseconds);
     QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.5) < 1e-6);
     const documents::EditDocument stored = editor.document.toEditDocument();

@@ -19,6 +19,7 @@
 #include "core/models/model.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
@@ -206,9 +207,8 @@ class MainWindowTest : public QObject {
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
     adoptDefaultFit(document);
-    auto* body = window->parts().inspector.controls()->diffuseRow();
-    QVERIFY(body);
-    auto* slider = body->findChild<widgets::ParameterSlider*>();
+    auto* slider = test::child<widgets::ParameterSlider>(*window->parts().inspector.controls(), "Diffuse colour");
+    QVERIFY(slider);
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_Home);
     QVERIFY(!modelEdit(document)->isIdentity());

@@ -15,6 +15,7 @@
 #include "core/rendering/scene_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "widgets/interpolation/material_slot_widget.h"
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
@@ -80,7 +81,7 @@ class ScenePanelTest : public QObject {
 
   /// The switch forces, the row states it, and back by the plan nothing is left of it.
   void aSwitchForces() {
-    QComboBox& shadows = panel_->effects().switchOf(Effect::castShadows);
+    QComboBox& shadows = *test::child<QComboBox>(*panel_, "Cast shadows: auto, on or off");
     activate(shadows, 1);
     QVERIFY(content().plan().simulates(Effect::castShadows) && !content().plan()[Effect::castShadows].calledFor);
     QVERIFY(shows("yes, forced"));
@@ -91,11 +92,11 @@ class ScenePanelTest : public QObject {
 
   /// Nothing can be measured without a material; with one every effect gets its cost, until another scene comes.
   void costsAreMeasured() {
-    QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
+    QVERIFY(!button("Measure Effects").isEnabled() && !button("Compare with Reference").isEnabled());
     content().setSubject(widgets::measuredSubject(
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
-    QTRY_VERIFY(panel_->measureButton().isEnabled());
-    panel_->measureButton().click();
+    QTRY_VERIFY(button("Measure Effects").isEnabled());
+    button("Measure Effects").click();
     QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
     QCOMPARE(panel_->costs()->effects.size(), effectCount);
     QVERIFY(panel_->costs()->seconds > 0);
@@ -109,8 +110,7 @@ class ScenePanelTest : public QObject {
   void anotherMaterialStandsBeside() {
     const auto wellsShown = [this] {
       int shown = 0;
-      for (int place = 0; place < app::SceneMaterialSlots::count; ++place)
-        shown += !panel_->otherSlots().slotWidget(place).isHidden();
+      for (int place = 0; place < app::SceneMaterialSlots::count; ++place) shown += !slotWidget(place).isHidden();
       return shown;
     };
     QVERIFY(panel_->otherSlots().isHidden());
@@ -118,27 +118,26 @@ class ScenePanelTest : public QObject {
     QTRY_COMPARE(wellsShown(), 3);
     choose("two-spheres");
     QTRY_COMPARE(wellsShown(), 1);
-    QVERIFY(!panel_->otherSlots().slotWidget(0).currentButton()->isEnabled());
+    QVERIFY(!test::child<QToolButton>(slotWidget(0), "Current")->isEnabled());
     const auto material =
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
     content().setSubject(widgets::measuredSubject(material->base));
     QTRY_VERIFY(content().first().material() && content().tracing() == widgets::Tracing::never);
-    panel_->otherSlots().slotWidget(0).currentButton()->click();
+    test::child<QToolButton>(slotWidget(0), "Current")->click();
     QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
     QVERIFY(content().otherSlotMaterials()[0] && content().otherSlotMaterials()[0] != content().first().material());
-    QVERIFY(!panel_->otherSlots().slotWidget(0).content().name.isEmpty());
+    QVERIFY(!slotWidget(0).content().name.isEmpty());
     choose("sphere");
     QTRY_VERIFY(content().tracing() == widgets::Tracing::never);  // it has no second place
     choose("two-spheres");
     QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
-    panel_->otherSlots().slotWidget(0).clearButton()->click();
-    QVERIFY(content().tracing() == widgets::Tracing::never &&
-            panel_->otherSlots().slotWidget(0).content().name.isEmpty());
+    test::child<QToolButton>(slotWidget(0), "Material B: empty the slot")->click();
+    QVERIFY(content().tracing() == widgets::Tracing::never && slotWidget(0).content().name.isEmpty());
     QSignalSpy failed(panel_.get(), &ScenePanel::failed);
     panel_->otherSlots().read(0, "/nowhere/metal.binary");
     QTRY_COMPARE(failed.count(), 1);
-    QVERIFY(panel_->otherSlots().slotWidget(0).content().failed && content().tracing() == widgets::Tracing::never);
+    QVERIFY(slotWidget(0).content().failed && content().tracing() == widgets::Tracing::never);
   }
 
   void aSceneThatCannotBeReadIsTold() {
@@ -160,14 +159,21 @@ class ScenePanelTest : public QObject {
  private:
   widgets::PreviewContent& content() { return preview_->content(); }
 
-  void choose(const char* scene) { activate(panel_->scenes(), panel_->scenes().findData(QString(scene))); }
+  QPushButton& button(const QString& text) const { return *test::child<QPushButton>(*panel_, text); }
+  widgets::MaterialSlotWidget& slotWidget(int place) const {
+    return *panel_->otherSlots().findChildren<widgets::MaterialSlotWidget*>().at(place);
+  }
+  void choose(const char* scene) {
+    auto* scenes = test::child<QComboBox>(*panel_, "Scene");
+    activate(*scenes, scenes->findData(QString(scene)));
+  }
   void activate(QComboBox& box, int index) {
     box.setCurrentIndex(index);
     Q_EMIT box.activated(index);
   }
   int rowsWithCost() {
     int rows = 0;
-    for (std::size_t i = 0; i < effectCount; ++i) rows += panel_->effects().costOf(Effect(i)).text() != "-";
+    for (const QLabel* cost : panel_->findChildren<QLabel*>("cost")) rows += cost->text() != "-";
     return rows;
   }
   bool shows(const QString& text) {

@@ -17,6 +17,7 @@
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "widgets/study/study_scatter.h"
 
 namespace study_window_test {
@@ -50,11 +51,7 @@ struct Editor {
     window.run().setOptions(options);
     window.choice().setNames(names);
   }
-  QPushButton* button(const QString& text) const {
-    for (QPushButton* one : window.findChildren<QPushButton*>())
-      if (one->text().remove('&') == text) return one;
-    return nullptr;
-  }
+  QPushButton* button(const QString& text) const { return test::child<QPushButton>(window, text); }
   QString text(int row, int column) { return window.model().index(row, column).data().toString(); }
   bool finish() {
     return QTest::qWaitFor([&] { return !window.run().isRunning(); }, patienceMilliseconds);
@@ -369,12 +366,12 @@ class StudyWindowTest : public QObject {
     QPushButton& use = *editor.button("Use This Representation");
     QVERIFY(use.isEnabled());
     // 12 bytes: only three numbers fit.
-    editor.window.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = {}, .bytes = 100});
+    editor.window.findChild<StudyBudgetBar*>()->setBudget({.frameMilliseconds = {}, .renderedSnr = {}, .bytes = 100});
     QVERIFY(editor.text(lambertFit, 0).endsWith("(best)") || editor.text(ggxFit, 0).endsWith("(best)"));
     use.click();
     QCOMPARE(useRequested.count(), 1);
     QCOMPARE(useRequested[0][0].value<study::Representation>().kind->use, study::RepresentationUse::editModel);
-    editor.window.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = 200, .bytes = 100});
+    editor.window.findChild<StudyBudgetBar*>()->setBudget({.frameMilliseconds = {}, .renderedSnr = 200, .bytes = 100});
     QVERIFY(!use.isEnabled());
   }
 

@@ -13,6 +13,7 @@
 #include "app/gonio/scene/scene_panel.h"
 #include "core/io/image_io.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/child.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -46,21 +47,21 @@ class ViewStripTest : public QObject {
 
   /// What is chosen is shown, and the strip shows what is: also what was changed elsewhere.
   void scenesAndLights() {
-    QCOMPARE(strip_->scenes().currentText(), QString("Sphere"));
-    QCOMPARE(strip_->lights().currentText(), QString("From scene"));
-    choose(strip_->scenes(), "Cloth");
+    QCOMPARE(box("Scene").currentText(), QString("Sphere"));
+    QCOMPARE(box("Light").currentText(), QString("From scene"));
+    choose(box("Scene"), "Cloth");
     QTRY_COMPARE(preview_->content().scene().name, std::string("cloth"));
-    QCOMPARE(strip_->scenes().currentText(), QString("Cloth"));
-    choose(strip_->lights(), "Window");
+    QCOMPARE(box("Scene").currentText(), QString("Cloth"));
+    choose(box("Light"), "Window");
     QTRY_COMPARE(environment_->name(), QString("window"));
-    QCOMPARE(strip_->lights().currentText(), QString("Window"));
-    choose(strip_->lights(), "Distant light");
+    QCOMPARE(box("Light").currentText(), QString("Window"));
+    choose(box("Light"), "Distant light");
     QTRY_VERIFY(!preview_->content().scene().environment);
-    QCOMPARE(strip_->lights().currentText(), QString("Distant light"));
-    choose(strip_->lights(), "From scene");
+    QCOMPARE(box("Light").currentText(), QString("Distant light"));
+    choose(box("Light"), "From scene");
     QCOMPARE(environment_->name(), QString("studio"));
     scene_->open("sphere-distant-light");
-    QTRY_COMPARE(strip_->scenes().currentText(), QString("Sphere distant light"));
+    QTRY_COMPARE(box("Scene").currentText(), QString("Sphere distant light"));
   }
 
   /// A picture that was opened is named, is ticked, and can be chosen again.
@@ -71,52 +72,54 @@ class ViewStripTest : public QObject {
     for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(0.5f);
     io::writeExr(image, path.toStdString(), {});
     environment_->open(path);
-    QTRY_COMPARE(strip_->lights().currentText(), QString("garden.exr"));
+    QTRY_COMPARE(box("Light").currentText(), QString("garden.exr"));
     QCOMPARE(environment_->recent(), QStringList{path});
-    choose(strip_->lights(), "Sky");
+    choose(box("Light"), "Sky");
     QTRY_COMPARE(environment_->name(), QString("sky"));
-    choose(strip_->lights(), "garden.exr");
+    choose(box("Light"), "garden.exr");
     QTRY_COMPARE(environment_->name(), path);
     QVERIFY(QFile::remove(path));
     QSignalSpy failed(environment_.get(), &EnvironmentController::failed);
-    choose(strip_->lights(), "garden.exr");
+    choose(box("Light"), "garden.exr");
     QTRY_COMPARE(failed.count(), 1);
     QVERIFY(environment_->recent().isEmpty());
   }
 
   void backgrounds() {
-    choose(strip_->backgrounds(), "Checker");
+    choose(box("Background"), "Checker");
     QVERIFY(preview_->display().checker && !preview_->content().scene().showEnvironment);
-    choose(strip_->backgrounds(), "Environment");
+    choose(box("Background"), "Environment");
     QVERIFY(!preview_->display().checker && preview_->content().scene().showEnvironment);
-    choose(strip_->backgrounds(), "Environment, blurred");
+    choose(box("Background"), "Environment, blurred");
     QVERIFY(preview_->content().scene().showEnvironment && preview_->content().scene().blurBackground);
-    choose(strip_->scenes(), "Bowl");
+    choose(box("Scene"), "Bowl");
     QTRY_COMPARE(preview_->content().scene().name, std::string("bowl"));
-    QCOMPARE(strip_->backgrounds().currentText(), QString("Environment, blurred"));
-    choose(strip_->lights(), "Distant light");
-    QTRY_COMPARE(strip_->backgrounds().currentText(), QString("Plain"));
+    QCOMPARE(box("Background").currentText(), QString("Environment, blurred"));
+    choose(box("Light"), "Distant light");
+    QTRY_COMPARE(box("Background").currentText(), QString("Plain"));
   }
 
   void exposure() {
-    Q_EMIT strip_->exposure().valueEdited(1.5);
+    auto* exposure = strip_->findChild<widgets::NumberField*>();
+    Q_EMIT exposure->valueEdited(1.5);
     QCOMPARE(preview_->display().exposure, 1.5);
     preview_->setExposure(-2);
-    QCOMPARE(strip_->exposure().value(), -2.0);
+    QCOMPARE(exposure->value(), -2.0);
   }
 
   void filesAreAskedFor() {
     QSignalSpy scene(strip_.get(), &ViewStrip::sceneFileRequested);
     QSignalSpy environment(strip_.get(), &ViewStrip::environmentFileRequested);
-    choose(strip_->scenes(), "Mesh or scene...");
-    choose(strip_->lights(), "Image (HDR, EXR)...");
+    choose(box("Scene"), "Mesh or scene...");
+    choose(box("Light"), "Image (HDR, EXR)...");
     QCOMPARE(scene.count(), 1);
     QCOMPARE(environment.count(), 1);
-    QCOMPARE(strip_->scenes().currentText(), QString("Sphere"));
-    QCOMPARE(strip_->lights().currentText(), QString("From scene"));
+    QCOMPARE(box("Scene").currentText(), QString("Sphere"));
+    QCOMPARE(box("Light").currentText(), QString("From scene"));
   }
 
  private:
+  QComboBox& box(const QString& label) const { return *test::child<QComboBox>(*strip_, label); }
   static void choose(QComboBox& box, const QString& text) {
     const int index = box.findText(text);
     QVERIFY2(index >= 0, qPrintable(text));
