@@ -56,17 +56,18 @@ struct Way {
   Direction direction{0};
   double length = 0;
 };
-inline Way randomWay(const Scene& scene, const SceneLight& light, const Direction& from, std::mt19937_64& random) {
-  if (light.kind == SceneLight::Kind::directional)
+inline Way randomWay(const rendering::Scene& scene, const rendering::SceneLight& light, const Direction& from,
+                     std::mt19937_64& random) {
+  if (light.kind == rendering::SceneLight::Kind::directional)
     return {scene.directionalLights[light.index].toLight, std::numeric_limits<double>::infinity()};
-  if (light.kind == SceneLight::Kind::environment)
+  if (light.kind == rendering::SceneLight::Kind::environment)
     return {randomDirection(random), std::numeric_limits<double>::infinity()};
-  const SurfacePoint end = light.kind == SceneLight::Kind::point
+  const SurfacePoint end = light.kind == rendering::SceneLight::Kind::point
                                ? SurfacePoint{scene.pointLights[light.index].position, Direction(0)}
                                : randomSurfacePoint(scene.objects[light.index].shape, random);
   const double length = glm::length(end.position - from);
   const Direction direction = (end.position - from) / length;
-  if (light.kind == SceneLight::Kind::rectangle && !(glm::dot(end.normal, direction) < 0)) return {};
+  if (light.kind == rendering::SceneLight::Kind::rectangle && !(glm::dot(end.normal, direction) < 0)) return {};
   return {direction, length};
 }
 

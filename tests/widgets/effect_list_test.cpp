@@ -26,7 +26,8 @@ class EffectListTest : public QObject {
         .effect = Effect::interreflection, .seconds = -0.004, .secondsNoise = 0.01};
     EffectList list;
     const QList<QLabel*> labels = list.findChildren<QLabel*>("cost");
-    const QLabel &shadows = *labels.at(int(Effect::castShadows)), &reflections = *labels.at(int(Effect::interreflection));
+    const QLabel &shadows = *labels.at(int(Effect::castShadows)),
+                 &reflections = *labels.at(int(Effect::interreflection));
     const QString none = shadows.text();
     QVERIFY(!none.contains(QRegularExpression("[0-9]")));
     list.setCosts(costs);

@@ -77,7 +77,7 @@ class InterpolationPanel : public QWidget {
   void connectParts();
   void blendMaterialsChanged();
   void materialChanged();
-  void setSpace(editing::InterpolationSpace space);
+  void setSpace(interpolation::InterpolationSpace space);
   /// The user works in this panel, so the preview shows the blend.
   void touched() { setShownInPreview(true); }
   void showMaterials();

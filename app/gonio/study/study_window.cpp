@@ -219,8 +219,11 @@ void StudyWindow::connectParts() {
   connect(m_sheet, &StudySheet::failed, this, &StudyWindow::failed);
   for (StudyRun* run : {m_openRun, m_libraryRun}) connectRun(*run);
   // What is edited is what the user wants to see.
-  for (const auto signal : {&Document::editChanged, &Document::stateChanged})
-    connect(&m_document, signal, this, [this] { show(-1); });
+  connect(&m_document, &Document::stateChanged, this, [this] { show(-1); });
+  connect(&m_document, &Document::editChanged, this, [this] {
+    if (m_subject || m_wanted >= 0) return show(-1);
+    showModelInUse();  // all else stays at a step of a slider
+  });
   for (const auto signal : {&Document::stateChanged, &Document::selectionChanged})
     connect(&m_document, signal, this, &StudyWindow::refresh);
 }
@@ -461,8 +464,7 @@ void StudyWindow::refresh() {
   m_subjects->setItemText(0,
                           m_document.material() ? tr("Open material: %1").arg(m_document.name()) : tr("Open material"));
   setWindowTitle(tr("Study: %1").arg(widgets::titleText(name)));
-  const auto* edit = m_document.active<editing::DifferentialEdit>();
-  m_openRun->model().setModelInUse(edit ? edit->model : nullptr);
+  showModelInUse();
   refreshBudget();
   const int shown = m_run == m_openRun ? m_shown : -1;
   m_run->model().setMarks(shown, m_best);
@@ -479,6 +481,11 @@ void StudyWindow::refresh() {
   m_footer->setText(facts.join(QStringLiteral(" · ")));
   m_footer->setToolTip(facts.join('\n'));
   m_footer->setVisible(!facts.isEmpty());
+}
+
+void StudyWindow::showModelInUse() {
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  m_openRun->model().setModelInUse(edit ? edit->model : nullptr);
 }
 
 void StudyWindow::refreshBudget() {

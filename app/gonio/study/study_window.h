@@ -99,6 +99,7 @@ class StudyWindow : public QDialog {
   void showColumns();
   void refreshResults();
   void refresh();
+  void showModelInUse();
   void refreshBudget();
   void refreshSheet();
   QString hint() const;

@@ -127,7 +127,7 @@ class GoniotoolTest : public QObject {
       return runJson({"compare", material, table, "--size", "48", "--samples", "16"}).json["renderedSnr"].get<double>();
     };
     const auto table = readTable(folded);
-    const auto mean = meanOfBothOrders(editing::openMaterial("library:rgl/satin_purple").brdf);
+    const auto mean = meanOfBothOrders(documents::openMaterial("library:rgl/satin_purple").brdf);
     for (std::size_t node = 0; node < table->grid().size(); node += 997) {
       if (!table->grid().nodeWithin(node, radians(85))) continue;
       const DirectionPair at = table->grid().directions(node);
@@ -388,7 +388,7 @@ class GoniotoolTest : public QObject {
     }
     QVERIFY(std::abs(different.json["brdfSnr"].get<double>() - metrics::brdfSignalToNoiseRatio(*plastic, *matte)) <
             1e-9);
-    const RenderedComparison comparison(*plastic, {.width = 32, .height = 32, .samples = 4});
+    const rendering::RenderedComparison comparison(*plastic, {.width = 32, .height = 32, .samples = 4});
     const double snr = comparison.signalToNoiseRatio(comparison.render(*matte));
     QVERIFY(std::abs(different.json["renderedSnr"].get<double>() - snr) < 1e-9);
     for (const auto& record : gonio::metrics::imageMetricRecords()) {
