@@ -154,6 +154,11 @@ bool PreviewInput::pick(const QMouseEvent& event) {
 void PreviewInput::press(const QMouseEvent& event) {
   m_lastPosition = event.position();
   m_moved = false;
+  if (event.button() == Qt::LeftButton && event.modifiers() & Qt::AltModifier) {
+    m_editPressed = event.position();
+    Q_EMIT editStarted(event.position());
+    return;
+  }
   if (pick(event)) return;
   if (event.button() == Qt::LeftButton && !(event.modifiers() & Qt::ShiftModifier) &&
       hasMovableLight(m_content.scene()))
@@ -161,6 +166,11 @@ void PreviewInput::press(const QMouseEvent& event) {
 }
 
 void PreviewInput::release(const QMouseEvent& event) {
+  if (m_editPressed && event.button() == Qt::LeftButton) {
+    m_editPressed.reset();
+    Q_EMIT editFinished();
+    return;
+  }
   if (event.button() == Qt::RightButton && !m_moved) Q_EMIT menuRequested(event.globalPosition().toPoint());
 }
 
@@ -177,6 +187,10 @@ void PreviewInput::move(const QMouseEvent& event) {
     return;
   m_moved = true;
   m_lastPosition = event.position();
+  if (m_editPressed) {
+    Q_EMIT editDragged(event.position() - *m_editPressed, event.globalPosition().toPoint());
+    return;
+  }
   if (pick(event)) return;
   const rendering::Scene& scene = m_content.scene();
   const bool shift = event.modifiers() & Qt::ShiftModifier;
@@ -207,6 +221,12 @@ bool PreviewInput::key(const QKeyEvent& event) {
     return panned(camera, way.x(), way.y());
   };
   switch (event.key()) {
+    case Qt::Key_Escape:
+      if (!m_editPressed) return false;
+      Q_EMIT editDragged({}, m_viewport.mapToGlobal(m_editPressed->toPoint()));
+      m_editPressed.reset();
+      Q_EMIT editFinished();
+      return true;
     case Qt::Key_F:
       frameObject();
       return true;

@@ -41,8 +41,9 @@ std::optional<double> viewerPolarAngle(const rendering::OrbitCamera& camera, dou
 
 /// Mouse and keyboard input of the preview. Left drag orbits (if the only light is one distant light: moves the light),
 /// right drag always orbits, middle or Shift + left drag pans, the wheel zooms at the pointer, Shift + right drag
-/// rotates the environment, Ctrl + left (or left while picking) picks the viewer's polar angle at a point, a right
-/// click requests a menu. Keys: arrows orbit, Ctrl + arrows pan, plus and minus zoom, F frames, R resets the view.
+/// rotates the environment, Alt + left drag edits the material, Ctrl + left (or left while picking) picks the viewer's
+/// polar angle at a point, a right click requests a menu. Keys: arrows orbit, Ctrl + arrows pan, plus and minus zoom, F
+/// frames, R resets the view.
 class PreviewInput : public QObject {
   Q_OBJECT
 
@@ -58,6 +59,11 @@ class PreviewInput : public QObject {
  Q_SIGNALS:
   /// The user picked a point of the sphere where the viewer has this polar angle (rad, [0, pi/2]).
   void polarAnglePicked(double theta);
+  /// Alt + left drag: pressed at a position of the viewport; moved by so many pixels since then (y down), with the
+  /// pointer at a global position; released. Escape moves back and releases.
+  void editStarted(const QPointF& position);
+  void editDragged(const QPointF& pixels, const QPoint& place);
+  void editFinished();
   /// Requested by a right click or the menu key. @param place global position
   void menuRequested(const QPoint& place);
 
@@ -82,7 +88,8 @@ class PreviewInput : public QObject {
   QWidget& m_viewport;
   bool m_picking = false;
   QPointF m_lastPosition;
-  bool m_moved = false;  ///< whether the mouse moved since a button was pressed
+  std::optional<QPointF> m_editPressed;  ///< where the drag that edits the material began
+  bool m_moved = false;                  ///< whether the mouse moved since a button was pressed
 };
 
 }  // namespace gonio::widgets

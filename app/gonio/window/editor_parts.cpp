@@ -10,6 +10,7 @@
 #include "app/gonio/comparison/comparison_panel.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/inspector/highlight_drag.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/wavelength_panel.h"
@@ -65,6 +66,7 @@ EditorParts::EditorParts()
       scene(*new ScenePanel(preview, document, tasks)),
       viewStrip(*new ViewStrip(preview, scene, environment, tasks)),
       acquisition(*new AcquisitionPanel(document, tasks)) {
+  new HighlightDrag(preview, document);
   connectStandIns();
   connectLibrary();
   connectPlots();

@@ -187,6 +187,8 @@ QString gestures() {
          row(HelpPagesText::tr("Middle drag, Shift + drag in the preview"), HelpPagesText::tr("pan")) +
          row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom to the pointer")) +
          row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("rotate the environment")) +
+         row(HelpPagesText::tr("Alt + drag in the preview"),
+             HelpPagesText::tr("edit the highlight: outwards widens it, upwards strengthens it")) +
          row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the object, reset the view")) +
          row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("fine steps, snap")) +
          row(HelpPagesText::tr("Double-click on a label or slider"), HelpPagesText::tr("reset the parameter")) +

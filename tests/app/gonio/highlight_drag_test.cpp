@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/highlight_drag.h"
+
+#include <QTest>
+#include <QUndoStack>
+#include <cmath>
+#include <memory>
+
+#include "core/models/registry.h"
+#include "tests/app/gonio/document_edits.h"
+#include "tests/support/test_program.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace highlight_drag_test {
+using namespace gonio;
+using namespace gonio::app;
+using namespace gonio::app::test_support;
+
+class HighlightDragTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    preview_ = std::make_unique<widgets::PreviewWidget>();
+    preview_->resize(400, 400);
+    document_ = std::make_unique<Document>();
+    new HighlightDrag(*preview_, *document_);
+    openGrey();
+  }
+  void cleanup() {
+    preview_.reset();
+    document_.reset();
+  }
+
+  /// Sideways the width, upwards the strength, each twice as large after the stated distance; one undo step.
+  void widensSidewaysAndStrengthensUpwards() {
+    adoptFit();
+    const int steps = document_->history().count();
+    press();
+    moveTo({20, 3});
+    moveTo({way(1), 2});  // a hand trembles
+    QCOMPARE(value(editing::ArtistControl::roughness), 2.0);
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 1.0);
+    moveTo({-way(2), -way(1)});
+    QCOMPARE(value(editing::ArtistControl::roughness), 0.25);
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 2.0);
+    release();
+    QCOMPARE(document_->history().count(), steps + 1);
+    document_->history().undo();
+    QCOMPARE(value(editing::ArtistControl::roughness), 1.0);
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 1.0);
+  }
+
+  /// The next drag goes on from the values of the last, up to the ends of the sliders.
+  void goesOnWithinTheRangeOfTheSliders() {
+    adoptFit();
+    for (int drag = 0; drag < 2; ++drag) {
+      press();
+      moveTo({way(1), 0});
+      release();
+    }
+    QCOMPARE(value(editing::ArtistControl::roughness), 4.0);
+    press();
+    moveTo({way(20), -way(20)});
+    release();
+    const auto& controls = editing::artistControls().parameters;
+    QCOMPARE(value(editing::ArtistControl::roughness),
+             controls[std::size_t(editing::ArtistControl::roughness)].softMax);
+    QCOMPARE(value(editing::ArtistControl::specularStrength),
+             controls[std::size_t(editing::ArtistControl::specularStrength)].softMax);
+  }
+
+  void escapeGoesBack() {
+    adoptFit();
+    press();
+    moveTo({way(1), way(1)});
+    QTest::keyClick(preview_.get(), Qt::Key_Escape);
+    QCOMPARE(value(editing::ArtistControl::roughness), 1.0);
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 1.0);
+    moveTo({way(2), 0});
+    QCOMPARE(value(editing::ArtistControl::roughness), 1.0);
+    release();
+  }
+
+  /// The camera stays; without Alt it turns, and the material stays.
+  void theCameraStays() {
+    adoptFit();
+    const double yaw = preview_->content().scene().camera.yaw;
+    press();
+    moveTo({way(1), 0});
+    release();
+    QCOMPARE(preview_->content().scene().camera.yaw, yaw);
+    QTest::mousePress(preview_.get(), Qt::LeftButton, {}, middle);
+    moveTo({way(1), 0}, {});
+    QTest::mouseRelease(preview_.get(), Qt::LeftButton, {}, middle);
+    QVERIFY(preview_->content().scene().camera.yaw != yaw);
+    QCOMPARE(value(editing::ArtistControl::roughness), 2.0);
+  }
+
+  void withoutAModelNothingChanges() {
+    press();
+    moveTo({way(1), 0});
+    release();
+    QVERIFY(document_->edits().empty());
+    QCOMPARE(document_->history().count(), 0);
+  }
+
+  /// Left of the middle of the bright part the way out is to the left.
+  void outwardsIsAwayFromTheBrightPart() {
+    QImage picture(320, 200, QImage::Format_RGBA8888);
+    picture.fill(Qt::black);
+    for (int y = 60; y < 100; ++y)
+      for (int x = 160; x < 240; ++x) picture.setPixelColor(x, y, Qt::white);
+    QCOMPARE(HighlightDrag::outwards(picture, 0.55), -1);
+    QCOMPARE(HighlightDrag::outwards(picture, 0.7), 1);
+    QCOMPARE(HighlightDrag::outwards(picture, 0.1), -1);
+    picture.fill(Qt::black);
+    QCOMPARE(HighlightDrag::outwards(picture, 0.1), 1);
+    QCOMPARE(HighlightDrag::outwards({}, 0.1), 1);
+  }
+
+ private:
+  static constexpr QPoint middle{200, 200};
+  static int way(double doublings) {
+    return int(HighlightDrag::deadPixels + doublings * HighlightDrag::pixelsPerDoubling);
+  }
+
+  void openGrey() {
+    auto loaded = std::make_shared<LoadedMaterial>();
+    loaded->material.name = "grey";
+    const HalfDifferenceGrid grid{4, 4, 4};
+    loaded->base =
+        std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
+                                        std::vector<std::uint8_t>(grid.size(), 1));
+    document_->setMaterial(loaded);
+  }
+  void adoptFit() {
+    fitting::FitResult fit;
+    fit.model = &models::findModel("ggx");
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    document_->adoptFit(fit);
+  }
+  double value(editing::ArtistControl control) const {
+    return modelEdit(*document_)->controls.values[std::size_t(control)].x;
+  }
+  void press() { QTest::mousePress(preview_.get(), Qt::LeftButton, Qt::AltModifier, middle); }
+  void moveTo(const QPoint& away, Qt::KeyboardModifiers modifiers = Qt::AltModifier) {
+    const QPointF at = QPointF(middle + away);
+    QMouseEvent event(QEvent::MouseMove, at, preview_->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
+    QCoreApplication::sendEvent(preview_.get(), &event);
+  }
+  void release() { QTest::mouseRelease(preview_.get(), Qt::LeftButton, Qt::AltModifier, middle); }
+
+  std::unique_ptr<widgets::PreviewWidget> preview_;
+  std::unique_ptr<Document> document_;
+};
+
+GONIO_TEST(HighlightDragTest)
+}  // namespace highlight_drag_test
+
+#include "highlight_drag_test.moc"
