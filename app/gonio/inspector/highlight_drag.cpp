@@ -41,25 +41,21 @@ HighlightDrag::HighlightDrag(widgets::PreviewWidget& preview, Document& document
   connect(&preview.input(), &widgets::PreviewInput::editFinished, this, &HighlightDrag::end);
 }
 
-int HighlightDrag::outwards(const QImage& picture, double place) {
+int HighlightDrag::outwards(const QImage& picture, const QPointF& place) {
   if (picture.isNull()) return 1;
   // So few pixels that noise and the grain of flakes are smoothed away.
   constexpr int columns = 32;
-  constexpr double bright = 0.9;
+  constexpr double reach = columns / 6.0, contrast = 4;
   const QImage small =
       picture.scaledToWidth(columns, Qt::SmoothTransformation).convertToFormat(QImage::Format_Grayscale8);
-  const auto grey = [&](int x, int y) { return double(qGray(small.pixel(x, y))); };
-  double highest = 0;
+  const QPointF at(place.x() * columns, place.y() * small.height());
+  double offset = 0;
   for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < columns; ++x) highest = std::max(highest, grey(x, y));
-  double sum = 0, count = 0;
-  for (int y = 0; y < small.height(); ++y)
-    for (int x = 0; x < columns; ++x)
-      if (grey(x, y) >= bright * highest && highest > 0) {
-        sum += x + 0.5;
-        ++count;
-      }
-  return count > 0 && place < sum / count / columns ? -1 : 1;
+    for (int x = 0; x < columns; ++x) {
+      const double dx = x + 0.5 - at.x(), dy = y + 0.5 - at.y(), grey = qGray(small.pixel(x, y)) / 255.0;
+      offset += dx * std::pow(grey, contrast) * std::exp(-(dx * dx + dy * dy) / (2 * reach * reach));
+    }
+  return offset > 0 ? -1 : 1;
 }
 
 void HighlightDrag::begin(const QPointF& position) {
@@ -67,7 +63,7 @@ void HighlightDrag::begin(const QPointF& position) {
   if (!edit) return;
   m_roughness = valueOf(*edit, ArtistControl::roughness);
   m_strength = valueOf(*edit, ArtistControl::specularStrength);
-  m_outwards = outwards(m_preview.picture(), position.x() / m_preview.width());
+  m_outwards = outwards(m_preview.picture(), {position.x() / m_preview.width(), position.y() / m_preview.height()});
   m_document.beginInteraction();
 }
 

@@ -27,9 +27,9 @@ class HighlightDrag : public QObject {
 
   HighlightDrag(widgets::PreviewWidget& preview, Document& document);
 
-  /// 1 if a place is right of the middle of the highlight (the brightest part of the picture), or in a dark or missing
-  /// picture; else -1. @param place in [0, 1] over the width of the picture.
-  static int outwards(const QImage& picture, double place);
+  /// 1 if a place is right of the middle of the highlight around it, or in a dark or missing picture; else -1.
+  /// @param place in [0, 1] over the width and the height of the picture.
+  static int outwards(const QImage& picture, const QPointF& place);
 
  private:
   void begin(const QPointF& position);

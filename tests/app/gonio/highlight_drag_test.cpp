@@ -106,18 +106,24 @@ class HighlightDragTest : public QObject {
     QCOMPARE(document_->history().count(), 0);
   }
 
-  /// Left of the middle of the bright part the way out is to the left.
-  void outwardsIsAwayFromTheBrightPart() {
+  /// Left of the middle of a highlight the way out is to the left, whatever shines elsewhere.
+  void outwardsIsAwayFromTheHighlight() {
     QImage picture(320, 200, QImage::Format_RGBA8888);
+    const auto fill = [&](const QRect& rectangle, int grey) {
+      for (int y = rectangle.top(); y <= rectangle.bottom(); ++y)
+        for (int x = rectangle.left(); x <= rectangle.right(); ++x)
+          picture.setPixelColor(x, y, QColor(grey, grey, grey));
+    };
     picture.fill(Qt::black);
-    for (int y = 60; y < 100; ++y)
-      for (int x = 160; x < 240; ++x) picture.setPixelColor(x, y, Qt::white);
-    QCOMPARE(HighlightDrag::outwards(picture, 0.55), -1);
-    QCOMPARE(HighlightDrag::outwards(picture, 0.7), 1);
-    QCOMPARE(HighlightDrag::outwards(picture, 0.1), -1);
-    picture.fill(Qt::black);
-    QCOMPARE(HighlightDrag::outwards(picture, 0.1), 1);
-    QCOMPARE(HighlightDrag::outwards({}, 0.1), 1);
+    QCOMPARE(HighlightDrag::outwards(picture, {0.1, 0.5}), 1);
+    QCOMPARE(HighlightDrag::outwards({}, {0.1, 0.5}), 1);
+    fill(QRect(0, 0, 320, 200), 60);
+    fill(QRect(40, 60, 80, 60), 200);    // middle at 0.25
+    fill(QRect(280, 20, 20, 160), 255);  // a rim at 0.91
+    QCOMPARE(HighlightDrag::outwards(picture, {0.2, 0.45}), -1);
+    QCOMPARE(HighlightDrag::outwards(picture, {0.3, 0.45}), 1);
+    QCOMPARE(HighlightDrag::outwards(picture, {0.88, 0.45}), -1);
+    QCOMPARE(HighlightDrag::outwards(picture, {0.94, 0.45}), 1);
   }
 
  private:
