@@ -13,7 +13,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int textLines = 4, maxSelected = 2;
+constexpr int textLines = 5, maxSelected = 2;
 }
 
 /// Where things stand, in pixels of the drawing.

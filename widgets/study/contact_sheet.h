@@ -12,7 +12,7 @@ namespace gonio::widgets {
 /// One representation on a contact sheet. A null picture is pending.
 struct SheetTile {
   QString name;
-  QString numbers;  ///< one or two lines below the name
+  QString numbers;  ///< one to three lines below the name
   QPixmap picture;
   QPixmap map;  ///< error map; null: none
 };
