@@ -59,6 +59,7 @@ struct PointCurves {
  private:
   static std::vector<double> valuesOf(const Cubic& curve, const CurveDrag& drag) {
     std::vector<double> values;
+    values.reserve(drag.from.size());
     for (const double place : drag.from) values.push_back(curve(place));
     return values;
   }
@@ -126,6 +127,8 @@ std::vector<double> controlPoints(std::span<const double> nodes, std::span<const
   std::vector<std::size_t> chosen{0, nodes.size() - 1};
   while (int(chosen.size()) < maxNodes) {
     std::vector<double> places, values;
+    places.reserve(chosen.size());
+    values.reserve(chosen.size());
     for (const std::size_t i : chosen) {
       places.push_back(nodes[i]);
       values.push_back(curve[i]);
@@ -142,6 +145,7 @@ std::vector<double> controlPoints(std::span<const double> nodes, std::span<const
     chosen.insert(std::upper_bound(chosen.begin(), chosen.end(), worst), worst);
   }
   std::vector<double> points;
+  points.reserve(chosen.size());
   for (const std::size_t i : chosen) points.push_back(nodes[i]);
   return points;
 }
