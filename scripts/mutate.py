@@ -50,7 +50,8 @@ def parse(index, flags, file):
 
 
 def operators(unit, file):
-    """Binary operators of numbers in the file that are evaluated at run time: (line, start, end, operator, left end, right start)."""
+    """Binary operators of numbers in the file that are evaluated at run time: (line, start, end, end of the left side,
+    start of the right side), offsets in bytes."""
     found = []
 
     def walk(cursor, constant):
@@ -73,7 +74,8 @@ def operators(unit, file):
 
 
 def pick(source, flags, count, seed, also):
-    """The operators that are made wrong: {file: [(id, start, end, operator, text of both sides)]}."""
+    """The operators that are made wrong: {file: [(id, start, end, operator, end of the left side,
+    start of the right side, text of the line)]}."""
     candidates = []
     for file in sorted((source / "core").rglob("*.cpp")):
         for number, line in enumerate(file.read_text().splitlines(), 1):

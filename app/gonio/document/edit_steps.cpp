@@ -109,19 +109,13 @@ void setControl(Document& document, editing::ArtistControl control, const Rgb& v
           .arg(widgets::toQString(specOf(control).label), widgets::displayValue(specOf(control), value)));
 }
 
-void setHighlight(Document& document, double roughness, double strength) {
+void setControls(Document& document, const models::ParameterValues& controls, const QString& text) {
   const int edit = activeIndex<DifferentialEdit>(document.state());
   if (edit < 0) return;
-  editing::EditList edits = document.edits();
-  QStringList names;
-  for (const auto& [control, wanted] : {std::pair(editing::ArtistControl::roughness, roughness),
-                                        std::pair(editing::ArtistControl::specularStrength, strength)}) {
-    const models::ParameterSpec& spec = specOf(control);
-    const Rgb value(std::clamp(wanted, spec.softMin, spec.softMax));
-    std::get<DifferentialEdit>(edits[std::size_t(edit)].content).controls.values[std::size_t(control)] = value;
-    names << EditStepText::tr("%1 to %2").arg(widgets::toQString(spec.label), widgets::displayValue(spec, value));
-  }
-  document.replaceEdits(std::move(edits), names.join(QStringLiteral(", ")));
+  document.replaceEdits(
+      editing::withEdit(document.edits(), std::size_t(edit),
+                        [&](Edit& one) { std::get<DifferentialEdit>(one.content).controls = controls; }),
+      text);
 }
 
 void resetControl(Document& document, editing::ArtistControl control) {

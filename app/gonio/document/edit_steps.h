@@ -29,9 +29,9 @@ void resetParameter(Document& document, int parameter);
 void resetParameters(Document& document);
 /// Sets one of the artist's controls of the active differential edit; no effect if there is none.
 void setControl(Document& document, editing::ArtistControl control, const Rgb& value);
-/// Sets the controls roughness and specular strength of the active differential edit in one step; values outside the
-/// range of a slider are clamped to it. No effect if there is no such edit.
-void setHighlight(Document& document, double roughness, double strength);
+/// Sets all controls of the active differential edit in one step; no effect if there is none. @param controls values of
+/// editing::artistControls(). @param text of the step.
+void setControls(Document& document, const models::ParameterValues& controls, const QString& text);
 /// Resets a control to its neutral value; never part of an interaction.
 void resetControl(Document& document, editing::ArtistControl control);
 /// Sets how the change of the active differential edit is composed with the measurement; never part of an interaction.

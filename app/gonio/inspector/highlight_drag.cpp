@@ -17,19 +17,27 @@ namespace {
 using editing::ArtistControl;
 using editing::DifferentialEdit;
 
-double valueOf(const DifferentialEdit& edit, ArtistControl control) {
-  return edit.controls.values[std::size_t(control)].x;
+/// The control multiplied by a factor, within its slider, or up to where it was. A highlight that is off can be drawn
+/// up again.
+void multiply(models::ParameterValues& controls, ArtistControl control, double factor) {
+  if (factor == 1) return;
+  constexpr double weakest = 0.01;
+  const models::ParameterSpec& spec = editing::artistControls().parameters[std::size_t(control)];
+  Rgb& value = controls.values[std::size_t(control)];
+  value = Rgb(std::clamp(std::max(value.x, weakest) * factor, std::min(spec.softMin, value.x),
+                         std::max(spec.softMax, value.x)));
 }
 
-/// "Roughness 2", one line for each of both controls.
+/// "Roughness 2", a line for each of both controls that the model has.
 QString valuesText(const DifferentialEdit& edit) {
   QStringList lines;
   for (const ArtistControl control : {ArtistControl::roughness, ArtistControl::specularStrength}) {
+    if (!editing::actsOn(control, edit.model->spec())) continue;
     const models::ParameterSpec& spec = editing::artistControls().parameters[std::size_t(control)];
     lines << QStringLiteral("%1 %2").arg(widgets::toQString(spec.label),
                                          widgets::displayValue(spec, edit.controls.values[std::size_t(control)]));
   }
-  return lines.join('\n');
+  return lines.isEmpty() ? HighlightDrag::tr("This model has no highlight") : lines.join('\n');
 }
 
 }  // namespace
@@ -61,8 +69,7 @@ int HighlightDrag::outwards(const QImage& picture, const QPointF& place) {
 void HighlightDrag::begin(const QPointF& position) {
   const auto* edit = m_document.active<DifferentialEdit>();
   if (!edit) return;
-  m_roughness = valueOf(*edit, ArtistControl::roughness);
-  m_strength = valueOf(*edit, ArtistControl::specularStrength);
+  m_controls = edit->controls;
   m_outwards = outwards(m_preview.picture(), {position.x() / m_preview.width(), position.y() / m_preview.height()});
   m_document.beginInteraction();
 }
@@ -71,15 +78,16 @@ void HighlightDrag::drag(const QPointF& pixels, const QPoint& place) {
   const auto* edit = m_document.active<DifferentialEdit>();
   if (!edit)
     return QToolTip::showText(place, tr("Fit a model in the Inspector to edit the highlight here"), &m_preview);
-  const auto factor = [](double way) {
-    return std::exp2((way - std::clamp(way, -deadPixels, deadPixels)) / pixelsPerDoubling);
+  const auto factor = [edit](ArtistControl control, double way) {
+    return editing::actsOn(control, edit->model->spec())
+               ? std::exp2((way - std::clamp(way, -deadPixels, deadPixels)) / pixelsPerDoubling)
+               : 1;
   };
-  constexpr double weakest = 0.01;  // a highlight that is off can be drawn up again
-  const double up = factor(-pixels.y());
-  setHighlight(m_document, m_roughness * factor(m_outwards * pixels.x()),
-               up == 1 ? m_strength : std::max(m_strength, weakest) * up);
-  if (const auto* changed = m_document.active<DifferentialEdit>())
-    QToolTip::showText(place, valuesText(*changed), &m_preview);
+  models::ParameterValues controls = m_controls;
+  multiply(controls, ArtistControl::roughness, factor(ArtistControl::roughness, m_outwards * pixels.x()));
+  multiply(controls, ArtistControl::specularStrength, factor(ArtistControl::specularStrength, -pixels.y()));
+  setControls(m_document, controls, tr("Drag the highlight"));
+  QToolTip::showText(place, valuesText(*m_document.active<DifferentialEdit>()), &m_preview);
 }
 
 void HighlightDrag::end() {

@@ -38,7 +38,7 @@ class HighlightDrag : public QObject {
 
   widgets::PreviewWidget& m_preview;
   Document& m_document;
-  double m_roughness = 1, m_strength = 1;  ///< at the beginning of the drag
+  models::ParameterValues m_controls;  ///< at the beginning of the drag
   int m_outwards = 1;
 };
 

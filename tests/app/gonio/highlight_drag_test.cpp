@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/gonio/document/edit_steps.h"
 #include "core/models/registry.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
@@ -26,7 +27,7 @@ class HighlightDragTest : public QObject {
     preview_->resize(400, 400);
     document_ = std::make_unique<Document>();
     new HighlightDrag(*preview_, *document_);
-    openGrey();
+    document_->setMaterial(greyMaterial());
   }
   void cleanup() {
     preview_.reset();
@@ -35,7 +36,7 @@ class HighlightDragTest : public QObject {
 
   /// Sideways the width, upwards the strength, each twice as large after the stated distance; one undo step.
   void widensSidewaysAndStrengthensUpwards() {
-    adoptFit();
+    adoptDefaultFit(*document_, models::findModel("ggx"));
     const int steps = document_->history().count();
     press();
     moveTo({20, 3});
@@ -54,7 +55,7 @@ class HighlightDragTest : public QObject {
 
   /// The next drag goes on from the values of the last, up to the ends of the sliders.
   void goesOnWithinTheRangeOfTheSliders() {
-    adoptFit();
+    adoptDefaultFit(*document_, models::findModel("ggx"));
     for (int drag = 0; drag < 2; ++drag) {
       press();
       moveTo({way(1), 0});
@@ -71,8 +72,31 @@ class HighlightDragTest : public QObject {
              controls[std::size_t(editing::ArtistControl::specularStrength)].softMax);
   }
 
+  /// A value beyond the slider, typed by the user, stays when the other one is dragged, and can be dragged back.
+  void valuesBeyondTheSliderStay() {
+    adoptDefaultFit(*document_, models::findModel("ggx"));
+    setControl(*document_, editing::ArtistControl::specularStrength, Rgb(20));
+    press();
+    moveTo({way(1), 0});
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 20.0);
+    moveTo({0, -way(1)});
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 20.0);
+    moveTo({0, way(1)});
+    QCOMPARE(value(editing::ArtistControl::specularStrength), 10.0);
+    release();
+  }
+
+  void aModelWithoutAHighlightStays() {
+    adoptDefaultFit(*document_, models::findModel("lambert"));
+    press();
+    moveTo({way(1), -way(1)});
+    release();
+    QVERIFY(modelEdit(*document_)->isIdentity());
+    QCOMPARE(value(editing::ArtistControl::roughness), 1.0);
+  }
+
   void escapeGoesBack() {
-    adoptFit();
+    adoptDefaultFit(*document_, models::findModel("ggx"));
     press();
     moveTo({way(1), way(1)});
     QTest::keyClick(preview_.get(), Qt::Key_Escape);
@@ -85,7 +109,7 @@ class HighlightDragTest : public QObject {
 
   /// The camera stays; without Alt it turns, and the material stays.
   void theCameraStays() {
-    adoptFit();
+    adoptDefaultFit(*document_, models::findModel("ggx"));
     const double yaw = preview_->content().scene().camera.yaw;
     press();
     moveTo({way(1), 0});
@@ -132,21 +156,6 @@ class HighlightDragTest : public QObject {
     return int(HighlightDrag::deadPixels + doublings * HighlightDrag::pixelsPerDoubling);
   }
 
-  void openGrey() {
-    auto loaded = std::make_shared<LoadedMaterial>();
-    loaded->material.name = "grey";
-    const HalfDifferenceGrid grid{4, 4, 4};
-    loaded->base =
-        std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
-                                        std::vector<std::uint8_t>(grid.size(), 1));
-    document_->setMaterial(loaded);
-  }
-  void adoptFit() {
-    fitting::FitResult fit;
-    fit.model = &models::findModel("ggx");
-    fit.parameters = models::defaultParameters(fit.model->spec());
-    document_->adoptFit(fit);
-  }
   double value(editing::ArtistControl control) const {
     return modelEdit(*document_)->controls.values[std::size_t(control)].x;
   }

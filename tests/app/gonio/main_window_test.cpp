@@ -37,23 +37,6 @@ using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 
-LoadedMaterialPtr greyMaterial() {
-  auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material.name = "grey";
-  const HalfDifferenceGrid grid{4, 4, 4};
-  loaded->base = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
-                                                 std::vector<std::uint8_t>(grid.size(), 1));
-  return loaded;
-}
-
-/// The default model with its default parameters, as if it had been fitted.
-void adoptDefaultFit(Document& document) {
-  fitting::FitResult fit;
-  fit.model = &defaultModel();
-  fit.parameters = models::defaultParameters(fit.model->spec());
-  document.adoptFit(fit);
-}
-
 /// Runs an action of the menus, e.g. "File > New Window".
 void run(MainWindow& window, const QString& path) {
   for (const NamedAction& named : window.actionTable().all())

@@ -53,20 +53,6 @@ class Rebuilds : public QObject {
   QStringList m_found;
 };
 
-/// A grey with a fit.
-void openMaterial(Document& document) {
-  auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material.name = "grey";
-  const HalfDifferenceGrid grid{4, 4, 4};
-  loaded->base = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
-                                                 std::vector<std::uint8_t>(grid.size(), 1));
-  document.setMaterial(loaded);
-  fitting::FitResult fit;
-  fit.model = &defaultModel();
-  fit.parameters = models::defaultParameters(fit.model->spec());
-  document.adoptFit(fit);
-}
-
 class SliderStepTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -77,7 +63,8 @@ class SliderStepTest : public QObject {
     const auto window = std::make_unique<MainWindow>();
     window->show();
     EditorParts& parts = window->parts();
-    openMaterial(parts.document);
+    parts.document.setMaterial(greyMaterial());
+    adoptDefaultFit(parts.document);
     QVERIFY(QTest::qWaitFor([&] { return parts.tasks.isIdle() && parts.inspector.isSettled(); }, patienceMilliseconds));
     parts.document.beginInteraction();
     const auto step = [&](double value) { setParameter(parts.document, 0, Rgb(value)); };

@@ -72,14 +72,19 @@ class BaselinesTest : public QObject {
 
   /// A glossy material is represented within the budget, without negative values, better than by any grey Lambertian,
   /// and no worse with a larger budget. It is of the form of Bagher et al.: that has an error of less than 0.32 % (50
-  /// dB). (docs/results/factors.md compares the others.)
+  /// dB). Lawrence et al., which reproducesWhatItsFormHolds() leaves out, have a mark instead. (docs/results/factors.md
+  /// compares the others.)
   void withinItsBudget_data() {
-    QTest::addColumn<double>("decibels");
-    for (const Baseline& baseline : allBaselines())
-      QTest::newRow(baseline.id.data()) << (baseline.id == "nonparametric" ? 50.0 : lambertian_);
+    QTest::addColumn<double>("small");
+    QTest::addColumn<double>("large");
+    for (const Baseline& baseline : allBaselines()) {
+      const double small = baseline.id == "nonparametric" ? 50 : lambertian_;
+      QTest::newRow(baseline.id.data()) << small << (baseline.id == "lawrence" ? 20.3 : small);
+    }
   }
   void withinItsBudget() {
-    QFETCH(double, decibels);
+    QFETCH(double, small);
+    QFETCH(double, large);
     const std::vector<std::size_t> budgets = {4'000, 20'000};
     const std::vector<ComparedModel> models = findBaseline(QTest::currentDataTag()).build(*glossy_, budgets, {});
     QCOMPARE(models.size(), std::size_t(2));
@@ -87,7 +92,7 @@ class BaselinesTest : public QObject {
     QVERIFY(models[1].bytes >= models[0].bytes && models[1].bytes <= budgets[1]);
     const double few = metrics::brdfSignalToNoiseRatio(*glossy_, *models[0].brdf),
                  many = metrics::brdfSignalToNoiseRatio(*glossy_, *models[1].brdf);
-    QVERIFY2(few > decibels && many >= few, qPrintable(QString("%1 %2").arg(few).arg(many)));
+    QVERIFY2(few > small && many > large && many >= few, qPrintable(QString("%1 %2").arg(few).arg(many)));
     std::mt19937_64 generator(5);
     for (int i = 0; i < 3000; ++i) {
       const Rgb value = models[1].brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
