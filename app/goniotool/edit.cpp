@@ -19,6 +19,7 @@ struct EditArguments {
   std::vector<std::string> set, controls;
   double strength = 1;
   std::string composition;
+  bool changesAlbedo = false;
 };
 
 bool writesDocument(const EditArguments& options) { return documents::isDocumentName(options.out); }
@@ -128,6 +129,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
             {"errors", errorsJson(fitted.errors)},
             {"strength", edit.strength},
             {"composition", editing::compositionIds[std::size_t(change.composition)]},
+            {"keepAlbedo", change.keepsAlbedo},
             {"controls", parametersJson(editing::artistControls(), change.controls)},
             {"clamped", clampedJson(clamped)}};
   json["cappedValues"] = file.capped;
@@ -176,7 +178,9 @@ int edit(const EditArguments& options, const Tool& tool) {
   const auto base = fitting::fitBase(material.brdf, material.tabulated(tool.control("tabulating")));
   const fitting::FitResult fitted = fitting::fit(base, model, {}, tool.control("fitting"));
   tool.throwIfStopped();
-  editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
+  editing::DifferentialEdit change = editing::unchangedEdit(model, fitted.parameters);
+  change.composition = compositionOf(options, model);
+  change.keepsAlbedo = !options.changesAlbedo;
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
   auto clamped = models::clampToHardRange(model.spec(), change.edited);
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
@@ -219,6 +223,9 @@ void addEdit(CLI::App& app, Tool& tool) {
           "Composition of the edit: additive, log-plus or lobes (lobes for models that are sums of lobes, otherwise "
           "additive)")
       ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
+  command->add_flag(
+      "--change-albedo", options->changesAlbedo,
+      "Let the albedo of highlights change with their width, as Gonio 0.2.0 did; without it, lobes keep it");
   command->add_option("--strength", options->strength, "Fraction of the change that is applied (1)")
       ->check(CLI::Range(0.0, 1.0));
   command

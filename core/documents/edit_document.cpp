@@ -53,7 +53,8 @@ nlohmann::json toJson(const editing::DifferentialEdit& edit) {
                          {"model", spec.id},
                          {"fitted", models::parametersToJson(spec, edit.fitted)},
                          {"edited", models::parametersToJson(spec, edit.edited)},
-                         {"composition", editing::compositionIds[std::size_t(edit.composition)]}};
+                         {"composition", editing::compositionIds[std::size_t(edit.composition)]},
+                         {"keepAlbedo", edit.keepsAlbedo}};
   if (edit.controls != models::defaultParameters(editing::artistControls()))
     json["controls"] = models::parametersToJson(editing::artistControls(), edit.controls);
   return json;
@@ -90,6 +91,7 @@ editing::DifferentialEdit differentialEditFromJson(const JsonObject& object) {
     models::clampToHardRange(editing::artistControls(), edit.controls);
   }
   if (object.contains("composition")) edit.composition = compositionFromJson(object, *edit.model);
+  if (object.contains("keepAlbedo")) edit.keepsAlbedo = object.flag("keepAlbedo");
   return edit;
 }
 

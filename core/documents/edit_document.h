@@ -21,16 +21,16 @@ inline constexpr std::string_view documentSuffix = ".gonio";
 bool isDocumentName(const std::filesystem::path& path);
 
 /// The content of a .gonio file: source, edits and view, never measured data. JSON with a version:
-///   {"format": "gonio document", "version": 6, "source": {"path": "a.binary", "sha256": "..."},
+///   {"format": "gonio document", "version": 7, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..},
-///               "composition": "lobes", "controls": {"roughness": 2, ..}, "strength": 1, "enabled": true,
-///               "name": "wetter"}], "view": {..}}
+///               "composition": "lobes", "keepAlbedo": true, "controls": {"roughness": 2, ..},
+///               "strength": 1, "enabled": true, "name": "wetter"}], "view": {..}}
 /// "name" is omitted if the user gave none, "controls" (artistControls()) if none has an effect. Edits of factors
 /// contain what toJson(FactorEdit) writes, plus strength, enabled and name; toJson(BlendSource) writes a blend as
 /// source. New in version 3: edits of factors; 4: blends; 5: compositions (before, all edits were additive); 6:
-/// controls. Programs reject documents of a newer version.
+/// controls; 7: keepAlbedo (before, always false). Programs reject documents of a newer version.
 struct EditDocument {
-  static constexpr int currentVersion = 6;
+  static constexpr int currentVersion = 7;
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;

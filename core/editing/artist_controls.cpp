@@ -41,7 +41,8 @@ constexpr ParameterSpec ratioControl(std::string_view id, std::string_view label
 /// In the order of ArtistControl.
 constexpr ParameterSpec controls[] = {
     ratioControl("roughness", "Roughness", "x",
-                 "Widens or narrows every highlight by this factor, at constant energy: 2 is twice as wide.",
+                 "Widens or narrows every highlight by this factor: 2 is twice as wide. With the composition Lobes, "
+                 "highlights keep their albedo.",
                  "alpha' = x alpha, n' = n / x^2"),
     strengthControl("specular-strength", "Specular strength", "x", "Brightens or dims every highlight by this factor.",
                     "k_s' = x k_s"),
@@ -241,6 +242,17 @@ bool actsOn(ArtistControl control, const ModelSpec& model) {
 
 ParameterValues withControls(const ModelSpec& model, ParameterValues parameters, const ParameterValues& values) {
   return withFirst(std::size(controls), model, std::move(parameters), values);
+}
+
+ParameterValues withWidthsOf(const ParameterValues& fitted, const ModelSpec& model, ParameterValues parameters,
+                             ParameterValues values) {
+  const auto roughness = std::size_t(ArtistControl::roughness);
+  values.values[roughness] = Rgb(controls[roughness].defaultValue);
+  for (std::size_t i = 0; i < parameters.values.size(); ++i) {
+    const ParameterRole role = model.parameters[i].role;
+    if (role == ParameterRole::width || role == ParameterRole::sharpness) parameters.values[i] = fitted.values[i];
+  }
+  return withControls(model, std::move(parameters), values);
 }
 
 std::vector<ControlledParameter> changesBy(ArtistControl control, const ModelSpec& model,

@@ -33,6 +33,10 @@ bool actsOn(ArtistControl control, const models::ModelSpec& model);
 models::ParameterValues withControls(const models::ModelSpec& model, models::ParameterValues parameters,
                                      const models::ParameterValues& controls);
 
+/// The same with ArtistControl::roughness at its default and the parameters of `fitted` for the widths of highlights.
+models::ParameterValues withWidthsOf(const models::ParameterValues& fitted, const models::ModelSpec& model,
+                                     models::ParameterValues parameters, models::ParameterValues controls);
+
 /// The effect of one control on one parameter: its value per channel before and after the control.
 struct ControlledParameter {
   std::size_t parameter;

@@ -72,9 +72,16 @@ struct DifferentialEdit {
   /// Values of artistControls(): applied to the parameters `edited` (target()), or to the edited BRDF values
   /// (colours()).
   models::ParameterValues controls = models::defaultParameters(artistControls());
+  /// Whether highlights keep their directional albedo as their width changes, and peaks that the fit does not explain
+  /// widen with them; only for Composition::lobes (LobeChange). Off in documents of versions up to 0.2.0.
+  bool keepsAlbedo = false;
 
   /// The parameters of the edited model: `edited` with the controls applied.
   models::ParameterValues target() const { return withControls(model->spec(), edited, controls); }
+  /// The same with the widths of the fit.
+  models::ParameterValues targetWithFittedWidths() const {
+    return withWidthsOf(fitted, model->spec(), edited, controls);
+  }
   /// The matrix C of the controls, applied to edited values v after the change of the model: v' = max(0, v + strength
   /// (C v - v)).
   glm::dmat3 colours() const { return colourMatrix(controls); }
@@ -88,6 +95,15 @@ struct DifferentialEdit {
 /// Otherwise additive, as published.
 inline Composition defaultComposition(const models::Model& model) {
   return model.hasLobes() ? Composition::lobes : Composition::additive;
+}
+
+/// An edit that changes nothing yet, with the default options.
+inline DifferentialEdit unchangedEdit(const models::Model& model, const models::ParameterValues& fitted) {
+  return {.model = &model,
+          .fitted = fitted,
+          .edited = fitted,
+          .composition = defaultComposition(model),
+          .keepsAlbedo = true};
 }
 
 }  // namespace gonio::editing

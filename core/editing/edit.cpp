@@ -47,30 +47,24 @@ bool allIsotropic(std::span<const ActiveEdit> edits) {
   return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
 }
 
-ActiveEdit modelChange(const DifferentialEdit& edit, double strength) {
+ActiveEdit modelChange(const DifferentialEdit& edit, double strength, const Brdf& base) {
   if (edit.composition == Composition::lobes)
-    return {.strength = strength, .composition = edit.composition, .lobes = std::make_shared<const LobeChange>(edit)};
+    return {
+        .strength = strength, .composition = edit.composition, .lobes = std::make_shared<const LobeChange>(edit, base)};
   return {edit.model->instantiate(edit.target()), edit.model->instantiate(edit.fitted), strength, edit.composition};
 }
 
-void append(std::vector<ActiveEdit>& steps, const DifferentialEdit& edit, double strength) {
+/// @param base with the edits before this one.
+void append(std::vector<ActiveEdit>& steps, const DifferentialEdit& edit, double strength, const Brdf& base) {
   assert(edit.model);
-  if (edit.changesModel()) steps.push_back(modelChange(edit, strength));
+  if (edit.changesModel()) steps.push_back(modelChange(edit, strength, base));
   if (edit.changesColours()) steps.push_back({.strength = strength, .colours = edit.colours()});
 }
 
-void append(std::vector<ActiveEdit>& steps, const FactorEdit& edit, double strength) {
+void append(std::vector<ActiveEdit>& steps, const FactorEdit& edit, double strength, const Brdf&) {
   assert(edit.original && edit.edited);
   steps.push_back({factorization::makePdvBrdf(*edit.edited),
                    edit.preserveDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength});
-}
-
-std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
-  std::vector<ActiveEdit> active;
-  for (const Edit& edit : edits)
-    if (!edit.isIdentity())
-      std::visit([&](const auto& content) { append(active, content, edit.strength); }, edit.content);
-  return active;
 }
 
 /// `value` changed, not below the floor, save where the base is below it already, which then gets no lower.
@@ -109,8 +103,26 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
 /// an edit by lobes that changes widths evaluates those before it again (maxBaseEvaluations).
 class EditedBrdf final : public Brdf {
  public:
-  EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
-      : base_(std::move(base)), edits_(std::move(edits)), floor_(floor) {}
+  EditedBrdf(std::shared_ptr<const Brdf> base, std::span<const Edit> edits, double floor)
+      : base_(std::move(base)), floor_(floor) {
+    for (const Edit& edit : edits) {
+      if (edit.isIdentity()) continue;
+      std::visit([&](const auto& content) { append(edits_, content, edit.strength, FirstEdits(*this, edits_.size())); },
+                 edit.content);
+    }
+  }
+
+  std::span<const ActiveEdit> edits() const { return edits_; }
+  /// @param edits those of the constructor.
+  void copyScales(std::span<const Edit> edits, std::span<AlbedoScale> scales) const {
+    auto step = edits_.begin();
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      if (edits[i].isIdentity()) continue;
+      if (step->lobes) scales[i] = step->lobes->scale();
+      const auto* change = std::get_if<DifferentialEdit>(&edits[i].content);
+      step += change && change->changesModel() && change->changesColours() ? 2 : 1;
+    }
+  }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -217,24 +229,23 @@ std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
 }
 
 /// The base itself without edits.
-std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, const std::vector<ActiveEdit>& active,
-                                       double floor) {
-  if (active.empty()) return base;
-  return std::make_shared<const EditedBrdf>(std::move(base), active, floor);
+std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::span<const Edit> edits, double floor) {
+  if (isIdentity(edits)) return base;
+  return std::make_shared<const EditedBrdf>(std::move(base), edits, floor);
 }
 
-std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base,
-                                          const std::vector<ActiveEdit>& active, const TaskControl& control,
-                                          std::size_t* cappedCount) {
+std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base, std::span<const Edit> edits,
+                                          const TaskControl& control, std::size_t* cappedCount) {
   if (cappedCount) *cappedCount = 0;
-  if (active.empty()) return base;
+  if (isIdentity(edits)) return base;
+  const EditedBrdf edited(base, edits, 0);
+  const std::span<const ActiveEdit> active = edited.edits();
   const HalfDifferenceGrid& grid = base->grid();
   std::vector<TabulatedBrdf::Value> baked(base->values().begin(), base->values().end());
   std::vector<std::uint8_t> valid(base->valid().begin(), base->valid().end());
   std::atomic<std::size_t> capped = 0;
   const bool isotropic = allIsotropic(active);
   const bool hasLobes = std::ranges::any_of(active, [](const ActiveEdit& edit) { return edit.lobes != nullptr; });
-  const std::shared_ptr<const Brdf> nested = hasLobes ? editedBrdf(base, active, 0) : nullptr;
   const auto bakeCells = [&](std::span<const std::size_t> cells) {
     std::array<DirectionPair, chunkSize> pairs;
     std::array<Rgb, chunkSize> values;
@@ -244,8 +255,8 @@ std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedB
     }
     const auto chunkPairs = std::span(pairs).first(cells.size());
     const auto chunkValues = std::span(values).first(cells.size());
-    if (nested)
-      evaluateMean(*nested, isotropic ? 1 : bakedAzimuths, chunkPairs, chunkValues);
+    if (hasLobes)
+      evaluateMean(edited, isotropic ? 1 : bakedAzimuths, chunkPairs, chunkValues);
     else if (isotropic)
       addEdits(active, chunkPairs, chunkValues);
     else
@@ -293,20 +304,36 @@ void checkLimits(std::span<const Edit> edits) {
                 "; use one edit for several changes, or the additive composition");
 }
 
-bool isAnisotropic(const Edit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
+bool isAnisotropic(const Edit& edit) {
+  if (const auto* change = std::get_if<DifferentialEdit>(&edit.content))
+    return !edit.isIdentity() && change->changesModel() &&
+           !(change->model->instantiate(change->fitted)->isIsotropic() &&
+             change->model->instantiate(change->target())->isIsotropic());
+  return false;
+}
 
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
-  return editedBrdf(std::move(base), activate(edits), 0);
+  return editedBrdf(std::move(base), edits, 0);
+}
+
+std::vector<AlbedoScale> albedoScales(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits) {
+  std::vector<AlbedoScale> scales(edits.size());
+  const auto keepsAlbedo = [](const Edit& edit) {
+    const auto* change = std::get_if<DifferentialEdit>(&edit.content);
+    return change && change->keepsAlbedo && !edit.isIdentity();
+  };
+  if (std::ranges::any_of(edits, keepsAlbedo)) EditedBrdf(base, edits, 0).copyScales(edits, scales);
+  return scales;
 }
 
 std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
-  return editedBrdf(std::move(base), activate(edits), std::numeric_limits<double>::lowest());
+  return editedBrdf(std::move(base), edits, std::numeric_limits<double>::lowest());
 }
 
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
                                                std::span<const Edit> edits, const TaskControl& control,
                                                std::size_t* cappedCount) {
-  return bake(base, activate(edits), control, cappedCount);
+  return bake(base, edits, control, cappedCount);
 }
 
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,

@@ -7,8 +7,10 @@
 #include <cassert>
 #include <cmath>
 #include <glm/vector_relational.hpp>
+#include <limits>
 
 #include "core/coordinates/half_difference.h"
+#include "core/math/parallel.h"
 #include "core/support/error.h"
 
 namespace gonio::editing {
@@ -75,14 +77,24 @@ void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<
 
 namespace {
 
+constexpr double square(double x) { return x * x; }
+
 /// Negative where the measurement is, as RGL files are for colours outside sRGB: this part of a highlight widens too.
 Rgb ratioOf(const Rgb& measured, const Rgb& fitted) {
   return (measured + LobeChange::epsilon) / (fitted + LobeChange::epsilon);
 }
 
+constexpr double darkest = 1e-30;
+
+/// The same with an error that falls with the square of the fit: M times the ratio is m where the fit is brighter than
+/// m, and close to it where the fit is not dark, so that nothing of a bright peak stays behind.
+Rgb closeRatioOf(const Rgb& measured, const Rgb& fitted) {
+  const Rgb ratio = 1.0 + (measured - fitted) * fitted / (fitted * fitted + square(LobeChange::epsilon));
+  return glm::min(ratio, measured / glm::max(fitted, Rgb(darkest)));
+}
+
 /// The part of the ratio measured / model that the diffuse term carries.
 Rgb diffuseRatio(const Rgb& ratio, const Rgb& diffuse, const Rgb& model) {
-  constexpr double darkest = 1e-30;
   const Rgb part = diffuse / glm::max(model, Rgb(darkest)), squared = part * part;
   return 1.0 + squared * squared * (ratio - 1.0);
 }
@@ -99,16 +111,19 @@ bool isNonzero(const models::ModelLobe& lobe) {
   return std::ranges::any_of(lobe.colours, [](const Rgb& colour) { return colour != Rgb(0); });
 }
 
+bool hasWidth(const models::ModelLobe& lobe) { return lobe.width.x > 0 && lobe.width.y > 0; }
+
 LobeEffect changeOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
   LobeEffect change{.isRecoloured = fitted.colours != edited.colours,
+                    .width = fitted.width,
                     .wasNonzero = isNonzero(fitted),
                     .isNonzero = isNonzero(edited)};
   const bool isSame = !change.isRecoloured && fitted.parameters == edited.parameters;
   if (isSame || !(change.wasNonzero || change.isNonzero)) return change;
   const models::LobeWidth &from = fitted.width, &to = edited.width;
-  const bool hasWidth = from.x > 0 && from.y > 0 && to.x > 0 && to.y > 0;
-  change.kind = hasWidth ? LobeEffect::highlight : LobeEffect::diffuse;
-  if (hasWidth && change.wasNonzero) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
+  const bool isHighlight = hasWidth(fitted) && hasWidth(edited);
+  change.kind = isHighlight ? LobeEffect::highlight : LobeEffect::diffuse;
+  if (isHighlight && change.wasNonzero) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
   return change;
 }
 
@@ -125,21 +140,38 @@ std::vector<LobeEffect> changesOf(std::span<const models::ModelLobe> fitted,
 
 }  // namespace
 
-LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->instantiate(edit.fitted)) {
+LobeChange::LobeChange(const DifferentialEdit& edit, const Brdf& base)
+    : fitted_(edit.model->instantiate(edit.fitted)), keepsAlbedo_(edit.keepsAlbedo) {
   if (!edit.model->hasLobes())
     throw Error("the model " + std::string(edit.model->spec().id) +
                 " is not a sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
   std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
+  std::vector<models::ModelLobe> references;
+  if (keepsAlbedo_) references = edit.model->lobes(edit.targetWithFittedWidths());
   const std::vector<LobeEffect> changes = changesOf(fitted, edited);
   isIsotropic_ = fitted_->isIsotropic();
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double narrowest = none;
   for (std::size_t k = 0; k < fitted.size(); ++k) {
+    const bool isBlack = !isNonzero(fitted[k]);
+    if (!isBlack) parts_.push_back({std::move(fitted[k].brdf), fitted[k].width, hasWidth(fitted[k])});
     if (changes[k].kind == LobeEffect::none) continue;
     isIsotropic_ = isIsotropic_ && edited[k].brdf->isIsotropic();
     auto group = std::ranges::find(groups_, changes[k].warp, &Group::warp);
     if (group == groups_.end()) group = groups_.insert(group, Group{changes[k].warp, {}});
-    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf),
-                            changes[k].kind == LobeEffect::diffuse, changes[k].isRecoloured, !changes[k].wasNonzero});
+    Lobe lobe{.edited = std::move(edited[k].brdf),
+              .part = isBlack ? noPart : parts_.size() - 1,
+              .isDiffuse = changes[k].kind == LobeEffect::diffuse,
+              .isRecoloured = changes[k].isRecoloured};
+    if (keepsAlbedo_ && changes[k].isNonzero && changes[k].warp.scale != glm::dvec2(1)) {
+      lobe.reference = std::move(references[k].brdf);
+      for (const models::LobeWidth& width : {fitted[k].width, edited[k].width})
+        narrowest = std::min({narrowest, width.x, width.y});
+    }
+    group->lobes.push_back(std::move(lobe));
   }
+  assert(parts_.size() <= maxParts);
+  if (narrowest < none) scale_ = solveScale(base, narrowest);
 }
 
 std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit) {
@@ -156,52 +188,238 @@ std::size_t widthChanges(const DifferentialEdit& edit) {
 }
 
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
-  constexpr double darkest = 1e-30, minChannel = 1e-6;
+  constexpr double minChannel = 1e-6;
   const double before = luminance(fitted), after = luminance(edited);
   if (before < darkest || after < darkest) return ratio;
   const Rgb kept = glm::min(Rgb(1), (fitted / before) / glm::max(edited / after, Rgb(minChannel)));
   return glm::mix(Rgb(luminance(fitted * ratio) / before), ratio, kept);
 }
 
-void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
-                          std::span<Rgb> changes) const {
-  assert(pairs.size() <= maxPairs);
-  std::array<Rgb, maxPairs> modelScratch, ratioScratch, carriedScratch;
-  const auto model = std::span(modelScratch).first(pairs.size());
-  const auto ratios = std::span(ratioScratch).first(pairs.size());
-  const auto carried = std::span(carriedScratch).first(pairs.size());
-  fitted_->evaluate(pairs, model);
-  for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], model[i]);
-  for (const Group& group : groups_) {
-    std::ranges::copy(ratios, carried.begin());
-    if (!group.warp.isIdentity()) carryRatios(group.warp, base, pairs, carried);
-    for (const Lobe& lobe : group.lobes) add(lobe, pairs, {model, ratios, carried}, changes);
+namespace {
+
+/// P: 1 in the centre of a highlight, 0 in its tails.
+double centreOf(const Direction& half, const models::LobeWidth& width) {
+  constexpr double extent = LobeChange::peakExtent;
+  const double c = std::cos(width.rotation), s = std::sin(width.rotation);
+  const double x = (c * half.x + s * half.y) / width.x, y = (c * half.y - s * half.x) / width.y;
+  return 1 / (1 + square((x * x + y * y) / (extent * extent * std::max(half.z * half.z, 1e-12))));
+}
+
+/// S: how much of a ratio of luminances is a peak that the fit does not explain.
+double peakOf(double ratio) {
+  constexpr double first = 1.25, last = 2.25;
+  const double t = std::clamp((ratio - first) / (last - first), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Of the excess, relative to the share of the highlight: the rest of the model keeps it only where it dominates.
+Rgb excessOf(const Rgb& rest) { return 1.0 + rest * (1.0 + rest * (1.0 + rest * (1.0 + rest))); }
+
+}  // namespace
+
+/// At up to maxPairs pairs.
+struct LobeChange::Ratios {
+  using Values = std::array<Rgb, maxPairs>;
+  std::array<Values, maxParts> parts;  ///< M_k
+  Values model, ratio;                 ///< M, q
+  // Only with DifferentialEdit::keepsAlbedo.
+  Values peak;                          ///< e
+  std::array<Values, maxParts> shares;  ///< g_k of highlights
+};
+
+void LobeChange::evaluateParts(std::span<const DirectionPair> pairs, Ratios& ratios) const {
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    parts_[k].brdf->evaluate(pairs, std::span(ratios.parts[k]).first(pairs.size()));
+}
+
+void LobeChange::fillRatios(std::span<const DirectionPair> pairs, std::span<const Rgb> values, Ratios& ratios) const {
+  if (!keepsAlbedo_) {
+    fitted_->evaluate(pairs, std::span(ratios.model).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i) ratios.ratio[i] = ratioOf(values[i], ratios.model[i]);
+    return;
+  }
+  evaluateParts(pairs, ratios);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Rgb& model = ratios.model[i] = Rgb(0);
+    for (std::size_t k = 0; k < parts_.size(); ++k) model += ratios.parts[k][i];
+    ratios.ratio[i] = closeRatioOf(values[i], model);
+    addPeak(pairs[i], luminance(values[i]), i, ratios);
   }
 }
 
-void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios,
-                     std::span<Rgb> changes) {
-  std::array<Rgb, maxPairs> fitted, edited;
-  lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
-  lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Rgb here = lobe.isDiffuse ? diffuseRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
-    const Rgb carried = lobe.isNew ? Rgb(1) : lobe.isDiffuse ? here : ratios.carried[i];
-    changes[i] +=
-        edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;
+void LobeChange::addPeak(const DirectionPair& pair, double measured, std::size_t i, Ratios& ratios) const {
+  ratios.peak[i] = Rgb(0);
+  const Rgb& model = ratios.model[i];
+  const double step = peakOf((measured + epsilon) / (luminance(model) + epsilon));
+  if (step == 0) return;
+  const Direction half = glm::normalize(pair.wi + pair.wo);
+  Rgb sum(0), powers(0);
+  double centre = 0;
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    if (parts_[k].isHighlight) {
+      sum += ratios.parts[k][i];
+      centre += luminance(ratios.parts[k][i]) * centreOf(half, parts_[k].width);
+    }
+  if (!(luminance(sum) > darkest)) return;
+  ratios.peak[i] = step * centre / luminance(sum) * (ratios.ratio[i] - 1.0);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    if (!parts_[k].isHighlight) continue;
+    const Rgb part = ratios.parts[k][i] / glm::max(sum, Rgb(darkest)), squared = part * part;
+    ratios.shares[k][i] = squared * squared;
+    powers += part * squared * squared;
   }
+  const Rgb excess = excessOf(glm::max(Rgb(0), 1.0 - sum / glm::max(model, Rgb(darkest))));
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    if (parts_[k].isHighlight) ratios.shares[k][i] *= excess / glm::max(powers, Rgb(darkest));
 }
 
 void LobeChange::carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
-                             std::span<Rgb> carried) const {
+                             Ratios& carried) const {
   std::array<DirectionPair, maxPairs> moved;
-  std::array<Rgb, maxPairs> measured, model;
+  std::array<Rgb, maxPairs> measured;
   const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
   editing::warp(warp, pairs, first(moved));
   base.evaluate(first(moved), first(measured));
-  fitted_->evaluate(first(moved), first(model));
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (measured[i] != Rgb(0) || base.hasData(moved[i])) carried[i] = ratioOf(measured[i], model[i]);
+  Ratios there;
+  fillRatios(first(moved), first(measured), there);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (measured[i] == Rgb(0) && !base.hasData(moved[i])) continue;
+    carried.ratio[i] = there.ratio[i];
+    if (!keepsAlbedo_) continue;
+    carried.peak[i] = there.peak[i];
+    for (std::size_t k = 0; k < parts_.size(); ++k) carried.shares[k][i] = there.shares[k][i];
+  }
+}
+
+/// One lobe at up to maxPairs pairs.
+struct LobeChange::LobeValues {
+  Ratios::Values fitted;        ///< M_k
+  Ratios::Values own, carried;  ///< what it multiplies: r_k where the pairs are, and where they are moved from
+};
+
+void LobeChange::fillValues(const Lobe& lobe, const Ratios& here, const Ratios& there, double kept, std::size_t count,
+                            LobeValues& of) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    of.fitted[i] = lobe.part == noPart ? Rgb(0) : here.parts[lobe.part][i];
+    of.own[i] = lobe.isDiffuse ? diffuseRatio(here.ratio[i], of.fitted[i], here.model[i]) : here.ratio[i];
+    of.carried[i] = lobe.part == noPart ? Rgb(1) : lobe.isDiffuse ? of.own[i] : there.ratio[i];
+    if (!keepsAlbedo_ || lobe.part == noPart || lobe.isDiffuse) continue;
+    if (here.peak[i] != Rgb(0)) of.own[i] += (here.shares[lobe.part][i] - 1.0) * here.peak[i];
+    if (there.peak[i] != Rgb(0)) of.carried[i] += (there.shares[lobe.part][i] * kept - 1.0) * there.peak[i];
+  }
+}
+
+template <typename Use>
+void LobeChange::forEachLobe(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                             const Use& use) const {
+  assert(pairs.size() <= maxPairs);
+  Ratios here, moved;
+  LobeValues of;
+  fillRatios(pairs, values, here);
+  if (!keepsAlbedo_) evaluateParts(pairs, here);
+  for (const Group& group : groups_) {
+    const bool isMoved = !group.warp.isIdentity();
+    if (isMoved) {
+      moved = here;
+      carryRatios(group.warp, base, pairs, moved);
+    }
+    const double kept = square(std::min(1.0, group.warp.scale.x * group.warp.scale.y));
+    for (const Lobe& lobe : group.lobes) {
+      fillValues(lobe, here, isMoved ? moved : here, kept, pairs.size(), of);
+      use(lobe, of);
+    }
+  }
+}
+
+void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                          std::span<Rgb> changes) const {
+  forEachLobe(base, pairs, values, [&](const Lobe& lobe, const LobeValues& of) {
+    std::array<Rgb, maxPairs> edited;
+    lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Rgb ratio = lobe.isRecoloured ? recolouredRatio(of.carried[i], of.fitted[i], edited[i]) : of.carried[i];
+      if (lobe.reference) edited[i] *= scale_(pairs[i].wi.z) * scale_(pairs[i].wo.z);
+      changes[i] += edited[i] * ratio - of.fitted[i] * of.own[i];
+    }
+  });
+}
+
+namespace {
+
+/// Directions and weights cos theta_o d omega_o of a quadrature over the hemisphere about one incident direction: a
+/// product rule over the half vector, uniform in log tan theta_h, in which highlights of all widths are smooth, and in
+/// its azimuth. The rings of each azimuth are shifted, so that together they are denser.
+struct Quadrature {
+  std::vector<DirectionPair> pairs;
+  std::vector<double> weights;
+
+  /// @param narrowest alpha of the narrowest highlight. @param isMirrorSymmetric half the azimuths suffice.
+  void add(const Direction& wi, double narrowest, bool isMirrorSymmetric, double fraction) {
+    constexpr int azimuths = 24;
+    constexpr double step = 0.4, peak = 5e-4, beyond = 40, goldenRatio = 0.6180339887498949;
+    const int first = int(std::floor(std::log(std::min(peak, narrowest / 20)) / step));
+    const int last = int(std::ceil(std::log(beyond) / step)), count = isMirrorSymmetric ? azimuths / 2 : azimuths;
+    const double turn = std::atan2(wi.y, wi.x);
+    for (int j = 0; j < count; ++j) {
+      const double azimuth = turn + 2 * pi * (j + 0.5) / azimuths, offset = std::fmod(j * goldenRatio, 1);
+      for (int k = first; k < last; ++k) {
+        const double slope = std::exp((k + offset) * step), cosine = 1 / std::sqrt(1 + slope * slope);
+        const Direction half = cosine * Direction(slope * std::cos(azimuth), slope * std::sin(azimuth), 1);
+        const double d = glm::dot(wi, half);
+        const Direction wo = 2 * d * half - wi;
+        if (!(d > 0 && wo.z > 0)) continue;
+        // d omega_h = slope^2 cosine^3 d log slope d phi
+        const double area = slope * slope * cosine * cosine * cosine * step * 2 * pi / count;
+        pairs.push_back({wi, wo});
+        weights.push_back(fraction * 4 * d * wo.z * area);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+AlbedoNode LobeChange::albedoNode(const Brdf& base, double narrowest, double cosine) const {
+  const double sine = std::sqrt(1 - cosine * cosine);
+  Quadrature quadrature;
+  const bool isMirrorSymmetric = isIsotropic_ && base.isIsotropic() && base.isMirrorSymmetric();
+  // Of anisotropic highlights the mean over the azimuths.
+  const int turns = isIsotropic_ ? 1 : 4;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double azimuth = pi * turn / turns;
+    quadrature.add({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}, narrowest, isMirrorSymmetric,
+                   1.0 / turns);
+  }
+  const std::vector<DirectionPair>& pairs = quadrature.pairs;
+  const std::vector<double>& weights = quadrature.weights;
+  AlbedoNode node;
+  std::array<Rgb, maxPairs> values, edited, reference;
+  for (std::size_t begin = 0; begin < pairs.size(); begin += maxPairs) {
+    const auto chunk = std::span<const DirectionPair>(pairs).subspan(begin, std::min(maxPairs, pairs.size() - begin));
+    const auto first = [&](auto& all) { return std::span(all).first(chunk.size()); };
+    base.evaluate(chunk, first(values));
+    forEachLobe(base, chunk, first(values), [&](const Lobe& lobe, const LobeValues& of) {
+      if (!lobe.reference) return;
+      lobe.edited->evaluate(chunk, first(edited));
+      lobe.reference->evaluate(chunk, first(reference));
+      for (std::size_t i = 0; i < chunk.size(); ++i) {
+        const auto ratio = [&](const Rgb& carried, const Rgb& now) {
+          return lobe.isRecoloured ? recolouredRatio(carried, of.fitted[i], now) : carried;
+        };
+        node.add(chunk[i].wo.z, weights[begin + i] * edited[i] * ratio(of.carried[i], edited[i]));
+        node.before += weights[begin + i] * reference[i] * ratio(of.own[i], reference[i]);
+      }
+    });
+  }
+  return node;
+}
+
+AlbedoScale LobeChange::solveScale(const Brdf& base, double narrowest) const {
+  std::array<AlbedoNode, AlbedoScale::nodes> nodes;
+  parallelForBlocks(nodes.size(), 1, [&](std::size_t i, std::size_t) {
+    nodes[i] = albedoNode(base, narrowest, AlbedoScale::cosineOf(i));
+  });
+  return albedoScale(nodes);
 }
 
 }  // namespace gonio::editing

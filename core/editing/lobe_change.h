@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/editing/albedo_scale.h"
 #include "core/editing/differential_edit.h"
 #include "core/math/types.h"
 
@@ -52,10 +53,21 @@ void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<
 /// ratio only where it dominates the model, as 1 + (M_k / M)^4 (q - 1): residuals in a highlight belong to the
 /// highlight.
 /// A lobe that is black in the fit, such as a coat that is added, carries no ratio: it adds M'_k.
+///
+/// With DifferentialEdit::keepsAlbedo q = min(m / M, 1 + (m - M) M / (M^2 + eps^2)), which leaves less of a bright peak
+/// behind, and two things are added:
+/// - A measured peak that the fit does not explain belongs to the highlight. Its part of the ratio is the excess e(x) =
+///   (q - 1) S(Y(m) / Y(M)) P, with S a smooth step from 1.25 to 2.25 and P = 1 / (1 + t^4 / 81) in the highlight, t =
+///   tan theta_h / alpha. The lobes that dominate carry all of it (peakShares()), and it fades as they widen, since it
+///   would show as a sharp copy of the former highlight: e(w_k) counts with 1 - beta, beta = 1 - min(1, product of the
+///   scales)^2.
+/// - The edited highlights, where their width changes, are multiplied by s(theta_i) s(theta_o) (AlbedoScale), with
+///   which their directional albedo is that of the same edit with the fitted widths.
 class LobeChange {
  public:
-  /// @throws Error if the model is not a sum of lobes.
-  explicit LobeChange(const DifferentialEdit& edit);
+  /// @param base what the edit is applied to; used only here, with DifferentialEdit::keepsAlbedo: about 7,000
+  /// evaluations. @throws Error if the model is not a sum of lobes.
+  LobeChange(const DifferentialEdit& edit, const Brdf& base);
 
   /// Maximum number of pairs per call of evaluate(): its scratch arrays then fit on the stack, so that it allocates no
   /// memory.
@@ -66,34 +78,57 @@ class LobeChange {
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
 
+  /// s; 1 if no highlight keeps its albedo.
+  const AlbedoScale& scale() const { return scale_; }
   bool isIsotropic() const { return isIsotropic_; }
   bool isReciprocal() const { return fitted_->isReciprocal(); }
 
   /// eps, 1/sr: the ratio is near 1 where measurement and fit are both dark.
   static constexpr double epsilon = 0.001;
+  /// How far a peak of a highlight reaches, in units of its width: P is 1/2 there.
+  static constexpr double peakExtent = 3;
 
  private:
+  static constexpr std::size_t maxParts = 8, noPart = maxParts;
+  /// A lobe of the fit that is not black.
+  struct Part {
+    std::shared_ptr<const Brdf> brdf;
+    models::LobeWidth width;
+    bool isHighlight;
+  };
   struct Lobe {
-    std::unique_ptr<const Brdf> fitted, edited;
-    bool isDiffuse, isRecoloured, isNew;
+    std::unique_ptr<const Brdf> edited;
+    std::unique_ptr<const Brdf> reference = nullptr;  ///< with the fitted width, if the lobe keeps its albedo
+    std::size_t part = noPart;                        ///< index in parts_; noPart: black in the fit
+    bool isDiffuse, isRecoloured;
   };
   /// Lobes with the same warp.
   struct Group {
     LobeWarp warp;
     std::vector<Lobe> lobes;
   };
-  /// Values per pair: the fitted model, the ratio q at the pair, and the ratio that the warp carries there.
-  struct Ratios {
-    std::span<const Rgb> model, here, carried;
-  };
-  static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios, std::span<Rgb> changes);
+  struct Ratios;
+  struct LobeValues;
+
+  void evaluateParts(std::span<const DirectionPair> pairs, Ratios& ratios) const;
+  void fillRatios(std::span<const DirectionPair> pairs, std::span<const Rgb> values, Ratios& ratios) const;
+  void addPeak(const DirectionPair& pair, double measured, std::size_t i, Ratios& ratios) const;
   /// Sets `carried` to the ratios at the warped pairs where the base has data there.
-  void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
-                   std::span<Rgb> carried) const;
+  void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs, Ratios& carried) const;
+  void fillValues(const Lobe& lobe, const Ratios& here, const Ratios& there, double kept, std::size_t count,
+                  LobeValues& of) const;
+  /// Calls use(lobe, values) for each lobe that changes.
+  template <typename Use>
+  void forEachLobe(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                   const Use& use) const;
+  AlbedoNode albedoNode(const Brdf& base, double narrowest, double cosine) const;
+  AlbedoScale solveScale(const Brdf& base, double narrowest) const;
 
   std::unique_ptr<const Brdf> fitted_;
+  std::vector<Part> parts_;
   std::vector<Group> groups_;  ///< the lobes that change
-  bool isIsotropic_;
+  AlbedoScale scale_;
+  bool isIsotropic_, keepsAlbedo_;
 };
 
 /// The ratio that a recoloured lobe carries: s q + (1 - s) Y(M_k q) / Y(M_k) with s = min(1, c / c') per channel, Y the
@@ -106,6 +141,7 @@ struct LobeEffect {
   enum Kind { none, diffuse, highlight } kind = none;  ///< diffuse: a lobe without a width, such as the diffuse term
   bool isRecoloured = false;
   LobeWarp warp = {};                          ///< for a highlight
+  models::LobeWidth width = {};                ///< of the fitted lobe, also if it does not change
   bool wasNonzero = false, isNonzero = false;  ///< whether the fitted and the edited lobe are not black
 };
 /// The change of each lobe, for the preview's shader. Only for models with lobes.

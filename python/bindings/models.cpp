@@ -33,14 +33,16 @@ PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& pr
 /// Parameters are JSON text. The second result lists the ids of the parameters and controls that were clamped to their
 /// hard ranges.
 py::tuple edit(const PyMaterial& material, const std::string& id, const std::string& fitted, const std::string& changed,
-               const std::string& controls, const std::string& composition, double strength,
+               const std::string& controls, const std::string& composition, double strength, bool keepsAlbedo,
                const py::object& progress) {
   const models::Model& model = models::findModel(id);
   const auto parameters = [&](const std::string& text, const models::ModelSpec& spec) {
     return models::parametersFromJson(spec, nlohmann::json::parse(text), std::string(spec.id));
   };
-  DifferentialEdit change{&model, parameters(fitted, model.spec()), parameters(changed, model.spec()),
-                          defaultComposition(model), parameters(controls, artistControls())};
+  DifferentialEdit change = unchangedEdit(model, parameters(fitted, model.spec()));
+  change.edited = parameters(changed, model.spec());
+  change.controls = parameters(controls, artistControls());
+  change.keepsAlbedo = keepsAlbedo;
   if (!composition.empty()) {
     const auto found = std::ranges::find(compositionIds, composition);
     if (found == compositionIds.end())

@@ -224,7 +224,7 @@ def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log",
 
 def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, Value]] = None,
          controls: Optional[Mapping[str, Value]] = None, composition: str = "", strength: float = 1.0,
-         progress: Progress = None) -> Material:
+         keep_albedo: bool = True, progress: Progress = None) -> Material:
     """Edits a material differentially: the change from the fitted model to the edited model is applied to the measurement, so
     that the detail that the model does not explain is preserved (Tongbuasirilai 2023, Data-Driven Approaches for Sparse
     Reflectance Modeling and Acquisition, section 4.4.1). A table is edited at once, in 0.5 s; for other materials, the edit
@@ -242,6 +242,8 @@ def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, 
             "log-plus" (close to a ratio in the highlight) or "lobes" (the ratio of measurement and fit moves with each lobe;
             for models that are sums of lobes). "": the default of the model.
         strength: Fraction of the change that is applied, 0 to 1.
+        keep_albedo: Whether highlights keep their directional albedo as their width changes, and peaks that the fit does not
+            explain widen with them; only for the composition "lobes".
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
@@ -251,7 +253,7 @@ def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, 
     spec = _described(_core.artist_controls())
     texts = [_text(fitted.model, {**fitted.parameters, **(change or {})}) for change in (None, set)]
     handle, cut = _core.edit(material._handle, fitted.model.id, *texts, _text(spec, controls or {}), composition, strength,
-                             progress)
+                             keep_albedo, progress)
     if cut:
         raise _core.Error(f"outside the hard range: {', '.join(cut)}")
     return Material(handle)

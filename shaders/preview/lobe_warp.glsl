@@ -71,3 +71,34 @@ vec3 fitRatio(vec3 measured, vec3 fitted) {
   const float epsilon = 0.001;
   return (measured + epsilon) / (fitted + epsilon);
 }
+
+// With DifferentialEdit::keepsAlbedo.
+vec3 closeFitRatio(vec3 measured, vec3 fitted) {
+  return min(1.0 + (measured - fitted) * fitted / (fitted * fitted + 1e-6), measured / max(fitted, vec3(1e-30)));
+}
+
+float luminanceOf(vec3 value) { return dot(value, vec3(0.2126, 0.7152, 0.0722)); }
+
+// `width`: 1 / (3 alpha) along and across the grain, cosine and sine of its rotation.
+float centreOf(vec3 h, vec4 width) {
+  vec2 slope = vec2(dot(width.zw, h.xy), width.z * h.y - width.w * h.x) * width.xy;
+  float squared = dot(slope, slope) / max(h.z * h.z, 1e-12);
+  return 1.0 / (1.0 + squared * squared);
+}
+
+float peakOf(vec3 measured, float model) { return smoothstep(1.25, 2.25, (luminanceOf(measured) + 0.001) / (model + 0.001)); }
+
+vec3 excessOf(vec3 rest) { return 1.0 + rest * (1.0 + rest * (1.0 + rest * (1.0 + rest))); }
+
+vec3 fourthPower(vec3 x) {
+  x *= x;
+  return x * x;
+}
+
+// Between which nodes of AlbedoScale a direction is.
+const int albedoNodes = ALBEDO_NODES;
+float albedoPlace(float cosine) {
+  float x = sqrt(1.0 - clamp(cosine, 0.0, 1.0));
+  return 0.5 * x * (1.0 + x) * float(albedoNodes - 1);
+}
+#define ALBEDO_SCALE(values, place) mix(values[min(int(place), albedoNodes - 2)], values[min(int(place), albedoNodes - 2) + 1], place - float(min(int(place), albedoNodes - 2)))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // A step of a roughness slider at 512 x 512 in each composition of an edit by layered lobes, over a table and over an
-// RGL file. Baselines: the additive composition, and programs without flat inputs ("uniforms"). CPU is that of all
-// threads.
+// RGL file. Baselines: the additive composition, the same edit that does not keep the albedo, and programs without flat
+// inputs ("uniforms"). CPU is that of all threads.
 #include <benchmark/benchmark.h>
 
 #include "core/rendering/scene_file.h"
@@ -23,7 +23,7 @@ std::shared_ptr<const Brdf> measuredBase(bool rgl) {
 }
 
 /// All three lobes change their width, the most that a step can ask for.
-void step(benchmark::State& state, bool environment, Composition composition, bool rgl, bool flat) {
+void step(benchmark::State& state, bool environment, Composition composition, bool rgl, bool flat, bool keepsAlbedo) {
   PreviewFixture& fixture = PreviewFixture::instance();
   fixture.resources->setUsesFlatUniforms(flat);
   const std::shared_ptr<const Brdf> base = measuredBase(rgl);
@@ -31,6 +31,7 @@ void step(benchmark::State& state, bool environment, Composition composition, bo
   const models::Model& model = models::layered();
   editing::DifferentialEdit edit{
       .model = &model, .fitted = models::defaultParameters(model.spec()), .composition = composition};
+  edit.keepsAlbedo = keepsAlbedo;
   const auto density = std::make_shared<const TabulatedDensity>(*base);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   double factor = 1;
@@ -53,15 +54,18 @@ const bool stepsAreRegistered = [] {
   for (const bool environment : {false, true})
     for (const bool rgl : {false, true})
       for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
-        for (const bool flat : {true, false}) {
-          const std::string name =
-              std::string("composition/") + (environment ? "studio/" : "directional/") + (rgl ? "rgl/" : "table/") +
-              std::string(editing::compositionIds[std::size_t(composition)]) + (flat ? "" : "/uniforms");
-          benchmark::RegisterBenchmark(name.c_str(), step, environment, composition, rgl, flat)
-              ->Unit(benchmark::kMillisecond)
-              ->MeasureProcessCPUTime()
-              ->UseRealTime();
-        }
+        for (const bool keepsAlbedo : {false, true})
+          for (const bool flat : {true, false}) {
+            if (keepsAlbedo && composition != Composition::lobes) continue;
+            const std::string name = std::string("composition/") + (environment ? "studio/" : "directional/") +
+                                     (rgl ? "rgl/" : "table/") +
+                                     std::string(editing::compositionIds[std::size_t(composition)]) +
+                                     (keepsAlbedo ? "/albedo" : "") + (flat ? "" : "/uniforms");
+            benchmark::RegisterBenchmark(name.c_str(), step, environment, composition, rgl, flat, keepsAlbedo)
+                ->Unit(benchmark::kMillisecond)
+                ->MeasureProcessCPUTime()
+                ->UseRealTime();
+          }
   return true;
 }();
 

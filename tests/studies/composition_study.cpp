@@ -17,6 +17,7 @@
 #include "core/editing/edit.h"
 #include "core/fitting/fit.h"
 #include "core/io/image_io.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/tone_map.h"
@@ -33,9 +34,11 @@ using editing::DifferentialEdit;
 struct Method {
   const models::Model* model;
   Composition composition;
+  bool keepsAlbedo = false;
 
   std::string name() const {
-    return std::string(model->spec().id) + " " + std::string(editing::compositionIds[std::size_t(composition)]);
+    return std::string(model->spec().id) + " " + std::string(editing::compositionIds[std::size_t(composition)]) +
+           (keepsAlbedo ? " albedo" : "");
   }
 };
 
@@ -50,6 +53,35 @@ std::shared_ptr<const Brdf> edited(const EditTruth& truth, const DifferentialEdi
   return editing::applyEdits(truth.before, std::span(&edit, 1));
 }
 
+/// Indices of the width parameters of the fitted lobes that are on.
+std::vector<std::size_t> widthsOf(const DifferentialEdit& edit) {
+  const models::ModelSpec& spec = edit.model->spec();
+  std::vector<std::size_t> widths;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const models::ParameterSpec& parameter = spec.parameters[i];
+    if (parameter.role != models::ParameterRole::width) continue;
+    const std::string_view choice = parameter.activeWith;
+    if (choice.empty() || models::chosen(edit.fitted.values[*spec.find(choice)].x) == parameter.activeChoice)
+      widths.push_back(i);
+  }
+  return widths;
+}
+
+/// Sets a control. Of the upper highlight: the widths of the sharpest lobe and of all that are less than half as wide
+/// as the widest.
+void set(const ControlSearch& search, const Rgb& value, DifferentialEdit& change) {
+  if (!search.upperOnly) {
+    change.controls.values[std::size_t(search.control)] = value;
+    return;
+  }
+  const std::vector<std::size_t> widths = widthsOf(change);
+  const auto width = [&](std::size_t i) { return change.fitted.values[i].x; };
+  const double widest = width(std::ranges::max(widths, {}, width)),
+               sharpest = width(std::ranges::min(widths, {}, width));
+  for (const std::size_t i : widths)
+    if (width(i) < widest / 2 || width(i) == sharpest) change.edited.values[i] = change.fitted.values[i] * value;
+}
+
 /// The best values of the controls, one after the other.
 Outcome bestOf(const EditTruth& truth, const rendering::RenderedComparison& comparison, DifferentialEdit change) {
   Outcome best;
@@ -59,13 +91,13 @@ Outcome bestOf(const EditTruth& truth, const rendering::RenderedComparison& comp
     if (snr > best.snr) best = {snr, highlightHueError(comparison.reference(), picture.image), candidate};
   };
   if (truth.recolour) truth.recolour(change.model->spec(), change.edited);
-  for (const ControlSearch& search : truth.search) change.controls.values[std::size_t(search.control)] = search.start;
+  for (const ControlSearch& search : truth.search) set(search, search.start, change);
   consider(change);
   for (const ControlSearch& search : truth.search) {
     DifferentialEdit candidate = best.edit;
     for (int step = -search.reach; step <= search.reach; ++step) {
       if (step == 0) continue;
-      candidate.controls.values[std::size_t(search.control)] = search.start * std::pow(2, step / search.steps);
+      set(search, search.start * std::pow(2, step / search.steps), candidate);
       consider(candidate);
     }
   }
@@ -132,6 +164,8 @@ void run(int divisor, const std::filesystem::path& folder, const std::vector<std
   for (const models::Model* model : {&models::ggx(), &models::layered()})
     for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
       methods.push_back({model, composition});
+  for (const models::Model* model : {&models::ggx(), &models::layered()})
+    methods.push_back({model, Composition::lobes, true});
   std::vector<EditTruth> truths =
       editTruths({.thetaHCount = 90 / divisor, .thetaDCount = 90 / divisor, .phiDCount = 180 / divisor});
   if (!kinds.empty())
@@ -152,6 +186,7 @@ void run(int divisor, const std::filesystem::path& folder, const std::vector<std
       models::ParameterValues& fit = fits[{truth.before.get(), methods[i].model}];
       if (fit.values.empty()) fit = fitting::fit(*truth.before, *methods[i].model).parameters;
       DifferentialEdit change{methods[i].model, fit, fit, methods[i].composition};
+      change.keepsAlbedo = methods[i].keepsAlbedo;
       outcomes[i].push_back(bestOf(truth, comparison, change));
       outcomes[i].back().truth = t;
       std::printf(" %.1f / %.1f |", outcomes[i].back().snr, outcomes[i].back().hue);

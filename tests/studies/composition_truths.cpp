@@ -108,6 +108,46 @@ void addRecolourings(const KnownMaterial& known, const std::shared_ptr<const Tab
   }
 }
 
+/// Two highlights, of which the sharper one alone gets wider.
+void addUpperLobes(const HalfDifferenceGrid& grid, std::vector<EditTruth>& truths) {
+  const KnownMaterial materials[] = {
+      material("glossy coat", "weidlich-wilkie",
+               {{"diffuse", {0.05, 0.1, 0.3}},
+                {"specular", {0.4, 0.5, 0.9}},
+                {"roughness", Rgb(0.35)},
+                {"coat-roughness", Rgb(0.04)}}),
+      material("satin coat", "weidlich-wilkie",
+               {{"diffuse", {0.3, 0.05, 0.05}},
+                {"specular", {0.9, 0.4, 0.3}},
+                {"roughness", Rgb(0.5)},
+                {"coat-roughness", Rgb(0.1)}}),
+      material("gold paint", "car-paint",
+               {{"diffuse", {0.05, 0.03, 0.01}},
+                {"flakes", {0.6, 0.4, 0.15}},
+                {"flakes-roughness", Rgb(0.25)},
+                {"haze", Rgb(0)},
+                {"coat-roughness", Rgb(0.03)}}),
+      material("blue paint", "car-paint",
+               {{"diffuse", {0.01, 0.03, 0.1}},
+                {"flakes", {0.05, 0.15, 0.5}},
+                {"flakes-roughness", Rgb(0.35)},
+                {"haze", Rgb(0)},
+                {"coat-roughness", Rgb(0.06)}}),
+  };
+  for (const KnownMaterial& known : materials) {
+    const auto before = bakeTable(*known.model->instantiate(known.parameters), grid);
+    for (const double factor : {0.5, 2.0, 4.0}) {
+      ParameterValues after = known.parameters;
+      after.values[*known.model->spec().find("coat-roughness")] *= factor;
+      truths.push_back({"upper lobe",
+                        numbered(known.name, Rgb(factor)),
+                        before,
+                        bakeTable(*known.model->instantiate(after), grid),
+                        {{.control = ArtistControl::roughness, .start = Rgb(factor), .upperOnly = true}}});
+    }
+  }
+}
+
 std::shared_ptr<const TabulatedBrdf> libraryTable(const std::string& path, const HalfDifferenceGrid& grid) {
   return bakeTable(*materials::readLibraryMaterial(path).brdf, grid);
 }
@@ -141,6 +181,7 @@ std::vector<EditTruth> editTruths(const HalfDifferenceGrid& grid) {
     }
     addRecolourings(known, before, truths);
   }
+  addUpperLobes(grid, truths);
   for (const auto& [from, to] : pairs)
     truths.push_back({"pair",
                       std::string(from) + " to " + to,

@@ -18,11 +18,13 @@ struct ControlSearch {
   Rgb start{1};
   double steps = 4;  ///< a power of 2 is cut into so many
   int reach = 4;     ///< steps to either side; 0: the start is taken
+  /// Widens only the upper of two highlights, by its own parameters, in place of the control of all.
+  bool upperOnly = false;
 };
 
 /// A material, the same after an edit that is known, and the controls that are to reproduce it.
 struct EditTruth {
-  std::string kind;  ///< "roughness", "coat", "pair" ...
+  std::string kind;  ///< "roughness", "coat", "upper lobe", "pair" ...
   std::string name;
   std::shared_ptr<const TabulatedBrdf> before, after;
   std::vector<ControlSearch> search;

@@ -63,6 +63,24 @@ editing::Edit ofGrain(const models::Model& model) {
   return {.content = edit, .strength = 0.9};
 }
 
+editing::Edit keepingAlbedo(editing::Edit edit) {
+  std::get<editing::DifferentialEdit>(edit.content).keepsAlbedo = true;
+  return edit;
+}
+
+/// Two highlights of GGX lobes; a fit of one leaves a peak.
+std::shared_ptr<const TabulatedBrdf> twoHighlights() {
+  const models::Model& model = models::layered();
+  models::ParameterValues values = models::defaultParameters(model.spec());
+  for (const auto& [id, value] : {std::pair{"base-roughness", 0.4},
+                                  {"coat-roughness", 0.03},
+                                  {"base", 0.2},
+                                  {"flakes", 0.0},
+                                  {"flakes-edge", 0.0}})
+    values.values[*model.spec().find(id)] = Rgb(value);
+  return bakeTable(*model.instantiate(values));
+}
+
 std::shared_ptr<const TabulatedBrdf> measuredTable() {
   const models::Model& model = models::findModel("abc");
   return bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
@@ -129,11 +147,26 @@ class CompositionPreviewTest : public test::SphereTest {
     verify(table_, {lobes, others, ofGgx(Composition::lobes, 0.2, 0.15)});
   }
 
+  /// Peaks that the fit does not explain, and the factor of the albedo; with lobes that change and others that do not.
+  void keptAlbedo() {
+    const auto base = twoHighlights();
+    for (const auto& [from, to] : {std::pair{0.15, 0.5}, {0.15, 0.1}}) {
+      verify(base, {keepingAlbedo(ofGgx(Composition::lobes, from, to))});
+      verify(base, {keepingAlbedo(ofLayers(Composition::lobes, from, to))});
+    }
+    verify(base, {ofGgx(Composition::logPlus, 0.2, 0.3), keepingAlbedo(ofGgx(Composition::lobes, 0.15, 0.5))});
+    verify(base, {keepingAlbedo(ofGgx(Composition::lobes, 0.2, 0.2))});  // its colour alone
+    const auto grain = [](const char* id) { return keepingAlbedo(ofGrain(models::findModel(id))); };
+    verify(base, {grain("ggx-anisotropic")});
+    verify(base, {grain("ashikhmin-shirley")});
+  }
+
   void overAnRglFile() {
     const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl/vch_golden_yellow_rgb.bsdf";
     if (!fs::exists(path)) QSKIP("the development data is absent");
     const auto brdf = rgl::readRgl(io::FileSource(path)).brdf;
     verify(brdf, {ofLayers(Composition::lobes, 0.1, 0.2)});
+    verify(brdf, {keepingAlbedo(ofLayers(Composition::lobes, 0.1, 0.2))});
     verify(brdf, {ofLayers(Composition::logPlus, 0.1, 0.2)});
   }
 

@@ -43,7 +43,7 @@ class ShaderValues : protected QOpenGLFunctions_4_1_Core {
     target_->bind();
     program->bind();
     base->bind(*this, *program);
-    chain.bind(*this, *program, material.edits, widgets::factorUnit);
+    chain.bind(*this, *program, material.edits, widgets::factorUnit, material.base);
     program->setUniformValue("wiTexture", widgets::environmentUnit);
     program->setUniformValue("woTexture", widgets::lightPoolUnit);
     glViewport(0, 0, side, side);

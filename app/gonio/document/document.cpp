@@ -132,7 +132,7 @@ bool sameFits(const EditList& a, const EditList& b) {
 bool isUntouched(const editing::Edit& edit) {
   const auto* change = std::get_if<DifferentialEdit>(&edit.content);
   return change && change->isIdentity() && edit.name.empty() && edit.enabled && edit.strength == 1 &&
-         change->composition == editing::defaultComposition(*change->model);
+         change->composition == editing::defaultComposition(*change->model) && change->keepsAlbedo;
 }
 
 /// Whether two lists are the same but for untouched edits.
@@ -151,7 +151,7 @@ bool changeTheSame(const EditList& a, const EditList& b) {
 }  // namespace
 
 DifferentialEdit identityEdit(const fitting::FitResult& fit) {
-  return {fit.model, fit.parameters, fit.parameters, editing::defaultComposition(*fit.model)};
+  return editing::unchangedEdit(*fit.model, fit.parameters);
 }
 
 Document::Document(QObject* parent) : QObject(parent) {

@@ -227,7 +227,10 @@ void DocumentController::chooseModel(const models::Model& model) {
 void DocumentController::addModelEdit() {
   const auto* active = m_document.active<editing::DifferentialEdit>();
   if (!active) return chooseModel(defaultModel());
-  addEdit(m_document, {editing::DifferentialEdit{active->model, active->fitted, active->fitted, active->composition}});
+  editing::DifferentialEdit unchanged = editing::unchangedEdit(*active->model, active->fitted);
+  unchanged.composition = active->composition;
+  unchanged.keepsAlbedo = active->keepsAlbedo;
+  addEdit(m_document, {unchanged});
 }
 
 void DocumentController::fit() {

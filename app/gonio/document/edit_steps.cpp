@@ -138,6 +138,15 @@ void setComposition(Document& document, editing::Composition composition) {
       EditStepText::tr("Composition: %1").arg(compositionName(composition)));
 }
 
+void setKeepsAlbedo(Document& document, bool keepsAlbedo) {
+  const int edit = activeIndex<DifferentialEdit>(document.state());
+  if (edit < 0) return;
+  document.installEdits(
+      editing::withEdit(document.edits(), std::size_t(edit),
+                        [&](Edit& one) { std::get<DifferentialEdit>(one.content).keepsAlbedo = keepsAlbedo; }),
+      keepsAlbedo ? EditStepText::tr("Keep albedo") : EditStepText::tr("Let the albedo change"));
+}
+
 void setEditStrength(Document& document, int edit, double strength) {
   change(document, edit,
          EditStepText::tr("Set strength of %1 to %2 %")

@@ -36,6 +36,7 @@ void setControls(Document& document, const models::ParameterValues& controls, co
 void resetControl(Document& document, editing::ArtistControl control);
 /// Sets how the change of the active differential edit is composed with the measurement; never part of an interaction.
 void setComposition(Document& document, editing::Composition composition);
+void setKeepsAlbedo(Document& document, bool keepsAlbedo);
 
 /// @param strength fraction of the change that is applied, in [0, 1].
 void setEditStrength(Document& document, int edit, double strength);

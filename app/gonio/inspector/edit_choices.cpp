@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/inspector/edit_choices.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QStandardItemModel>
@@ -16,7 +17,7 @@ namespace gonio::app {
 using editing::Composition;
 
 CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
-    : QWidget(parent), m_document(document), m_choice(new QComboBox) {
+    : QWidget(parent), m_document(document), m_choice(new QComboBox), m_keepsAlbedo(new QCheckBox(tr("Keep albedo"))) {
   for (const editing::CompositionRecord& record : editing::compositionRecords) {
     m_choice->addItem(widgets::toQString(record.name));
     m_choice->setItemData(m_choice->count() - 1,
@@ -31,6 +32,12 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Composition"), m_choice);
+  m_keepsAlbedo->setToolTip(tr(
+      "Keeps the directional albedo of highlights at every angle when their width changes: the material gets neither "
+      "darker nor brighter.\nA measured peak that the fit does not explain becomes part of the highlight as it "
+      "widens.\nOnly with the composition \"Lobes\"."));
+  layout->addRow(QString(), m_keepsAlbedo);
+  connect(m_keepsAlbedo, &QCheckBox::clicked, this, [this](bool on) { setKeepsAlbedo(m_document, on); });
   connect(m_choice, &QComboBox::activated, this, [this](int index) { setComposition(m_document, Composition(index)); });
   for (const auto signal :
        {&Document::materialChanged, &Document::editChanged, &Document::stateChanged, &Document::selectionChanged})
@@ -45,6 +52,8 @@ void CompositionChoice::refresh() {
   auto* items = qobject_cast<QStandardItemModel*>(m_choice->model());
   items->item(int(Composition::lobes))->setEnabled(edit->model->hasLobes());
   m_choice->setCurrentIndex(int(edit->composition));
+  m_keepsAlbedo->setEnabled(edit->composition == Composition::lobes);
+  m_keepsAlbedo->setChecked(edit->keepsAlbedo);
 }
 
 IncidentDirectionChoice::IncidentDirectionChoice(Document& document, QWidget* parent)

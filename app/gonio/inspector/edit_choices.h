@@ -6,11 +6,13 @@
 
 #include "app/gonio/document/document.h"
 
+class QCheckBox;
 class QComboBox;
 
 namespace gonio::app {
 
-/// Choice of the composition of the active model edit with the measurement; hidden if there is no such edit.
+/// Choice of the composition of the active model edit with the measurement, and whether its highlights keep their
+/// albedo; hidden if there is no such edit.
 class CompositionChoice : public QWidget {
   Q_OBJECT
 
@@ -23,6 +25,7 @@ class CompositionChoice : public QWidget {
 
   Document& m_document;
   QComboBox* m_choice;
+  QCheckBox* m_keepsAlbedo;
 };
 
 /// Choice of the incident direction of a measurement that is not reciprocal (RGL and UTIA files); hidden for all

@@ -56,6 +56,8 @@ QString editArguments(const editing::DifferentialEdit& edit) {
             << assignments(QStringLiteral("--control"), controls, edit.controls, models::defaultParameters(controls))
             << QStringLiteral("--compose ") +
                    widgets::toQString(editing::compositionIds[std::size_t(edit.composition)]);
+  if (edit.composition == editing::Composition::lobes && !edit.keepsAlbedo)
+    arguments << QStringLiteral("--change-albedo");
   return arguments.join(' ');
 }
 

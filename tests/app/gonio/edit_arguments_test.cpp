@@ -26,8 +26,10 @@ class EditArgumentsTest : public QObject {
     edit.controls.values[std::size_t(editing::ArtistControl::tint)] = Rgb(1, 0.5, 1e-17);
     const QString choice = QString::fromUtf8(model.spec().parameters[*model.spec().find("fresnel")].choices[1].data());
     QCOMPARE(editArguments(edit), QStringLiteral("--model ggx --set roughness=0.30000000000000004 --set fresnel=%1 "
-                                                 "--control tint=1,0.5,1e-17 --compose lobes")
+                                                 "--control tint=1,0.5,1e-17 --compose lobes --change-albedo")
                                       .arg(choice));
+    edit.keepsAlbedo = true;
+    QVERIFY(editArguments(edit).endsWith("--compose lobes"));
   }
 };
 

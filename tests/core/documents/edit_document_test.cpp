@@ -30,6 +30,7 @@ EditDocument example() {
     DifferentialEdit edit;
     edit.model = model;
     edit.composition = defaultComposition(*model);
+    edit.keepsAlbedo = document.edits.size() % 3 == 0;
     edit.fitted = edit.edited = models::defaultParameters(model->spec());
     for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
       if (model->spec().parameters[i].perChannel) edit.edited.values[i] *= Rgb(1.0 / 3, 0.1 + 0.2, 1e-17);
@@ -75,6 +76,7 @@ class EditDocumentTest : public QObject {
       QVERIFY(differential(again, i).fitted == differential(document, i).fitted);
       QVERIFY(differential(again, i).edited == differential(document, i).edited);
       QVERIFY(differential(again, i).composition == differential(document, i).composition);
+      QCOMPARE(differential(again, i).keepsAlbedo, differential(document, i).keepsAlbedo);
       QVERIFY(again.edits[i].strength == document.edits[i].strength);
       QVERIFY(again.edits[i].enabled == document.edits[i].enabled);
       QCOMPARE(again.edits[i].name, document.edits[i].name);
@@ -94,6 +96,10 @@ class EditDocumentTest : public QObject {
     json["edits"][lobes].erase("composition");  // as version 4 wrote it
     json["version"] = 4;
     QVERIFY(differential(documentFromJson(json), lobes).composition == Composition::additive);
+    json["edits"][0].erase("keepAlbedo");  // as version 6 wrote it
+    QVERIFY(differential(document, 0).keepsAlbedo);
+    QVERIFY(!differential(documentFromJson(json), 0).keepsAlbedo);
+    QVERIFY(contains(errorWith("/edits/0/keepAlbedo", 1), "keepAlbedo"));
     QVERIFY(contains(errorWith("/edits/0/composition", "sum"), "additive, log-plus or lobes"));
     QVERIFY(contains(errorWith("/edits/0/composition", "lobes"), "is not a sum of lobes"));
   }
@@ -145,8 +151,8 @@ class EditDocumentTest : public QObject {
       return all;
     };
     QVERIFY(names(errorWith("/format", "other"), "format", "the string \"other\""));
-    QVERIFY(names(errorWith("/version", 7), "version", "the number 7"));
-    QVERIFY(contains(errorWith("/version", 7), "newer"));
+    QVERIFY(names(errorWith("/version", 8), "version", "the number 8"));
+    QVERIFY(contains(errorWith("/version", 8), "newer"));
     QVERIFY(names(errorWith("/version", 1.5), "version", "the number 1.5"));
     QVERIFY(names(errorWith("/version", -1), "version", "the number -1"));
     QVERIFY(names(errorWithout("/source", "path"), "source.path", "nothing"));

@@ -70,6 +70,47 @@ Edit widened(double factor, const Rgb& tint) {
   return {edit};
 }
 
+Direction direction(double degrees) {
+  const double theta = degrees * pi / 180;
+  return {std::sin(theta), 0, std::cos(theta)};
+}
+
+/// Directional albedo of the green channel: rings about the mirror direction's half vector, 400 by 64.
+double albedo(const Brdf& brdf, double degrees) {
+  constexpr int rings = 400, azimuths = 64;
+  constexpr double first = -9, last = 4;  // of log tan theta_h
+  const Direction wi = direction(degrees);
+  double sum = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double tangent = std::exp(first + (last - first) * (i + 0.5) / rings), cosine = 1 / std::hypot(1, tangent);
+    for (int k = 0; k < azimuths; ++k) {
+      const double phi = 2 * pi * (k + 0.5) / azimuths;
+      const Direction h = cosine * Direction(tangent * std::cos(phi), tangent * std::sin(phi), 1);
+      const Direction wo = 2 * glm::dot(wi, h) * h - wi;
+      if (!(glm::dot(wi, h) > 0 && wo.z > 0)) continue;
+      const double area = tangent * tangent * cosine * cosine * cosine * ((last - first) / rings) * (2 * pi / azimuths);
+      sum += brdf.evaluate(wi, wo).y * wo.z * 4 * glm::dot(wi, h) * area;
+    }
+  }
+  return sum;
+}
+
+/// The fit of an edit of GGX, and a lobe of width `peak` that it misses (0: none).
+std::shared_ptr<const Brdf> measuredWithPeak(Edit& edit, double peak) {
+  auto& change = std::get<DifferentialEdit>(edit.content);
+  change.fitted.values[index(*change.model, "diffuse")] = Rgb(0.05, 0.04, 0.02);
+  change.fitted.values[index(*change.model, "roughness")] = Rgb(0.2);
+  change.edited = change.fitted;
+  models::ParameterValues missed = change.fitted;
+  missed.values[index(*change.model, "diffuse")] = Rgb(0);
+  missed.values[index(*change.model, "specular")] *= peak > 0 ? 0.2 : 0;
+  missed.values[index(*change.model, "roughness")] = Rgb(peak > 0 ? peak : 0.2);
+  const std::shared_ptr<const Brdf> fitted = change.model->instantiate(change.fitted),
+                                    added = change.model->instantiate(missed);
+  return std::make_shared<const FunctionBrdf>(
+      [=](const Direction& wi, const Direction& wo) { return fitted->evaluate(wi, wo) + added->evaluate(wi, wo); });
+}
+
 class LobeChangeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -301,7 +342,7 @@ class LobeChangeTest : public QObject {
       const DirectionPair pair{fromSpherical(0.3 + std::atan(tangent), 0), fromSpherical(0.3 - std::atan(tangent), pi)};
       const Rgb value = measured.evaluate(pair.wi, pair.wo);
       Rgb change(0);
-      LobeChange(edit).evaluate(measured, std::span(&pair, 1), std::span(&value, 1), std::span(&change, 1));
+      LobeChange(edit, measured).evaluate(measured, std::span(&pair, 1), std::span(&value, 1), std::span(&change, 1));
       return (value + change).x / edit.model->instantiate(edit.edited)->evaluate(pair.wi, pair.wo).x;
     };
     QVERIFY(ratioAt(0.02) > 1.95);
@@ -315,8 +356,68 @@ class LobeChangeTest : public QObject {
     for (const DirectionPair& pair : pairs(50)) {
       const Rgb value = measured.evaluate(pair.wi, pair.wo);
       Rgb change(0);
-      LobeChange(edit).evaluate(measured, std::span(&pair, 1), std::span(&value, 1), std::span(&change, 1));
+      LobeChange(edit, measured).evaluate(measured, std::span(&pair, 1), std::span(&value, 1), std::span(&change, 1));
       QVERIFY(change == Rgb(0));
+    }
+  }
+
+  /// Over eleven angles and three factors, of a fit that explains the measurement and of one that misses a peak; the
+  /// integral is dense and of its own.
+  void highlightsKeepTheirAlbedo() {
+    for (const double peak : {0.0, 0.02})
+      for (const double factor : {0.25, 2.0, 4.0}) {
+        Edit edit = widened(1, Rgb(1));
+        const auto base = measuredWithPeak(edit, peak);
+        auto& change = std::get<DifferentialEdit>(edit.content);
+        change.controls.values[std::size_t(ArtistControl::roughness)] = Rgb(factor);
+        const auto loses = applyEdits(base, std::span(&edit, 1));
+        change.keepsAlbedo = true;
+        const auto keeps = applyEdits(base, std::span(&edit, 1));
+        double lost = 0;
+        for (const double degrees : {0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80}) {
+          const double before = albedo(*base, degrees), after = albedo(*keeps, degrees);
+          QVERIFY2(std::abs(after / before - 1) < 0.02,
+                   qPrintable(QString("peak %1, factor %2, %3 degrees: %4 became %5")
+                                  .arg(peak)
+                                  .arg(factor)
+                                  .arg(degrees)
+                                  .arg(before)
+                                  .arg(after)));
+          lost = std::max(lost, std::abs(albedo(*loses, degrees) / before - 1));
+        }
+        QVERIFY(factor < 1 || lost > 0.1);
+      }
+  }
+
+  /// A peak that one fitted lobe misses leaves a sharp copy, which the switch removes.
+  void peaksWidenWithTheHighlight() {
+    Edit edit = widened(1, Rgb(1));
+    const auto base = measuredWithPeak(edit, 0.02);
+    auto& change = std::get<DifferentialEdit>(edit.content);
+    change.controls.values[std::size_t(ArtistControl::roughness)] = Rgb(4);
+    const auto contrast = [&] {
+      const auto edited = applyEdits(base, std::span(&edit, 1));
+      const auto at = [&](double degrees) { return edited->evaluate(direction(40), direction(-40 - degrees)).y; };
+      return at(0) / at(6);
+    };
+    QVERIFY(base->evaluate(direction(40), direction(-40)).y / base->evaluate(direction(40), direction(-46)).y > 10);
+    QVERIFY(contrast() > 3);
+    change.keepsAlbedo = true;
+    QVERIFY(contrast() < 1.2);
+  }
+
+  /// The switch alone, without a change of width, changes no strength and no colour of an exact fit.
+  void theSwitchIsAboutWidths() {
+    Edit edit = widened(1, Rgb(1));
+    const auto base = measuredWithPeak(edit, 0);
+    auto& change = std::get<DifferentialEdit>(edit.content);
+    change.controls.values[std::size_t(ArtistControl::specularStrength)] = Rgb(2);
+    const auto off = applyEdits(base, std::span(&edit, 1));
+    change.keepsAlbedo = true;
+    const auto on = applyEdits(base, std::span(&edit, 1));
+    for (const DirectionPair& pair : pairs(200)) {
+      const Rgb one = off->evaluate(pair.wi, pair.wo), other = on->evaluate(pair.wi, pair.wo);
+      QVERIFY(glm::length(one - other) <= 1e-9 + 1e-6 * glm::length(one));
     }
   }
 
@@ -335,6 +436,7 @@ class LobeChangeTest : public QObject {
     std::uniform_real_distribution<double> unit;
     for (int trial = 0; trial < 200; ++trial) {
       DifferentialEdit edit{.model = &model, .fitted = {}, .edited = {}, .composition = Composition::lobes};
+      edit.keepsAlbedo = trial % 4 == 3;
       for (models::ParameterValues* values : {&edit.fitted, &edit.edited})
         for (const models::ParameterSpec& spec : model.spec().parameters)
           values->values.emplace_back(spec.softMin + (spec.softMax - spec.softMin) * std::pow(unit(random), 4));
@@ -352,8 +454,9 @@ class LobeChangeTest : public QObject {
   void modelsThatAreNoSumOfLobesAreRefused() {
     DifferentialEdit edit{.model = &models::findModel("phong"), .fitted = {}, .edited = {}};
     edit.fitted = edit.edited = models::defaultParameters(edit.model->spec());
+    const FunctionBrdf measured([](const Direction&, const Direction&) { return Rgb(1); });
     try {
-      LobeChange{edit};
+      LobeChange{edit, measured};
       QFAIL("accepted");
     } catch (const Error& error) {
       QVERIFY(std::string(error.what()).find("additive or log-plus") != std::string::npos);

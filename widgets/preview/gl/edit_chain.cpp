@@ -231,16 +231,22 @@ void EditChain::addVariant(const editing::EditList& edits, QStringList& definiti
   if (text.edits == 0) return;
   text.endSteps();
   definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions << "LAST_STAGE " + text.stage;
-  if (text.lobeEdits > 0) definitions << "LOBE_EDITS";
+  if (text.lobeEdits > 0) definitions << "LOBE_EDITS" << QString("ALBEDO_NODES %1").arg(editing::AlbedoScale::nodes);
   preamble << text.files;
 }
 
 void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits,
-                     int unit, const std::shared_ptr<const factorization::PdvFactors>& base) {
+                     int unit, const std::shared_ptr<const Brdf>& base) {
   std::vector<FactorEdit> factors;
-  if (base) factors.push_back({.original = base, .edited = base});
+  if (const auto own = factorization::pdvFactorsOf(*base)) factors.push_back({.original = own, .edited = own});
+  if (base != scaledBase_ || edits != scaledEdits_) {
+    scales_ = editing::albedoScales(base, edits);
+    scaledBase_ = base;
+    scaledEdits_ = edits;
+  }
   int number = 0;
-  for (const Edit& edit : edits) {
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Edit& edit = edits[i];
     if (edit.isIdentity()) continue;
     const QString suffix = QString::number(number++);
     program.setUniformValue(("strength" + suffix).toUtf8().constData(), float(edit.strength));
@@ -248,7 +254,8 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
       program.setUniformValue(("colours" + suffix).toUtf8().constData(), matrixOf(differential->colours()));
       setModelUniform(program, "edited" + suffix, *differential->model, differential->target());
       setModelUniform(program, "fitted" + suffix, *differential->model, differential->fitted);
-      if (differential->composition == editing::Composition::lobes) setLobeUniforms(program, suffix, *differential);
+      if (differential->composition == editing::Composition::lobes)
+        setLobeUniforms(program, suffix, *differential, scales_[i]);
     } else {
       factors.push_back(std::get<FactorEdit>(edit.content));
     }

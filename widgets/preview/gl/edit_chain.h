@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/editing/factor_edit.h"
+#include "core/editing/edit.h"
 #include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
@@ -48,14 +48,18 @@ class EditChain {
   /// @param base the factors if the base is a factorization, else null. They are the first curves in the shader.
   static void addVariant(const editing::EditList& edits, QStringList& definitions, QStringList& preamble,
                          const factorization::PdvFactors* base = nullptr);
-  /// Sets the uniforms of a shader of that variant and uploads the curves of factor edits to `unit`.
+  /// Sets the uniforms of a shader of that variant and uploads the curves of factor edits to `unit`. Where highlights
+  /// keep their albedo, their factors are computed when the edits change (editing::albedoScales()).
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits, int unit,
-            const std::shared_ptr<const factorization::PdvFactors>& base = nullptr);
+            const std::shared_ptr<const Brdf>& base);
   /// Call with the context of bind() current.
   void release(QOpenGLFunctions_4_1_Core& gl) { factors_.release(gl); }
 
  private:
   FactorTexture factors_;
+  std::vector<editing::AlbedoScale> scales_;  ///< of scaledEdits_ on scaledBase_
+  std::shared_ptr<const Brdf> scaledBase_;
+  editing::EditList scaledEdits_;
 };
 
 }  // namespace gonio::widgets

@@ -4,6 +4,7 @@
 
 #include <QOpenGLShaderProgram>
 
+#include "core/editing/albedo_scale.h"
 #include "core/editing/differential_edit.h"
 
 /// An edit by lobes in the shader: the counterpart of editing::LobeChange, inserted by EditChain. The generated code
@@ -16,6 +17,8 @@ namespace gonio::widgets {
 QString lobeUniforms(const editing::DifferentialEdit& edit, int number);
 /// The code of its function. @param name of the function; @param previous name of the preceding function.
 QString lobeStage(const QString& name, const QString& previous, const editing::DifferentialEdit& edit, int number);
-void setLobeUniforms(QOpenGLShaderProgram& program, const QString& number, const editing::DifferentialEdit& edit);
+/// @param scale of the edit: editing::albedoScales().
+void setLobeUniforms(QOpenGLShaderProgram& program, const QString& number, const editing::DifferentialEdit& edit,
+                     const editing::AlbedoScale& scale);
 
 }  // namespace gonio::widgets

@@ -94,7 +94,7 @@ void SubjectTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& 
                            const PreviewSubject& subject, bool samplesDirections) {
   if (const auto* edited = std::get_if<EditedMaterial>(&subject.shown)) {
     bindBase(gl, program, resources, *edited);
-    editChain_.bind(gl, program, edited->edits, factorUnit, factorization::pdvFactorsOf(*edited->base));
+    editChain_.bind(gl, program, edited->edits, factorUnit, edited->base);
   } else if (const auto* alone = std::get_if<StandaloneModel>(&subject.shown)) {
     setModelUniform(program, "modelParameters", *alone->model, alone->parameters);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {

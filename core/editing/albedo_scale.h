@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <array>
+
+#include "core/math/types.h"
+
+namespace gonio::editing {
+
+/// The factor s(theta) of an edited highlight H', per channel: s(theta_i) s(theta_o) H' has the directional albedo of
+/// the highlight before the edit, and is reciprocal if H' is. Linear between nodes that are evenly spaced in (x + x^2)
+/// / 2, x = sqrt(1 - cos theta): 7 degrees apart at normal incidence, 3 degrees at 80 degrees.
+struct AlbedoScale {
+  static constexpr std::size_t nodes = 24;
+
+  std::array<Rgb, nodes> values = [] {
+    std::array<Rgb, nodes> ones;
+    ones.fill(Rgb(1));
+    return ones;
+  }();
+
+  Rgb operator()(double cosine) const;
+  /// Of a node, from 1 down to nearly 0.
+  static double cosineOf(std::size_t node);
+};
+
+/// The directional albedo of the edited highlight at a node, as a matrix row: how much of it goes to outgoing
+/// directions near each of the nodes.
+struct AlbedoNode {
+  std::array<Rgb, AlbedoScale::nodes> edited{};
+  Rgb before{0};  ///< albedo of the highlight before the edit
+
+  /// Splits a contribution H' cos theta_o d omega_o between the two nearest nodes.
+  void add(double cosine, const Rgb& contribution);
+};
+
+/// Finds s with s_i sum_k edited_ik s_k = before_i for each node i by Sinkhorn's iteration for symmetric matrices
+/// (Knight, Ruiz and Ucar 2014, "A Symmetry Preserving Algorithm for Matrix Scaling"). A node and channel of which one
+/// of the albedos is not positive keeps s = 1. s is in [1/64, 64].
+AlbedoScale albedoScale(const std::array<AlbedoNode, AlbedoScale::nodes>& nodes);
+
+}  // namespace gonio::editing
