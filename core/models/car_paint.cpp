@@ -115,10 +115,34 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                      CosineDensity{}, normals(0), normals(1), normals(2)));
 }
 
+/// Each term alone, by the same formula with all others black.
+std::vector<ModelLobe> parts(const ParameterValues& p) {
+  ParameterValues black = p;
+  for (std::size_t i = 0; i < p.values.size(); ++i)
+    if (parameters[i].linear) black.values[i] = Rgb(0);
+  const auto alone = [&](std::size_t strength) {
+    ParameterValues one = black;
+    one.values[strength] = p.values[strength];
+    return create(one);
+  };
+  std::vector<ModelLobe> result;
+  result.push_back({alone(diffuse), {}, {p.values[diffuse]}, {}});
+  for (int lobe = 0; lobe < lobes; ++lobe) {
+    const std::size_t first = firstOf(lobe);
+    const double m = p.values[first + 1].x;
+    result.push_back({alone(first),
+                      {m, m},
+                      {p.values[first]},
+                      {p.values[first + 1], p.values[first + 2], p.values[normalisation], p.values[fresnelTerm],
+                       p.values[edgeTint]}});
+  }
+  return result;
+}
+
 }  // namespace
 
 const Model& carPaint() {
-  static const Model model(carPaintSpec, {.create = create, .arguments = shaderArguments<arguments>});
+  static const Model model(carPaintSpec, {.create = create, .arguments = shaderArguments<arguments>, .lobes = parts});
   return model;
 }
 

@@ -300,7 +300,7 @@ class GoniotoolTest : public QObject {
     QCOMPARE(materials.size(), 3);
     const ToolResult refused = runTool({"edit", plastic_, "--model", "phong", "--compose", "lobes", "--out", out});
     QCOMPARE(refused.code, 2);
-    QVERIFY(refused.error.contains("ggx-anisotropic, beckmann-anisotropic, layered), found phong"));
+    QVERIFY(refused.error.contains("ggx-anisotropic, beckmann-anisotropic, layered, car-paint), found phong"));
   }
 
   /// A control is the parameters that it changes, and a document keeps it.
