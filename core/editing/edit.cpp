@@ -148,8 +148,13 @@ class EditedBrdf final : public Brdf {
       all_.evaluateFirst(count_, pairs, values);
     }
     bool hasData(const DirectionPair& pair) const override { return all_.hasData(pair); }
+    bool isIsotropic() const override { return all_.base_->isIsotropic() && allIsotropic(first()); }
+    /// All isotropic edits are.
+    bool isMirrorSymmetric() const override { return all_.base_->isMirrorSymmetric() && allIsotropic(first()); }
 
    private:
+    std::span<const ActiveEdit> first() const { return std::span(all_.edits_).first(count_); }
+
     const EditedBrdf& all_;
     std::size_t count_;
   };

@@ -58,15 +58,17 @@ void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<
 /// behind, and two things are added:
 /// - A measured peak that the fit does not explain belongs to the highlight. Its part of the ratio is the excess e(x) =
 ///   (q - 1) S(Y(m) / Y(M)) P, with S a smooth step from 1.25 to 2.25 and P = 1 / (1 + t^4 / 81) in the highlight, t =
-///   tan theta_h / alpha. The lobes that dominate carry all of it (peakShares()), and it fades as they widen, since it
-///   would show as a sharp copy of the former highlight: e(w_k) counts with 1 - beta, beta = 1 - min(1, product of the
-///   scales)^2.
+///   tan theta_h / alpha. A lobe of the highlight H = sum of the M_k with a width carries g_k e in place of e: g_k =
+///   (1 + r + r^2 + r^3 + r^4) (M_k / H)^4 / sum_j (M_j / H)^5, r = 1 - H / M, which sums up to all of e save what the
+///   rest keeps where it dominates. It fades as the lobe widens, since it would show as a sharp copy of the former
+///   highlight: at w_k times min(1, product of the scales)^2.
 /// - The edited highlights, where their width changes, are multiplied by s(theta_i) s(theta_o) (AlbedoScale), with
 ///   which their directional albedo is that of the same edit with the fitted widths.
 class LobeChange {
  public:
-  /// @param base what the edit is applied to; used only here, with DifferentialEdit::keepsAlbedo: about 7,000
-  /// evaluations. @throws Error if the model is not a sum of lobes.
+  /// @param base what the edit is applied to; used only here, with DifferentialEdit::keepsAlbedo: about 8,000 pairs
+  /// for each change of width and once more, twice as many if the base is not mirror-symmetric. @throws Error if the
+  /// model is not a sum of lobes.
   LobeChange(const DifferentialEdit& edit, const Brdf& base);
 
   /// Maximum number of pairs per call of evaluate(): its scratch arrays then fit on the stack, so that it allocates no
