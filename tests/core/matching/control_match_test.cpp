@@ -124,7 +124,7 @@ class ControlMatchTest : public QObject {
       pixel *= 8.f;
       brightest = std::max(brightest, maxChannel(Rgb(pixel)));
     }
-    picture.clip = brightest / 3;
+    picture.clip = brightest / 1.25;
     for (glm::vec3& pixel : picture.image.pixels) pixel = glm::min(pixel, glm::vec3(float(picture.clip)));
     const ControlMatch match = matchControls(picture, edited, scene, {.freeExposure = true});
     qInfo("exposure %.2f, roughness %.2f", match.exposure,
