@@ -64,9 +64,17 @@ struct Fireflies {
   double fraction = 0;   ///< fraction of the image's luminance that comes from samples above `threshold` times the mean
 };
 
+/// The part of a camera's picture that a film covers: the position p in [-1, 1]^2 of the film (y up) is at centre +
+/// halfSize p of the picture that the camera has without a window.
+struct FilmWindow {
+  glm::dvec2 centre{0};
+  double halfSize = 1;
+};
+
 /// Sums of the samples of a picture, to which samples can be added.
 struct Film {
   int width = 0, height = 0;
+  FilmWindow window;
   int samples = 0;               ///< per pixel
   std::vector<Rgb> radiance;     ///< sums, linear RGB
   std::vector<double> coverage;  ///< number of samples that hit an object or a visible environment
@@ -77,9 +85,10 @@ struct Film {
   SampleLuminances luminances;
 
   Film() = default;
-  Film(int filmWidth, int filmHeight)
+  Film(int filmWidth, int filmHeight, const FilmWindow& filmWindow = {})
       : width(filmWidth),
         height(filmHeight),
+        window(filmWindow),
         radiance(std::size_t(filmWidth) * std::size_t(filmHeight), Rgb(0)),
         coverage(radiance.size(), 0) {}
 
@@ -127,6 +136,10 @@ class RecordedPaths {
   /// The picture that renderPicture() returns for a material with the density of the paths, up to rounding: linear RGB
   /// radiance, bitwise equal for any number of threads. @throws Cancelled.
   Image picture(const Brdf& brdf, const TaskControl& control = {}) const;
+
+  /// One per row of pixels; divided by samples() the sums of values times weights are the radiance of the pixels.
+  const std::vector<Row>& rows() const { return rows_; }
+  int samples() const { return samples_; }
 
  private:
   std::vector<Row> rows_;

@@ -81,7 +81,8 @@ void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, Samp
       start.pixel = pixel;
       start.seed = {pixelSeed, std::uint32_t(film.samples + i)};
       const glm::dvec2 position = glm::dvec2(x, y) + filmPositions.pair(start.seed);
-      start.ray = cameraRay(camera_, extent * (glm::dvec2(-1, 1) + pixelSize * position));
+      const glm::dvec2 place = film.window.centre + film.window.halfSize * (glm::dvec2(-1, 1) + pixelSize * position);
+      start.ray = cameraRay(camera_, extent * place);
       if (starts.size() == PathBatch::capacity) traceStarts();
     }
   }
@@ -114,10 +115,9 @@ void PathTracer::accumulate(Film& film, int samples, const TaskControl& control)
   film = std::move(next);
 }
 
-RecordedPaths PathTracer::record(int width, int height, int samples, const TaskControl& control) const {
+RecordedPaths PathTracer::record(Film film, int samples, const TaskControl& control) const {
   assert(plan_.reflections <= 1);
-  Film film(width, height);
-  auto rows = std::vector<RecordedPaths::Row>(std::size_t(height));
+  auto rows = std::vector<RecordedPaths::Row>(std::size_t(film.height));
   trace(film, samples, rows, control);
   return {std::move(rows), film.image(), samples};
 }

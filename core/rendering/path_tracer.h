@@ -30,8 +30,8 @@ class PathTracer {
   void accumulate(Film& film, int samples, const TaskControl& control = {}) const;
   /// Records the paths of a picture, to render other materials with them (RecordedPaths). Preconditions: the plan has
   /// at most one reflection, and the tracer's own material is a placeholder with a BRDF value of 1 everywhere, so that
-  /// the recorded weights are the factors of the BRDF value. @throws Cancelled.
-  RecordedPaths record(int width, int height, int samples, const TaskControl& control = {}) const;
+  /// the recorded weights are the factors of the BRDF value. @param film without samples. @throws Cancelled.
+  RecordedPaths record(Film film, int samples, const TaskControl& control = {}) const;
 
  private:
   class PathBatch;

@@ -59,7 +59,7 @@ std::optional<RecordedPaths> recordPaths(const Scene& scene, const RenderOptions
   const UnitBrdf unit;
   const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, pictureMaterial(unit, options)));
   return PathTracer(scene, materials, plan, options.seed)
-      .record(options.width, options.height, options.samples, control);
+      .record(Film(options.width, options.height), options.samples, control);
 }
 
 Scene comparisonScene() { return sphereScene(studioEnvironment()); }

@@ -36,6 +36,16 @@ Rgb toneMapped(const Rgb& radiance, double exposure, ToneMap toneMap) {
   return display;
 }
 
+double radianceOf(double display, double exposure, ToneMap toneMap) {
+  double x = display;
+  if (toneMap == ToneMap::filmic) {
+    // The positive root of the curve's equation for x.
+    const double a = 2.51 - 2.43 * display, b = 0.03 - 0.59 * display, c = -0.14 * display;
+    x = (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
+  }
+  return x * std::exp2(-exposure);
+}
+
 std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, ToneMap toneMap) {
   constexpr std::size_t block = 4096;
   std::vector<std::uint8_t> bytes(image.pixels.size() * 4);

@@ -155,7 +155,7 @@ void ComparisonController::showBanner() {
   const QString what = *kind == StandIn::blend ? tr("the blend %1").arg(standInName()) : standInName();
   if (!m_document.material()) return m_preview.overlay()->setBanner(tr("Showing %1").arg(what), tr("Hide the Blend"));
   m_preview.overlay()->setBanner(tr("Showing %1 instead of %2").arg(what, m_document.name()),
-                                 tr("Back to the Material"));
+                                 *kind == StandIn::match ? tr("Leave") : tr("Back to the Material"));
 }
 
 void ComparisonController::setCode(std::shared_ptr<const MaterialCode> code) {

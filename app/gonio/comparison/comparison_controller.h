@@ -21,6 +21,7 @@ namespace gonio::app {
 
 /// Subjects that can replace the edited material in the preview, in descending priority.
 enum class StandIn {
+  match,           ///< the proposed match with the reference image
   representation,  ///< a representation of the material
   blend            ///< the current blend of the Interpolation panel
 };
@@ -127,7 +128,7 @@ class ComparisonController : public QObject {
     std::optional<widgets::PreviewSubject> subject;
     QString name;
   };
-  std::array<Replacement, 2> m_standIns;  ///< indexed by StandIn
+  std::array<Replacement, 3> m_standIns;  ///< indexed by StandIn
   std::shared_ptr<const MaterialCode> m_code;
   std::optional<WavelengthSubjects> m_wavelength;
 };

@@ -17,7 +17,7 @@ namespace gonio::app {
 namespace {
 
 const QString samplingKey = QStringLiteral("wavelength");
-constexpr int all = 0, one = 1;
+constexpr int allWavelengths = 0, oneWavelength = 1;
 /// Where the eye sees best in daylight.
 constexpr double firstWavelength = 555;
 
@@ -75,7 +75,7 @@ WavelengthPanel::WavelengthPanel(Document& document, BackgroundTasks& tasks, QWi
 
 void WavelengthPanel::adoptMaterial() {
   const RglSpectra* spectra = spectraOf(m_document.material());
-  m_choice->setCurrentIndex(all);
+  m_choice->setCurrentIndex(allWavelengths);
   setVisible(spectra);
   if (spectra) {
     const double from = std::max(minVisibleWavelength, double(spectra->nanometres.front())),
@@ -96,8 +96,8 @@ void WavelengthPanel::setWavelength(double nanometres) {
 }
 
 void WavelengthPanel::refresh() {
-  m_row->setVisible(m_choice->currentIndex() == one);
-  if (m_choice->currentIndex() == one) return sample();
+  m_row->setVisible(m_choice->currentIndex() == oneWavelength);
+  if (m_choice->currentIndex() == oneWavelength) return sample();
   m_tasks.drop(samplingKey);
   m_sampling = m_again = false;
   if (!m_subjects) return;
@@ -107,7 +107,7 @@ void WavelengthPanel::refresh() {
 
 void WavelengthPanel::sample() {
   const LoadedMaterialPtr material = m_document.material();
-  if (m_choice->currentIndex() != one || !spectraOf(material)) return;
+  if (m_choice->currentIndex() != oneWavelength || !spectraOf(material)) return;
   m_again = m_sampling;
   if (m_sampling) return;
   m_sampling = true;

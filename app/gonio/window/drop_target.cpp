@@ -7,6 +7,7 @@
 #include <QMimeData>
 #include <QString>
 
+#include "app/gonio/matching/reference_image.h"
 #include "core/io/mesh_file.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/panels/drop_overlay.h"
@@ -29,10 +30,11 @@ bool isScene(const QString& path) {
 /// Describes the effect of dropping a file. @param asReference whether a material becomes the reference of comparisons.
 QString dropDescription(const QString& path, bool asReference = false) {
   const QString text =
-      isEnvironmentFile(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
-      : isScene(path)         ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
-      : asReference           ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
-                              : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
+      isEnvironmentFile(path)      ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
+      : isReferenceImageFile(path) ? QCoreApplication::translate("DroppedFiles", "Show the reference image %1")
+      : isScene(path)              ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
+      : asReference                ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
+                                   : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
   return text.arg(path.section('/', -1));
 }
 
@@ -71,6 +73,8 @@ void DropTarget::drop(const QDropEvent& event) {
   const QString file = widgets::draggedFile(event.mimeData());
   if (isEnvironmentFile(file))
     m_actions.openEnvironment(file);
+  else if (isReferenceImageFile(file))
+    m_actions.openImage(file);
   else if (isScene(file))
     m_actions.openScene(file);
   else if (!file.isEmpty() && event.modifiers() & Qt::ControlModifier)

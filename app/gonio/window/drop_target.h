@@ -21,7 +21,7 @@ class DropTarget : public QObject {
  public:
   /// Actions for each kind of file.
   struct Actions {
-    std::function<void(const QString&path)> openMaterial, openReference, openEnvironment, openScene;
+    std::function<void(const QString&path)> openMaterial, openReference, openEnvironment, openScene, openImage;
   };
 
   DropTarget(QWidget& window, Actions actions);

@@ -22,6 +22,7 @@
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/library/library_controller.h"
+#include "app/gonio/matching/match_controller.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/study/study_window.h"
 #include "app/gonio/window/dock_layout.h"
@@ -192,7 +193,8 @@ Action EditorActions::edit(Document& document, DocumentController& controller, c
 }
 
 Action EditorActions::view(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview,
-                           EnvironmentController& environment, QSettings& settings, QWidget* window) {
+                           EnvironmentController& environment, MatchController& match, QSettings& settings,
+                           QWidget* window) {
   std::vector<Action> rows{{.text = tr("La&youts"), .rows = layouts(docks, comparison)}};
   int number = 1;
   for (const QDockWidget* dock : docks.docks()) {
@@ -204,6 +206,8 @@ Action EditorActions::view(DockLayout& docks, ComparisonController& comparison, 
   for (const Action& row : picture(preview)) rows.push_back(row);
   rows.push_back(toneMap(preview));
   rows.push_back(light(environment, preview.content(), window));
+  rows.push_back(line());
+  for (const Action& row : referenceImage(match, window)) rows.push_back(row);
   rows.push_back(line());
   rows.push_back(theme(settings));
   rows.push_back({.text = tr("F&ull Screen"),
@@ -323,6 +327,28 @@ Action EditorActions::light(EnvironmentController& environment, widgets::Preview
                         },
                     .enabled = hasEnvironment,
                     .checked = isBlurred}}};
+}
+
+std::vector<Action> EditorActions::referenceImage(MatchController& match, QWidget* window) {
+  const auto open = [&match, window] {
+    const QString purpose = QStringLiteral("reference-image");
+    const QString path =
+        QFileDialog::getOpenFileName(window, tr("Open Reference Image"), widgets::dialogFolder(purpose),
+                                     tr("Images (%1);;All files (*)").arg(referenceImagePatterns()));
+    widgets::rememberDialogFolder(purpose, path);
+    if (!path.isEmpty()) match.open(path);
+  };
+  return {{.id = "open-reference-image",
+           .text = tr("Open Refere&nce Image..."),
+           .help = tr("Shows a photograph or a render of a sphere beside the preview, to match the material with it"),
+           .run = open},
+          {.text = tr("&Match Reference Image"),
+           .help = tr("Fits the controls of the selected edit so that the material looks like the reference image"),
+           .run = [&match] { match.match(); },
+           .enabled = [&match] { return match.canMatch(); }},
+          {.text = tr("Remo&ve Reference Image"),
+           .run = [&match] { match.remove(); },
+           .enabled = [&match] { return match.image().has_value(); }}};
 }
 
 Action EditorActions::theme(QSettings& settings) {

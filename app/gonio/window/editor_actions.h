@@ -28,6 +28,7 @@ class ExportController;
 class Inspector;
 class InterpolationPanel;
 class LibraryController;
+class MatchController;
 class StudyWindow;
 
 /// The rows of the editor's menus, each from the parts that its actions use; these parts must outlive the table.
@@ -41,7 +42,7 @@ struct EditorActions {
   static Action edit(Document& document, DocumentController& controller, const Inspector& inspector,
                      const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory, QWidget* window);
   static Action view(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview,
-                     EnvironmentController& environment, QSettings& settings, QWidget* window);
+                     EnvironmentController& environment, MatchController& match, QSettings& settings, QWidget* window);
   static Action material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
                          ComparisonController& comparison, DockLayout& docks, StudyWindow& study,
                          InterpolationPanel& interpolation, AcquisitionPanel& acquisition);
@@ -56,6 +57,7 @@ struct EditorActions {
   static std::vector<Action> picture(widgets::PreviewWidget& preview);
   static Action toneMap(widgets::PreviewWidget& preview);
   static Action light(EnvironmentController& environment, widgets::PreviewContent& preview, QWidget* window);
+  static std::vector<Action> referenceImage(MatchController& match, QWidget* window);
   static Action theme(QSettings& settings);
 };
 

@@ -16,6 +16,7 @@
 #include "app/gonio/inspector/wavelength_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/library/thumbnail.h"
+#include "app/gonio/matching/reference_panel.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
@@ -59,6 +60,8 @@ EditorParts::EditorParts()
       comparisonBar(*new widgets::ComparisonBar),
       comparison(document, tasks, preview, comparisonBar),
       comparisonPanel(*new ComparisonPanel(comparison, tasks)),
+      match(*new MatchController(document, controller, tasks, comparison, preview)),
+      referencePanel(*new ReferencePanel(match, document, preview)),
       plots(*new PlotsPanel(document, tasks)),
       factors(*new FactorCurvesPanel(document, tasks)),
       interpolation(*new InterpolationPanel(document, tasks)),
@@ -82,6 +85,7 @@ void EditorParts::connectStandIns() {
   QObject::connect(&study, &StudyWindow::subjectChanged, &comparison,
                    [this] { comparison.setStandIn(StandIn::representation, study.subject(), study.shownName()); });
   QObject::connect(&comparison, &ComparisonController::standInDismissed, &comparison, [this](StandIn kind) {
+    if (kind == StandIn::match) return match.leave();
     if (kind == StandIn::representation) return study.show(-1);
     interpolation.setShownInPreview(false);
   });
@@ -178,8 +182,8 @@ void EditorParts::connectFirstPicture() {
 bool EditorParts::isSettled() const {
   const auto task = tasks.topmost();
   return (!task || task->quiet) && inspector.isSettled() && comparisonPanel.isSettled() && plots.isSettled() &&
-         factors.isSettled() && interpolation.isSettled() && acquisition.isSettled() && library.isVisibleComplete() &&
-         (!preview.content().hasMaterial() || preview.converged());
+         factors.isSettled() && !match.isMatching() && interpolation.isSettled() && acquisition.isSettled() &&
+         library.isVisibleComplete() && (!preview.content().hasMaterial() || preview.converged());
 }
 
 FigureDialog::Parts EditorParts::figureParts() {

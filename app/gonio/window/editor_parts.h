@@ -12,6 +12,7 @@
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/library/library_store.h"
+#include "app/gonio/matching/match_controller.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "core/study/representation.h"
 
@@ -29,6 +30,7 @@ class FactorCurvesPanel;
 class Inspector;
 class InterpolationPanel;
 class PlotsPanel;
+class ReferencePanel;
 class ScenePanel;
 class StudyWindow;
 class ViewStrip;
@@ -62,6 +64,8 @@ struct EditorParts {
   widgets::ComparisonBar& comparisonBar;
   ComparisonController comparison;
   ComparisonPanel& comparisonPanel;
+  MatchController& match;
+  ReferencePanel& referencePanel;
   PlotsPanel& plots;
   FactorCurvesPanel& factors;
   InterpolationPanel& interpolation;

@@ -27,6 +27,7 @@
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
+#include "app/gonio/matching/reference_panel.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
@@ -78,7 +79,8 @@ MainWindow::MainWindow(QWidget* parent)
   new DropTarget(m_parts.preview, {[this](const QString& path) { m_files.open(path); },
                                    [this](const QString& path) { m_parts.comparison.openReference(path); },
                                    [this](const QString& path) { m_parts.environment.open(path); },
-                                   [this](const QString& path) { m_parts.scene.open(path); }});
+                                   [this](const QString& path) { m_parts.scene.open(path); },
+                                   [this](const QString& path) { m_parts.match.open(path); }});
   m_docks->setDefault();
   m_docks->restore(m_parts.settings);
   applyPreferences(m_parts.settings, m_parts.document.history());
@@ -104,7 +106,11 @@ void MainWindow::addCentre() {
   layout->setSpacing(0);
   layout->addWidget(m_messages);
   layout->addWidget(&m_parts.comparisonBar);
-  layout->addWidget(&m_parts.preview, 1);
+  auto* pictures = new QHBoxLayout;
+  pictures->setSpacing(0);
+  pictures->addWidget(&m_parts.preview, 1);
+  pictures->addWidget(&m_parts.referencePanel, 1);
+  layout->addLayout(pictures, 1);
   layout->addWidget(&m_parts.viewStrip);
   setCentralWidget(centre);
 }
@@ -144,7 +150,7 @@ void MainWindow::addMenus() {
                   m_files, p.exporter, p.library, *m_docks, [] { (new MainWindow)->show(); }, &MainWindow::quit, this),
               EditorActions::edit(p.document, p.controller, p.inspector, p.preview, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this),
-              EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.settings, this),
+              EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.match, p.settings, this),
               EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.study, p.interpolation,
                                       p.acquisition),
               EditorActions::analyse(p.figureParts(), p.comparison, p.study, this),
@@ -161,6 +167,7 @@ void MainWindow::addMenus() {
   follow(&p.exporter, &ExportController::lastChanged);
   follow(&p.tasks, &BackgroundTasks::changed);
   follow(&p.comparison, &ComparisonController::comparisonChanged, &ComparisonController::subjectsChanged);
+  follow(&p.match, &MatchController::changed);
   follow(QApplication::clipboard(), &QClipboard::dataChanged);
 }
 
@@ -223,7 +230,8 @@ void MainWindow::connectMessages() {
     (connect(&part, &Part::failed, this, &MainWindow::showFailure), ...);
   };
   follow(m_parts.tasks, m_parts.controller, m_parts.exports, m_parts.exporter, m_parts.environment, m_parts.comparison,
-         m_parts.plots, m_parts.factors, m_parts.interpolation, m_parts.study, m_parts.scene, m_parts.acquisition);
+         m_parts.match, m_parts.plots, m_parts.factors, m_parts.interpolation, m_parts.study, m_parts.scene,
+         m_parts.acquisition);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.document, &Document::refused, m_messages, &widgets::MessageBar::showMessage);

@@ -22,7 +22,8 @@ struct Target {
                     {[this](const QString& path) { opened << "material " + path; },
                      [this](const QString& path) { opened << "reference " + path; },
                      [this](const QString& path) { opened << "environment " + path; },
-                     [this](const QString& path) { opened << "scene " + path; }}};
+                     [this](const QString& path) { opened << "scene " + path; },
+                     [this](const QString& path) { opened << "image " + path; }}};
 
   Target() { window.show(); }
   bool overlayIsShown() { return !window.findChild<gonio::widgets::DropOverlay*>()->isHidden(); }
@@ -48,8 +49,11 @@ class DropTargetTest : public QObject {
     target.drop("/a/chrome.binary", Qt::ControlModifier);
     target.drop("/a/sky.HDR");
     target.drop("/a/bunny.obj", Qt::ControlModifier);
-    QCOMPARE(target.opened, (QStringList{"material /a/chrome.binary", "reference /a/chrome.binary",
-                                         "environment /a/sky.HDR", "scene /a/bunny.obj"}));
+    target.drop("/a/sphere.JPG");
+    target.drop("/a/light.exr");
+    QCOMPARE(target.opened,
+             (QStringList{"material /a/chrome.binary", "reference /a/chrome.binary", "environment /a/sky.HDR",
+                          "scene /a/bunny.obj", "image /a/sphere.JPG", "environment /a/light.exr"}));
   }
 
   void theOverlayIsShownWhileAFileIsDragged() {

@@ -31,6 +31,15 @@ class ToneMapTest : public QObject {
     QVERIFY(std::abs(toneMapped(Rgb(1), 0, ToneMap::filmic).x - 2.54 / 3.16) < 1e-12);
   }
 
+  void radianceIsTheInverse() {
+    for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})
+      for (const double stops : {-1.5, 0.0, 2.0})
+        for (double x = 0; x < 0.2; x += 1e-3)
+          QVERIFY(std::abs(radianceOf(toneMapped(Rgb(x), stops, toneMap).x, stops, toneMap) - x) < 1e-9);
+    QCOMPARE(toneMapped(Rgb(radianceOf(1, 0, ToneMap::filmic) + 1e-9), 0, ToneMap::filmic).x, 1.0);
+    QVERIFY(toneMapped(Rgb(radianceOf(1, 0, ToneMap::filmic) - 1e-3), 0, ToneMap::filmic).x < 1);
+  }
+
   void hardCase42UndefinedRadianceIsBlackAndInfiniteIsWhite() {
     for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic}) {
       QCOMPARE(toneMapped(Rgb(double(NAN), -1, -0.0), 0, toneMap), Rgb(0));
