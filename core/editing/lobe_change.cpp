@@ -253,8 +253,8 @@ void LobeChange::addPeak(const DirectionPair& pair, double measured, std::size_t
   const double step = peakOf((measured + epsilon) / (luminance(model) + epsilon));
   if (step == 0) return;
   const Direction half = glm::normalize(pair.wi + pair.wo);
-  Rgb sum(0), powers(0);
-  double centre = 0;
+  Rgb sum(0);
+  double centre = 0, powers = 0;
   for (std::size_t k = 0; k < parts_.size(); ++k)
     if (parts_[k].isHighlight) {
       sum += ratios.parts[k][i];
@@ -264,13 +264,13 @@ void LobeChange::addPeak(const DirectionPair& pair, double measured, std::size_t
   ratios.peak[i] = step * centre / luminance(sum) * (ratios.ratio[i] - 1.0);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     if (!parts_[k].isHighlight) continue;
-    const Rgb part = ratios.parts[k][i] / glm::max(sum, Rgb(darkest)), squared = part * part;
-    ratios.shares[k][i] = squared * squared;
-    powers += part * squared * squared;
+    const double part = luminance(ratios.parts[k][i]) / luminance(sum), power = square(square(part));
+    ratios.shares[k][i] = Rgb(power);
+    powers += part * power;
   }
   const Rgb excess = excessOf(glm::max(Rgb(0), 1.0 - sum / glm::max(model, Rgb(darkest))));
   for (std::size_t k = 0; k < parts_.size(); ++k)
-    if (parts_[k].isHighlight) ratios.shares[k][i] *= excess / glm::max(powers, Rgb(darkest));
+    if (parts_[k].isHighlight) ratios.shares[k][i] *= excess / powers;
 }
 
 void LobeChange::carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,

@@ -59,9 +59,9 @@ void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<
 /// - A measured peak that the fit does not explain belongs to the highlight. Its part of the ratio is the excess e(x) =
 ///   (q - 1) S(Y(m) / Y(M)) P, with S a smooth step from 1.25 to 2.25 and P = 1 / (1 + t^4 / 81) in the highlight, t =
 ///   tan theta_h / alpha. A lobe of the highlight H = sum of the M_k with a width carries g_k e in place of e: g_k =
-///   (1 + r + r^2 + r^3 + r^4) (M_k / H)^4 / sum_j (M_j / H)^5, r = 1 - H / M, which sums up to all of e save what the
-///   rest keeps where it dominates. It fades as the lobe widens, since it would show as a sharp copy of the former
-///   highlight: at w_k times min(1, product of the scales)^2.
+///   (1 + r + r^2 + r^3 + r^4) y_k^4 / sum_j y_j^5, r = 1 - H / M, y_k = Y(M_k) / Y(H), which sums up to all of e save
+///   what the rest keeps where it dominates. It fades as the lobe widens, since it would show as a sharp copy of the
+///   former highlight: at w_k times min(1, product of the scales)^2.
 /// - The edited highlights, where their width changes, are multiplied by s(theta_i) s(theta_o) (AlbedoScale), with
 ///   which their directional albedo is that of the same edit with the fitted widths.
 class LobeChange {

@@ -90,7 +90,7 @@ float peakOf(vec3 measured, float model) { return smoothstep(1.25, 2.25, (lumina
 
 vec3 excessOf(vec3 rest) { return 1.0 + rest * (1.0 + rest * (1.0 + rest * (1.0 + rest))); }
 
-vec3 fourthPower(vec3 x) {
+float fourthPower(float x) {
   x *= x;
   return x * x;
 }

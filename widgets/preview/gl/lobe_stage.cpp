@@ -81,26 +81,28 @@ struct LobeStage {
                const QString& total, const QString& ratio) const {
     if (!parts.keepsAlbedo()) return {};
     QStringList sums, centres, powers;
-    const auto part = [&](std::size_t k) { return QString("%1[%2]").arg(values).arg(k); };
+    QString result;
     for (std::size_t i = 0; i < parts.highlights.size(); ++i) {
       const std::size_t k = parts.highlights[i];
-      sums << part(k);
-      centres << QString("luminanceOf(%1) * centreOf(halfway%2, widths%3[%4])").arg(part(k), suffix, number).arg(i);
-      powers << QString("%1 / sum%2 * fourthPower(%1 / sum%2)").arg(part(k), suffix);
+      const QString luminance = QString("luminance%1_%2").arg(suffix).arg(k);
+      result += QString("float %1 = luminanceOf(%2[%3]); ").arg(luminance, values).arg(k);
+      sums << QString("%1[%2]").arg(values).arg(k);
+      centres << QString("%1 * centreOf(halfway%2, widths%3[%4])").arg(luminance, suffix, number).arg(i);
+      powers << QString("%1 * inverse%2 * fourthPower(%1 * inverse%2)").arg(luminance, suffix);
     }
     const bool isOne = parts.highlights.size() == 1;
-    QString result =
-        QString(
-            "vec3 halfway%1 = %2; halfway%1 /= max(length(halfway%1), 1e-6); vec3 sum%1 = max(%3, vec3(1e-30)); "
-            "vec3 excess%1 = excessOf(max(vec3(0.0), 1.0 - sum%1 / max(%4, vec3(1e-30)))); "
-            "vec3 peak%1 = peakOf(%5, luminanceOf(%4)) * (%6) / luminanceOf(sum%1) * (%7 - 1.0); ")
-            .arg(suffix, directions, sums.join(" + "), total, measured, centres.join(" + "), ratio);
-    if (!isOne) result += QString("vec3 powers%1 = max(%2, vec3(1e-30)); ").arg(suffix, powers.join(" + "));
+    result += QString(
+                  "vec3 halfway%1 = %2; halfway%1 /= max(length(halfway%1), 1e-6); vec3 sum%1 = %3; "
+                  "float inverse%1 = 1.0 / max(luminanceOf(sum%1), 1e-30); "
+                  "vec3 excess%1 = excessOf(max(vec3(0.0), 1.0 - sum%1 / max(%4, vec3(1e-30)))); "
+                  "vec3 peak%1 = peakOf(%5, luminanceOf(%4)) * (%6) * inverse%1 * (%7 - 1.0); ")
+                  .arg(suffix, directions, sums.join(" + "), total, measured, centres.join(" + "), ratio);
+    if (!isOne) result += QString("excess%1 /= max(%2, 1e-30); ").arg(suffix, powers.join(" + "));
     for (const std::size_t k : parts.highlights)
       result += QString("vec3 share%1_%2 = excess%1%3; ")
                     .arg(suffix)
                     .arg(k)
-                    .arg(isOne ? QString() : QString(" * fourthPower(%1 / sum%2) / powers%2").arg(part(k), suffix));
+                    .arg(isOne ? QString() : QString(" * fourthPower(luminance%1_%2 * inverse%1)").arg(suffix).arg(k));
     return result;
   }
 
