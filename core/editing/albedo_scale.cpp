@@ -21,6 +21,8 @@ Place placeOf(double cosine) {
   return {first, place - double(first)};
 }
 
+constexpr int azimuthCount = 24;
+
 }  // namespace
 
 Rgb AlbedoScale::operator()(double cosine) const {
@@ -38,6 +40,37 @@ void AlbedoNode::add(double cosine, const Rgb& contribution) {
   const Place place = placeOf(cosine);
   edited[place.first] += (1 - place.fraction) * contribution;
   edited[place.first + 1] += place.fraction * contribution;
+}
+
+AlbedoQuadrature::AlbedoQuadrature(double cosine, double narrowest, bool isIsotropic, bool isMirrorSymmetric) {
+  const double sine = std::sqrt(1 - cosine * cosine);
+  const int turns = isIsotropic ? 1 : 4;
+  for (int turn = 0; turn < turns; ++turn) {
+    const double azimuth = pi * turn / turns;
+    add({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}, narrowest,
+        isIsotropic && isMirrorSymmetric ? azimuthCount / 2 : azimuthCount, 1.0 / turns);
+  }
+}
+
+void AlbedoQuadrature::add(const Direction& wi, double narrowest, int azimuths, double part) {
+  constexpr double step = 0.4, peak = 5e-4, beyond = 40, goldenRatio = 0.6180339887498949;
+  const int first = int(std::floor(std::log(std::min(peak, narrowest / 20)) / step));
+  const int last = int(std::ceil(std::log(beyond) / step));
+  const double turn = std::atan2(wi.y, wi.x);
+  for (int j = 0; j < azimuths; ++j) {
+    const double azimuth = turn + 2 * pi * (j + 0.5) / azimuthCount, offset = std::fmod(j * goldenRatio, 1);
+    for (int k = first; k < last; ++k) {
+      const double slope = std::exp((k + offset) * step), cosine = 1 / std::sqrt(1 + slope * slope);
+      const Direction half = cosine * Direction(slope * std::cos(azimuth), slope * std::sin(azimuth), 1);
+      const double d = glm::dot(wi, half);
+      const Direction wo = 2 * d * half - wi;
+      if (!(d > 0 && wo.z > 0)) continue;
+      // d omega_h = slope^2 cosine^3 d log slope d phi
+      const double area = slope * slope * cosine * cosine * cosine * step * 2 * pi / azimuths;
+      pairs.push_back({wi, wo});
+      weights.push_back(part * 4 * d * wo.z * area);
+    }
+  }
 }
 
 AlbedoScale albedoScale(const std::array<AlbedoNode, AlbedoScale::nodes>& nodes) {

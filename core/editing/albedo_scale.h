@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/math/types.h"
 
@@ -33,6 +34,22 @@ struct AlbedoNode {
 
   /// Splits a contribution H' cos theta_o d omega_o between the two nearest nodes.
   void add(double cosine, const Rgb& contribution);
+};
+
+/// Pairs of one polar angle of wi and weights cos theta_o d omega_o, with which a sum over a BRDF's values is its
+/// directional albedo: a product rule over the half vector, uniform in log tan theta_h, in which highlights of all
+/// widths are smooth, and in its azimuth. The rings of each azimuth are shifted, so that together they are denser.
+struct AlbedoQuadrature {
+  std::vector<DirectionPair> pairs;  ///< both directions above the horizon
+  std::vector<double> weights;
+
+  /// About 400 pairs. @param cosine of theta_i, in (0, 1]. @param narrowest alpha of the narrowest highlight. @param
+  /// isIsotropic otherwise four azimuths of wi, for the mean over them. @param isMirrorSymmetric
+  /// (Brdf::isMirrorSymmetric()) of an isotropic BRDF half of the pairs suffice.
+  AlbedoQuadrature(double cosine, double narrowest, bool isIsotropic, bool isMirrorSymmetric);
+
+ private:
+  void add(const Direction& wi, double narrowest, int azimuths, double part);
 };
 
 /// Finds s with s_i sum_k edited_ik s_k = before_i for each node i by Sinkhorn's iteration for symmetric matrices

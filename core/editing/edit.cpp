@@ -30,6 +30,7 @@ struct ActiveEdit {
   Composition composition = Composition::additive;
   std::shared_ptr<const LobeChange> lobes = {};  ///< of Composition::lobes, which looks at other directions too
   std::optional<glm::dmat3> colours = {};        ///< of a step that changes colours alone
+  std::size_t place = 0;                         ///< of the edit in the list
 
   bool isIsotropic() const {
     if (colours) return true;
@@ -105,24 +106,16 @@ class EditedBrdf final : public Brdf {
  public:
   EditedBrdf(std::shared_ptr<const Brdf> base, std::span<const Edit> edits, double floor)
       : base_(std::move(base)), floor_(floor) {
-    for (const Edit& edit : edits) {
-      if (edit.isIdentity()) continue;
-      std::visit([&](const auto& content) { append(edits_, content, edit.strength, FirstEdits(*this, edits_.size())); },
-                 edit.content);
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      if (edits[i].isIdentity()) continue;
+      const std::size_t first = edits_.size();
+      std::visit([&](const auto& content) { append(edits_, content, edits[i].strength, FirstEdits(*this, first)); },
+                 edits[i].content);
+      for (std::size_t step = first; step < edits_.size(); ++step) edits_[step].place = i;
     }
   }
 
   std::span<const ActiveEdit> edits() const { return edits_; }
-  /// @param edits those of the constructor.
-  void copyScales(std::span<const Edit> edits, std::span<AlbedoScale> scales) const {
-    auto step = edits_.begin();
-    for (std::size_t i = 0; i < edits.size(); ++i) {
-      if (edits[i].isIdentity()) continue;
-      if (step->lobes) scales[i] = step->lobes->scale();
-      const auto* change = std::get_if<DifferentialEdit>(&edits[i].content);
-      step += change && change->changesModel() && change->changesColours() ? 2 : 1;
-    }
-  }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -327,7 +320,10 @@ std::vector<AlbedoScale> albedoScales(const std::shared_ptr<const Brdf>& base, s
     const auto* change = std::get_if<DifferentialEdit>(&edit.content);
     return change && change->keepsAlbedo && !edit.isIdentity();
   };
-  if (std::ranges::any_of(edits, keepsAlbedo)) EditedBrdf(base, edits, 0).copyScales(edits, scales);
+  if (std::ranges::none_of(edits, keepsAlbedo)) return scales;
+  const EditedBrdf edited(base, edits, 0);
+  for (const ActiveEdit& step : edited.edits())
+    if (step.lobes) scales[step.place] = step.lobes->scale();
   return scales;
 }
 

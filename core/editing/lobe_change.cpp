@@ -274,20 +274,19 @@ void LobeChange::addPeak(const DirectionPair& pair, double measured, std::size_t
 }
 
 void LobeChange::carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
-                             Ratios& carried) const {
+                             const Ratios& here, Ratios& carried) const {
   std::array<DirectionPair, maxPairs> moved;
   std::array<Rgb, maxPairs> measured;
   const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
   editing::warp(warp, pairs, first(moved));
   base.evaluate(first(moved), first(measured));
-  Ratios there;
-  fillRatios(first(moved), first(measured), there);
+  fillRatios(first(moved), first(measured), carried);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (measured[i] == Rgb(0) && !base.hasData(moved[i])) continue;
-    carried.ratio[i] = there.ratio[i];
+    if (measured[i] != Rgb(0) || base.hasData(moved[i])) continue;
+    carried.ratio[i] = here.ratio[i];
     if (!keepsAlbedo_) continue;
-    carried.peak[i] = there.peak[i];
-    for (std::size_t k = 0; k < parts_.size(); ++k) carried.shares[k][i] = there.shares[k][i];
+    carried.peak[i] = here.peak[i];
+    for (std::size_t k = 0; k < parts_.size(); ++k) carried.shares[k][i] = here.shares[k][i];
   }
 }
 
@@ -319,10 +318,7 @@ void LobeChange::forEachLobe(const Brdf& base, std::span<const DirectionPair> pa
   if (!keepsAlbedo_) evaluateParts(pairs, here);
   for (const Group& group : groups_) {
     const bool isMoved = !group.warp.isIdentity();
-    if (isMoved) {
-      moved = here;
-      carryRatios(group.warp, base, pairs, moved);
-    }
+    if (isMoved) carryRatios(group.warp, base, pairs, here, moved);
     const double kept = square(std::min(1.0, group.warp.scale.x * group.warp.scale.y));
     for (const Lobe& lobe : group.lobes) {
       fillValues(lobe, here, isMoved ? moved : here, kept, pairs.size(), of);
@@ -344,52 +340,8 @@ void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs
   });
 }
 
-namespace {
-
-/// Directions and weights cos theta_o d omega_o of a quadrature over the hemisphere about one incident direction: a
-/// product rule over the half vector, uniform in log tan theta_h, in which highlights of all widths are smooth, and in
-/// its azimuth. The rings of each azimuth are shifted, so that together they are denser.
-struct Quadrature {
-  std::vector<DirectionPair> pairs;
-  std::vector<double> weights;
-
-  /// @param narrowest alpha of the narrowest highlight. @param isMirrorSymmetric half the azimuths suffice.
-  void add(const Direction& wi, double narrowest, bool isMirrorSymmetric, double fraction) {
-    constexpr int azimuths = 24;
-    constexpr double step = 0.4, peak = 5e-4, beyond = 40, goldenRatio = 0.6180339887498949;
-    const int first = int(std::floor(std::log(std::min(peak, narrowest / 20)) / step));
-    const int last = int(std::ceil(std::log(beyond) / step)), count = isMirrorSymmetric ? azimuths / 2 : azimuths;
-    const double turn = std::atan2(wi.y, wi.x);
-    for (int j = 0; j < count; ++j) {
-      const double azimuth = turn + 2 * pi * (j + 0.5) / azimuths, offset = std::fmod(j * goldenRatio, 1);
-      for (int k = first; k < last; ++k) {
-        const double slope = std::exp((k + offset) * step), cosine = 1 / std::sqrt(1 + slope * slope);
-        const Direction half = cosine * Direction(slope * std::cos(azimuth), slope * std::sin(azimuth), 1);
-        const double d = glm::dot(wi, half);
-        const Direction wo = 2 * d * half - wi;
-        if (!(d > 0 && wo.z > 0)) continue;
-        // d omega_h = slope^2 cosine^3 d log slope d phi
-        const double area = slope * slope * cosine * cosine * cosine * step * 2 * pi / count;
-        pairs.push_back({wi, wo});
-        weights.push_back(fraction * 4 * d * wo.z * area);
-      }
-    }
-  }
-};
-
-}  // namespace
-
 AlbedoNode LobeChange::albedoNode(const Brdf& base, double narrowest, double cosine) const {
-  const double sine = std::sqrt(1 - cosine * cosine);
-  Quadrature quadrature;
-  const bool isMirrorSymmetric = isIsotropic_ && base.isIsotropic() && base.isMirrorSymmetric();
-  // Of anisotropic highlights the mean over the azimuths.
-  const int turns = isIsotropic_ ? 1 : 4;
-  for (int turn = 0; turn < turns; ++turn) {
-    const double azimuth = pi * turn / turns;
-    quadrature.add({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine}, narrowest, isMirrorSymmetric,
-                   1.0 / turns);
-  }
+  const AlbedoQuadrature quadrature(cosine, narrowest, isIsotropic_ && base.isIsotropic(), base.isMirrorSymmetric());
   const std::vector<DirectionPair>& pairs = quadrature.pairs;
   const std::vector<double>& weights = quadrature.weights;
   AlbedoNode node;

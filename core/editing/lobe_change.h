@@ -115,8 +115,9 @@ class LobeChange {
   void evaluateParts(std::span<const DirectionPair> pairs, Ratios& ratios) const;
   void fillRatios(std::span<const DirectionPair> pairs, std::span<const Rgb> values, Ratios& ratios) const;
   void addPeak(const DirectionPair& pair, double measured, std::size_t i, Ratios& ratios) const;
-  /// Sets `carried` to the ratios at the warped pairs where the base has data there.
-  void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs, Ratios& carried) const;
+  /// Sets `carried` to the ratios at the warped pairs; to those of `here` where the base has no data there.
+  void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs, const Ratios& here,
+                   Ratios& carried) const;
   void fillValues(const Lobe& lobe, const Ratios& here, const Ratios& there, double kept, std::size_t count,
                   LobeValues& of) const;
   /// Calls use(lobe, values) for each lobe that changes.

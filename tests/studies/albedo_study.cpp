@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "core/editing/edit.h"
 #include "core/fitting/fit.h"
@@ -13,6 +14,7 @@
 #include "core/math/parallel.h"
 #include "core/models/registry.h"
 #include "tests/studies/study_program.h"
+#include "tests/support/ring_albedo.h"
 
 namespace gonio::study::albedo_study {
 namespace {
@@ -52,42 +54,22 @@ constexpr const char* materialNames[] = {"merl-copy/two-layer-silver",
 constexpr double angles[] = {0, 10, 20, 30, 40, 50, 60, 65, 70, 75, 80};
 constexpr double factors[] = {0.25, 0.5, 2, 4};
 
-/// Rings about the normal of the half vector, uniform in log tan theta_h: 600 by 128.
-double albedo(const Brdf& brdf, double degrees) {
-  constexpr int rings = 600, azimuths = 128;
-  constexpr double first = -9, last = 4;
-  const double theta = degrees * pi / 180;
-  const Direction wi{std::sin(theta), 0, std::cos(theta)};
-  std::vector<double> sums(rings);
-  parallelForBlocks(rings, 1, [&](std::size_t ring, std::size_t) {
-    const double tangent = std::exp(first + (last - first) * (double(ring) + 0.5) / rings),
-                 cosine = 1 / std::hypot(1, tangent);
-    std::vector<DirectionPair> pairs;
-    std::vector<double> weights;
-    for (int k = 0; k < azimuths; ++k) {
-      const double phi = 2 * pi * (k + 0.5) / azimuths;
-      const Direction half = cosine * Direction(tangent * std::cos(phi), tangent * std::sin(phi), 1);
-      const Direction wo = 2 * glm::dot(wi, half) * half - wi;
-      if (!(glm::dot(wi, half) > 0 && wo.z > 0)) continue;
-      pairs.push_back({wi, wo});
-      weights.push_back(wo.z * 4 * glm::dot(wi, half) * tangent * tangent * cosine * cosine * cosine *
-                        ((last - first) / rings) * (2 * pi / azimuths));
-    }
-    std::vector<Rgb> values(pairs.size());
-    brdf.evaluate(pairs, values);
-    for (std::size_t i = 0; i < pairs.size(); ++i) sums[ring] += weights[i] * luminance(values[i]);
+/// At each of the angles.
+std::vector<double> albedos(const Brdf& brdf) {
+  std::vector<double> result(std::size(angles));
+  parallelForBlocks(result.size(), 1, [&](std::size_t i, std::size_t) {
+    result[i] = luminance(test::ringAlbedo(brdf, angles[i], 600, 128));
   });
-  double sum = 0;
-  for (const double one : sums) sum += one;
-  return sum;
+  return result;
 }
 
 /// Prints a row; returns the largest deviation from 1.
 double printRow(const std::string& name, const Brdf& edited, const std::vector<double>& before, const char* what) {
   double worst = 0;
   std::printf("| %s | %s |", name.c_str(), what);
+  const std::vector<double> after = albedos(edited);
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const double ratio = albedo(edited, angles[i]) / before[i];
+    const double ratio = after[i] / before[i];
     worst = std::max(worst, std::abs(ratio - 1));
     std::printf(" %.2f", ratio);
   }
@@ -103,8 +85,7 @@ int study(int argumentCount, char** arguments) {
     const auto base = materials::readLibraryMaterial("library:" + name).brdf;
     const auto table = formOf<TabulatedBrdf>(*base) ? base : std::shared_ptr<const Brdf>(bakeTable(*base));
     editing::DifferentialEdit change = editing::unchangedEdit(model, fitting::fit(*table, model).parameters);
-    std::vector<double> before;
-    for (const double angle : angles) before.push_back(albedo(*base, angle));
+    const std::vector<double> before = albedos(*base);
     for (const double factor : factors)
       for (const bool keepsAlbedo : {true, false}) {
         change.controls.values[std::size_t(editing::ArtistControl::roughness)] = Rgb(factor);

@@ -10,6 +10,7 @@
 #include "core/models/registry.h"
 #include "tests/core/editing/direction_pairs.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/ring_albedo.h"
 #include "tests/support/test_program.h"
 
 namespace lobe_change_test {
@@ -75,25 +76,7 @@ Direction direction(double degrees) {
   return {std::sin(theta), 0, std::cos(theta)};
 }
 
-/// Directional albedo of the green channel: rings about the mirror direction's half vector, 400 by 64.
-double albedo(const Brdf& brdf, double degrees) {
-  constexpr int rings = 400, azimuths = 64;
-  constexpr double first = -9, last = 4;  // of log tan theta_h
-  const Direction wi = direction(degrees);
-  double sum = 0;
-  for (int i = 0; i < rings; ++i) {
-    const double tangent = std::exp(first + (last - first) * (i + 0.5) / rings), cosine = 1 / std::hypot(1, tangent);
-    for (int k = 0; k < azimuths; ++k) {
-      const double phi = 2 * pi * (k + 0.5) / azimuths;
-      const Direction h = cosine * Direction(tangent * std::cos(phi), tangent * std::sin(phi), 1);
-      const Direction wo = 2 * glm::dot(wi, h) * h - wi;
-      if (!(glm::dot(wi, h) > 0 && wo.z > 0)) continue;
-      const double area = tangent * tangent * cosine * cosine * cosine * ((last - first) / rings) * (2 * pi / azimuths);
-      sum += brdf.evaluate(wi, wo).y * wo.z * 4 * glm::dot(wi, h) * area;
-    }
-  }
-  return sum;
-}
+double albedo(const Brdf& brdf, double degrees) { return test::ringAlbedo(brdf, degrees, 400, 64).y; }
 
 /// The fit of an edit of GGX, and a lobe of width `peak` that it misses (0: none).
 std::shared_ptr<const Brdf> measuredWithPeak(Edit& edit, double peak) {
