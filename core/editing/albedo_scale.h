@@ -13,7 +13,7 @@ namespace gonio::editing {
 /// the highlight before the edit, and is reciprocal if H' is. Linear between nodes that are evenly spaced in (x + x^2)
 /// / 2, x = sqrt(1 - cos theta): 7 degrees apart at normal incidence, 3 degrees at 80 degrees.
 struct AlbedoScale {
-  static constexpr std::size_t nodes = 24;
+  static constexpr std::size_t nodes = 32;
 
   std::array<Rgb, nodes> values = [] {
     std::array<Rgb, nodes> ones;

@@ -70,8 +70,7 @@ BallView ballView(const rendering::Scene& scene) {
 }
 
 BallPictures::BallPictures(MatchedMaterial material, const BallView& view, const ReferenceCells& cells, int samples,
-                           std::uint64_t seed, const std::shared_ptr<const TabulatedDensity>& density,
-                           const TaskControl& control)
+                           const std::shared_ptr<const TabulatedDensity>& density, const TaskControl& control)
     : material_(std::move(material)),
       isLast_(editing::isIdentity(std::span(material_.edits).subspan(material_.index + 1))) {
   const auto placeholder =
@@ -79,25 +78,29 @@ BallPictures::BallPictures(MatchedMaterial material, const BallView& view, const
   const auto materials = rendering::bindMaterials(view.scene, rendering::materialsInSlots(view.scene, placeholder));
   rendering::EffectOverrides overrides;
   overrides[std::size_t(rendering::Effect::anisotropicFrames)] = true;
-  const rendering::PathTracer tracer(view.scene, materials, rendering::planEffects(view.scene, materials, overrides),
-                                     seed);
-  const rendering::RecordedPaths paths = tracer.record(
-      {cells.side, cells.side, {cells.centre / view.margin, cells.halfSize / view.margin}}, samples, control);
-  first_.assign(cells.values.size() + 1, 0);
-  for (const auto& row : paths.rows())
-    for (const std::uint32_t cell : row.pixels)
-      if (cells.isUsed(cell)) ++first_[cell + 1];
-  for (std::size_t cell = 0; cell < cells.values.size(); ++cell) first_[cell + 1] += first_[cell];
+  const rendering::EffectPlan plan = rendering::planEffects(view.scene, materials, overrides);
+  const rendering::Film film{cells.side, cells.side, {cells.centre / view.margin, cells.halfSize / view.margin}};
+  const std::size_t count = cells.values.size();
+  std::vector<rendering::RecordedPaths> halves;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed)
+    halves.push_back(rendering::PathTracer(view.scene, materials, plan, seed).record(film, samples, control));
+  first_.assign(2 * count + 1, 0);
+  const auto forEachPath = [&](const auto& use) {
+    for (std::size_t half = 0; half < 2; ++half)
+      for (const auto& row : halves[half].rows())
+        for (std::size_t i = 0; i < row.pairs.size(); ++i)
+          if (cells.isUsed(row.pixels[i])) use(half * count + row.pixels[i], row, i);
+  };
+  forEachPath([&](std::size_t cell, const auto&, std::size_t) { ++first_[cell + 1]; });
+  for (std::size_t cell = 0; cell < 2 * count; ++cell) first_[cell + 1] += first_[cell];
   pairs_.resize(first_.back());
   weights_.resize(first_.back());
   std::vector<std::size_t> next = first_;
-  for (const auto& row : paths.rows())
-    for (std::size_t i = 0; i < row.pairs.size(); ++i) {
-      if (!cells.isUsed(row.pixels[i])) continue;
-      const std::size_t place = next[row.pixels[i]]++;
-      pairs_[place] = row.pairs[i];
-      weights_[place] = row.weights[i] / double(paths.samples());
-    }
+  forEachPath([&](std::size_t cell, const auto& row, std::size_t i) {
+    const std::size_t place = next[cell]++;
+    pairs_[place] = row.pairs[i];
+    weights_[place] = row.weights[i] / double(samples);
+  });
 }
 
 const std::vector<Rgb>& BallPictures::valuesOf(const models::ParameterValues& controls, const TaskControl& control) {
@@ -123,21 +126,24 @@ const std::vector<Rgb>& BallPictures::valuesOf(const models::ParameterValues& co
   return values_.emplace_front(controls, std::move(values)).values;
 }
 
-std::vector<Rgb> BallPictures::render(const models::ParameterValues& controls, const TaskControl& control) {
+std::array<std::vector<Rgb>, 2> BallPictures::render(const models::ParameterValues& controls,
+                                                     const TaskControl& control) {
   const std::vector<Rgb>& values = valuesOf(isLast_ ? withoutColours(controls) : controls, control);
   const double strength = material_.edits[material_.index].strength;
   const glm::dmat3 colours = isLast_ ? editing::colourMatrix(controls) : glm::dmat3(1);
-  std::vector<Rgb> cells(first_.size() - 1, Rgb(0));
-  parallelForBlocks(cells.size(), cellsPerBlock, [&](std::size_t begin, std::size_t end) {
+  const std::size_t count = (first_.size() - 1) / 2;
+  std::array<std::vector<Rgb>, 2> halves;
+  halves.fill(std::vector<Rgb>(count, Rgb(0)));
+  parallelForBlocks(2 * count, cellsPerBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
       for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
         const Rgb& value = values[i];
         // As editing::applyEdits() does.
         const Rgb coloured = glm::max(glm::min(Rgb(0), value), value + strength * (colours * value - value));
-        cells[cell] += coloured * weights_[i];
+        halves[cell / count][cell % count] += coloured * weights_[i];
       }
   });
-  return cells;
+  return halves;
 }
 
 }  // namespace gonio::matching

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <list>
 #include <memory>
 #include <vector>
@@ -36,18 +37,19 @@ struct BallView {
 /// @throws Error if the scene has no light.
 BallView ballView(const rendering::Scene& scene);
 
-/// Pictures of the ball with different controls of one edit: noise and paths are equal in all of them, so that they
-/// change smoothly with the controls (RecordedPaths). One thread at a time may call render(), which uses all cores.
+/// Pairs of pictures of the ball with different controls of one edit. The two have independent noise; noise and paths
+/// are equal for all controls, so that the pictures change smoothly with them (RecordedPaths). One thread at a time may
+/// call render(), which uses all cores.
 class BallPictures {
  public:
-  /// @param cells the pixels of the pictures; those that are not used remain 0. @param density of the sampled
-  /// directions. @throws Cancelled.
+  /// @param cells the pixels of the pictures; those that are not used remain 0. @param samples paths per pixel of each
+  /// picture. @param density of the sampled directions. @throws Cancelled.
   BallPictures(MatchedMaterial material, const BallView& view, const ReferenceCells& cells, int samples,
-               std::uint64_t seed, const std::shared_ptr<const TabulatedDensity>& density, const TaskControl& control);
+               const std::shared_ptr<const TabulatedDensity>& density, const TaskControl& control);
 
-  /// The radiance of each cell. Controls that act on values (editing::actsOnValues()) are applied to the values of the
-  /// last pictures, if no edit follows that of the controls. @throws Cancelled.
-  std::vector<Rgb> render(const models::ParameterValues& controls, const TaskControl& control);
+  /// The radiance of each cell in both pictures. Controls that act on values (editing::actsOnValues()) are applied to
+  /// the values of the last pictures, if no edit follows that of the controls. @throws Cancelled.
+  std::array<std::vector<Rgb>, 2> render(const models::ParameterValues& controls, const TaskControl& control);
 
  private:
   /// BRDF values of all paths.
@@ -61,7 +63,7 @@ class BallPictures {
   bool isLast_;  ///< whether no edit follows
   std::vector<DirectionPair> pairs_;
   std::vector<Rgb> weights_;
-  std::vector<std::size_t> first_;  ///< [cell]: its first path; one more at the end
+  std::vector<std::size_t> first_;  ///< [picture * cells + cell]: its first path; one more at the end
   std::list<Values> values_;        ///< of the last pictures, newest first
 };
 

@@ -107,8 +107,7 @@ class Fit {
       const State& start, const TaskControl& control)
       : cells_(referenceCells(picture, stage.side, stage.stride)),
         density_(std::make_shared<const TabulatedDensity>(*material.with(start.controls))),
-        first_(material, view, cells_, stage.samples, 1, density_, {control.stop, {}}),
-        second_(material, view, cells_, stage.samples, 2, density_, {control.stop, {}}),
+        pictures_(material, view, cells_, stage.samples, density_, {control.stop, {}}),
         control_(control) {
     for (std::size_t cell = 0; cell < cells_.values.size(); ++cell)
       for (int c = 0; c < 3; ++c)
@@ -123,8 +122,7 @@ class Fit {
   }
 
   double signalToNoiseRatio(const State& state) {
-    const std::vector<Rgb> one = first_.render(state.controls, control_),
-                           other = second_.render(state.controls, control_);
+    const auto [one, other] = pictures_.render(state.controls, control_);
     const double scale = std::exp2(state.exposure);
     double signal = 0, noise = 0;
     for (const auto& [cell, c] : used_) {
@@ -202,8 +200,9 @@ class Fit {
       Halves<LinearVector> residuals{LinearVector(used + x.size()), LinearVector(used + x.size())};
       const State state = stateAt(x);
       const double weight = pull * std::sqrt(double(used) / 1000);
-      for (auto [part, pictures] : {std::pair{&residuals.first, &fit_.first_}, {&residuals.second, &fit_.second_}}) {
-        fit_.addResiduals(state, *pictures, {part->data(), std::size_t(used)});
+      const auto [one, other] = fit_.pictures_.render(state.controls, fit_.control_);
+      for (auto [part, picture] : {std::pair{&residuals.first, &one}, {&residuals.second, &other}}) {
+        fit_.setResiduals(state, *picture, {part->data(), std::size_t(used)});
         for (Eigen::Index k = 0; k < x.size(); ++k) {
           const Variable& variable = variables_[std::size_t(k)];
           (*part)[used + k] = variable.control ? weight * (x[k] - variable.neutral()) : 0;
@@ -234,8 +233,7 @@ class Fit {
     double damping_ = 1e-3;
   };
 
-  void addResiduals(const State& state, BallPictures& pictures, std::span<double> residuals) {
-    const std::vector<Rgb> shown = pictures.render(state.controls, control_);
+  void setResiduals(const State& state, const std::vector<Rgb>& shown, std::span<double> residuals) const {
     const double scale = std::exp2(state.exposure), offset = logOffset * cells_.mean;
     for (std::size_t i = 0; i < used_.size(); ++i) {
       const auto& [cell, c] = used_[i];
@@ -252,7 +250,7 @@ class Fit {
   };
   ReferenceCells cells_;
   std::shared_ptr<const TabulatedDensity> density_;
-  BallPictures first_, second_;
+  BallPictures pictures_;
   const TaskControl& control_;
   std::vector<Channel> used_;
 };

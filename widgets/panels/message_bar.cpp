@@ -74,7 +74,10 @@ void MessageBar::withdraw(const QString& text) {
   setVisible(!m_shown.isEmpty());
 }
 
-void MessageBar::showProposal(const QString& text) { present(text, true); }
+void MessageBar::showProposal(const QString& text) {
+  if (isHidden() || isProposal()) m_shown.clear();
+  present((m_shown + QStringList{text}).join('\n'), true);
+}
 
 }  // namespace gonio::widgets
 

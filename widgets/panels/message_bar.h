@@ -21,6 +21,7 @@ class MessageBar : public QFrame {
   void showMessage(const QString& text);
   /// Removes a message that is no longer true, if it is still shown.
   void withdraw(const QString& text);
+  /// Shows a proposal below the messages.
   void showProposal(const QString& text);
   bool isProposal() const;
 

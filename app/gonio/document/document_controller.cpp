@@ -40,7 +40,10 @@ bool FileVersions::hasChanged(const QString& path) const {
 
 namespace {
 const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"),
-              pasteKey = QStringLiteral("paste-factors");
+              lobesKey = QStringLiteral("several-lobes"), pasteKey = QStringLiteral("paste-factors");
+
+/// Log error of several lobes, relative to that of the default model, up to which they are proposed.
+constexpr double muchCloser = 0.6;
 
 QString shortName(const QString& path) { return path.section('/', -1); }
 
@@ -173,6 +176,7 @@ void DocumentController::replaceUnsaved(bool replace) {
 
 void DocumentController::dropTasks() {
   m_tasks.drop(fitKey);
+  m_tasks.drop(lobesKey);
   m_tasks.drop(pasteKey);
   m_proposal.reset();
 }
@@ -183,7 +187,30 @@ void DocumentController::automaticFit() {
       m_document.chooseFit(fit);
     else
       m_document.adoptFit(fit);
+    if (fit.warnings.empty()) compareWithSeveralLobes(fit);
   });
+}
+
+void DocumentController::compareWithSeveralLobes(const fitting::FitResult& single) {
+  const models::Model& model = models::findModel("layered");
+  const QString name = widgets::toQString(model.spec().name), before = widgets::toQString(single.model->spec().name);
+  m_tasks.run<fitting::FitResult>(
+      {tr("Fitting %1 for comparison").arg(name), lobesKey, true},
+      [material = m_document.material(), &model](const TaskControl& control) {
+        return fitting::fit(material->fitBase(control), model, {}, control);
+      },
+      [=, this, &model = *single.model, error = single.errors.front()](const fitting::FitResult& fit) {
+        if (fit.cancelled) return;
+        m_document.rememberFit(fit);
+        const auto* active = m_document.active<editing::DifferentialEdit>();
+        if (!active || active->model != &model || !(fit.errors.front() < muchCloser * error)) return;
+        m_proposal = fit;
+        Q_EMIT proposalOffered(
+            tr("The model \"%1\" fits this material better than \"%2\": log error %3 instead of %4. "
+               "Use it for this edit?")
+                .arg(name, before, widgets::formatNumber(fit.errors.front()), widgets::formatNumber(error)));
+      },
+      [](const QString&) {});
 }
 
 bool DocumentController::isFitting() const { return m_tasks.isRunning(fitKey); }
@@ -215,6 +242,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
 }
 
 void DocumentController::chooseModel(const models::Model& model) {
+  m_tasks.drop(lobesKey);
   const auto* active = m_document.active<editing::DifferentialEdit>();
   if (const fitting::FitResult* known = m_document.knownFit(model)) {
     m_tasks.drop(fitKey);

@@ -92,7 +92,7 @@ class DocumentController : public QObject {
   void saved(const QString& path);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
-  /// A cancelled fit has an intermediate result.
+  /// A cancelled fit has an intermediate result, or a fit of several lobes is much closer than the automatic one.
   void proposalOffered(const QString& text);
 
  private:
@@ -121,6 +121,8 @@ class DocumentController : public QObject {
               const models::ParameterValues& choices = {});
   void dropTasks();
   void automaticFit();
+  /// Fits several lobes in the background too, and proposes them if their error is much lower.
+  void compareWithSeveralLobes(const fitting::FitResult& single);
   bool hasModelEdit() const { return m_document.active<editing::DifferentialEdit>() != nullptr; }
   struct Pasted {
     editing::EditList edits;               ///< edits of factors transferred, others as copied

@@ -390,6 +390,28 @@ class DocumentControllerTest : public QObject {
     QVERIFY(modelEdit(editor.document)->isIdentity());
   }
 
+  /// Several lobes are proposed where they are much closer than the automatic fit, and chosen by the user alone.
+  void severalLobesAreProposed() {
+    Editor editor;
+    QSignalSpy offered(&editor.controller, &DocumentController::proposalOffered);
+    editor.controller.open("library:merl-copy/two-layer-silver");
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    QVERIFY(modelEdit(editor.document)->model == &models::ggx());
+    QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(offered.count(), 1);
+    QVERIFY(offered.front().front().toString().contains("Layered"));
+    QVERIFY(modelEdit(editor.document)->model == &models::ggx() && !editor.document.isModified());
+    editor.controller.applyProposal();
+    QVERIFY(modelEdit(editor.document)->model == &models::findModel("layered"));
+    editor.document.history().undo();
+    QVERIFY(modelEdit(editor.document)->model == &models::ggx());
+
+    editor.controller.open("library:merl-copy/red-fabric");
+    QTRY_COMPARE_WITH_TIMEOUT(editor.document.name(), QStringLiteral("red-fabric"), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document) && editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(offered.count(), 1);
+  }
+
   void aNewerLoadWinsAndAStoppedFitIsAProposal() {
     Editor editor;
     QSignalSpy offered(&editor.controller, &DocumentController::proposalOffered);
