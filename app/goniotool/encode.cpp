@@ -161,8 +161,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
     throw UsageError("encode: --bytes counts quantised values; leave out --single");
   const auto dictionary = dictionaryOf(options);
   const auto material = documents::openMaterial(options.material, tool.control("reading"));
-  const auto table =
-      onGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble.grid, tool.control("sampling"));
+  auto table =
+      onCodeGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble, tool.control("sampling"));
+  if (options.asPublished) table = meanOfOrders(table);
   const Encoder encoder(dictionary->ensemble);
   EncodeResult encoded;
   std::optional<double> renderedSnr;

@@ -42,7 +42,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   if (!options.out.empty()) materials::checkWritableSuffix(options.out);
   const baselines::Baseline& baseline = baselines::findBaseline(options.method);
   const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
-  const auto table = material.tabulated(tool.control("tabulating"));
+  const auto table = meanOfOrders(material.tabulated(tool.control("tabulating")));
   const auto start = std::chrono::steady_clock::now();
   const std::array<std::size_t, 1> budgets{options.bytes};
   const baselines::ComparedModel model =
@@ -168,7 +168,8 @@ void checkOptions(const FactorArguments& options) {
 int factor(const FactorArguments& options, const Tool& tool) {
   checkOptions(options);
   const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
-  const auto table = material.tabulated(tool.control("tabulating"));
+  auto table = material.tabulated(tool.control("tabulating"));
+  if (options.asPublished) table = meanOfOrders(table);
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);

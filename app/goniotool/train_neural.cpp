@@ -42,7 +42,7 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
   if (!options.out.empty() && !materials::hasSuffixOf(formats::neuralFormat, options.out))
     materials::checkWritableSuffix(options.out);
   const materials::Material material = documents::openMaterial(options.material, tool.control("reading"));
-  const auto table = material.tabulated(tool.control("tabulating"));
+  const auto table = meanOfOrders(material.tabulated(tool.control("tabulating")));
   const baselines::NeuralFit fit = options.weights.empty()
                                        ? baselines::fitNeural(*table, options.training, tool.control("training"))
                                        : publishedWeights(options.weights, options.row);

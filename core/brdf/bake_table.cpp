@@ -120,7 +120,7 @@ std::vector<Rgb> evaluateMean(const Brdf& brdf, const HalfDifferenceGrid& grid, 
 }  // namespace
 
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid,
-                                               const TaskControl& control, int azimuths) {
+                                               const TaskControl& control, int azimuths, NegativeValues negatives) {
   std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0));
   std::vector<std::uint8_t> valid(grid.size(), 0);
   const int rotations = brdf.isIsotropic() ? 1 : std::max(1, azimuths);
@@ -137,7 +137,28 @@ std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDiffe
         }
       },
       control);
-  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid), negatives);
+}
+
+std::shared_ptr<const TabulatedBrdf> meanOfOrders(const std::shared_ptr<const TabulatedBrdf>& table) {
+  const HalfDifferenceGrid& whole = table->grid();
+  if (whole.reciprocal) return table;
+  if (whole.phiDCount % 2 != 0) return bakeTable(*table, {whole.thetaHCount, whole.thetaDCount, whole.phiDCount});
+  const HalfDifferenceGrid half{whole.thetaHCount, whole.thetaDCount, whole.phiDCount / 2};
+  std::vector<TabulatedBrdf::Value> values(half.size(), TabulatedBrdf::Value(0));
+  std::vector<std::uint8_t> valid(half.size(), 0);
+  const auto count = std::size_t(half.phiDCount);
+  parallelForBlocks(half.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      // Where one order has no data, the other stands for both.
+      const std::size_t first = cell / count * 2 * count + cell % count, second = first + count;
+      const int known = int(table->valid()[first] != 0) + int(table->valid()[second] != 0);
+      if (known == 0) continue;
+      values[cell] = toFloat((Rgb(table->values()[first]) + Rgb(table->values()[second])) / double(known));
+      valid[cell] = 1;
+    }
+  });
+  return std::make_shared<const TabulatedBrdf>(half, std::move(values), std::move(valid));
 }
 
 }  // namespace gonio

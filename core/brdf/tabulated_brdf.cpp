@@ -29,9 +29,10 @@ struct Found {
   std::size_t validCount = 0, clampedCount = 0, firstBad = noCell;
 };
 
-/// Makes the values of [begin, end) finite and >= 0, with 0 in invalid cells.
-Found sanitize(std::span<TabulatedBrdf::Value> values, std::span<const std::uint8_t> valid, std::size_t begin,
-               std::size_t end) {
+/// Checks that the values of [begin, end) are finite, and sets those of invalid cells, and negative ones unless they
+/// stay, to 0.
+Found sanitize(std::span<TabulatedBrdf::Value> values, std::span<const std::uint8_t> valid, NegativeValues negatives,
+               std::size_t begin, std::size_t end) {
   Found found;
   for (std::size_t i = begin; i < end; ++i) {
     TabulatedBrdf::Value& value = values[i];
@@ -42,6 +43,7 @@ Found sanitize(std::span<TabulatedBrdf::Value> values, std::span<const std::uint
     ++found.validCount;
     // A sum of products with 0 is 0 but for infinities and NaN: one test for three channels.
     if (!(value.x * 0 + value.y * 0 + value.z * 0 == 0)) found.firstBad = std::min(found.firstBad, i);
+    if (negatives == NegativeValues::stay) continue;
     for (int channel = 0; channel < 3; ++channel) {
       found.clampedCount += value[channel] < 0;
       value[channel] = value[channel] > 0 ? value[channel] : 0;
@@ -54,7 +56,8 @@ Rgb mix(const Rgb& low, const Rgb& high, double weight) { return low + weight * 
 
 }  // namespace
 
-TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid)
+TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid,
+                             NegativeValues negatives)
     : grid_(grid), values_(std::move(values)), valid_(std::move(valid)) {
   if (values_.size() != grid_.size() || valid_.size() != grid_.size())
     throw Error("found " + std::to_string(values_.size()) + " values and " + std::to_string(valid_.size()) +
@@ -62,7 +65,7 @@ TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> 
   constexpr std::size_t block = 1 << 15;
   std::vector<Found> blocks((grid_.size() + block - 1) / block);
   parallelForBlocks(grid_.size(), block, [&](std::size_t begin, std::size_t end) {
-    blocks[begin / block] = sanitize(values_, valid_, begin, end);
+    blocks[begin / block] = sanitize(values_, valid_, negatives, begin, end);
   });
   std::size_t firstBad = noCell;
   for (const Found& found : blocks) {

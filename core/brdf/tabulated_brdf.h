@@ -22,8 +22,12 @@ enum class TableLookup {
   trilinear  ///< linear in (sqrt theta_h, theta_d, phi_d); invalid corners are dropped and the weights renormalised
 };
 
+/// What a table does with negative values. RGL files have some, for colours outside sRGB.
+enum class NegativeValues { becomeZero, stay };
+
 /// An isotropic BRDF as a table over a half-difference grid, with a mask of the invalid cells (below the horizon or not
-/// measured; their stored value is 0). Values are finite floats >= 0, RGB interleaved, 1/sr, without the cosine.
+/// measured; their stored value is 0). Values are finite floats, RGB interleaved, 1/sr, without the cosine; >= 0 unless
+/// negative values stay.
 class TabulatedBrdf final : public Brdf {
  public:
   using Value = glm::vec3;
@@ -31,9 +35,10 @@ class TabulatedBrdf final : public Brdf {
   /// @param values grid.size() values, linear RGB, 1/sr, without the cosine; those of invalid cells are ignored and
   /// stored as 0.
   /// @param valid one flag per cell (1 valid, 0 invalid).
-  /// Valid negative values become 0 (clampedCount()).
+  /// @param negatives of valid cells (clampedCount()).
   /// @throws Error if the sizes differ from the grid's or a valid value is not finite; the message names the cell.
-  TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid);
+  TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid,
+                NegativeValues negatives = NegativeValues::becomeZero);
 
   using Brdf::evaluate;
   /// Trilinear. About 30 ns per pair in long batches, about 100 ns for a single pair.
@@ -79,7 +84,12 @@ class TabulatedBrdf final : public Brdf {
 /// squares. Finite values beyond the range of float are stored as the largest float. Parallel, deterministic.
 /// @throws Cancelled; Error if the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
-                                               const TaskControl& control = {}, int azimuths = 16);
+                                               const TaskControl& control = {}, int azimuths = 16,
+                                               NegativeValues negatives = NegativeValues::becomeZero);
+
+/// The reciprocal part of a table: the mean of both orders of the directions, on the half circle of phi_d, negative
+/// values set to 0. What methods for reciprocal materials describe. The table itself if it is reciprocal.
+std::shared_ptr<const TabulatedBrdf> meanOfOrders(const std::shared_ptr<const TabulatedBrdf>& table);
 
 /// Range of the valid values of one channel, 1/sr.
 struct ChannelRange {

@@ -140,6 +140,7 @@ std::shared_ptr<const TabulatedBrdf> weightedSum(std::span<const std::shared_ptr
 std::shared_ptr<const TabulatedBrdf> onGrid(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const HalfDifferenceGrid& grid, const TaskControl& control) {
   if (table->grid() == grid) return table;
+  if (grid.reciprocal && !table->isReciprocal()) return onGrid(meanOfOrders(table), grid, control);
   std::vector<TabulatedBrdf::Value> values(grid.size());
   std::vector<std::uint8_t> valid(grid.size());
   const GridDirections directions(grid);
@@ -155,7 +156,7 @@ std::shared_ptr<const TabulatedBrdf> onGrid(const std::shared_ptr<const Tabulate
         }
       },
       control);
-  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid), NegativeValues::stay);
 }
 
 }  // namespace gonio

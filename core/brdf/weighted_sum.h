@@ -30,7 +30,7 @@ std::shared_ptr<const TabulatedBrdf> weightedSum(std::span<const std::shared_ptr
                                                  std::span<const double> weights, const TaskControl& control = {});
 
 /// Resamples a table on another grid (trilinear); cells without data are invalid. Returns the table itself if it has
-/// that grid. @throws Cancelled.
+/// that grid. On a reciprocal grid the mean of both orders of the directions. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> onGrid(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const HalfDifferenceGrid& grid, const TaskControl& control = {});
 

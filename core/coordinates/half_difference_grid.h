@@ -24,6 +24,11 @@ struct HalfDifferenceGrid {
 
   bool operator==(const HalfDifferenceGrid&) const = default;
 
+  /// The same nodes over the whole circle of phi_d: the second half has light and viewer exchanged.
+  HalfDifferenceGrid wholeCircle() const {
+    return {thetaHCount, thetaDCount, reciprocal ? 2 * phiDCount : phiDCount, false};
+  }
+
   double phiDPeriod() const { return reciprocal ? pi : 2 * pi; }
   std::size_t size() const { return std::size_t(thetaHCount) * std::size_t(thetaDCount) * std::size_t(phiDCount); }
   /// phi_d runs fastest, theta_h slowest, as in MERL files.

@@ -50,8 +50,8 @@ std::vector<Coefficient<float>> sumOverOneDictionary(std::span<const SparseCode>
 /// The dense sum over the first code's dictionary.
 Eigen::ArrayXd sumOverFirst(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t channel) {
-  const Dictionary& first = ensemble.dictionaries[std::size_t(codes.front().channels[channel].dictionary)];
-  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(Eigen::Index(ensemble.grid.size())), carried(sum.size());
+  const Dictionary first = dictionaryOf(ensemble, codes.front(), channel);
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(Eigen::Index(codes.front().grid.size())), carried(sum.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const ChannelCode& code = codes[i].channels[channel];
     if (weights[i] == 0) continue;
@@ -59,7 +59,7 @@ Eigen::ArrayXd sumOverFirst(const Ensemble& ensemble, std::span<const SparseCode
       for (const Coefficient<float>& c : code.coefficients) sum[c.index] += weights[i] * double(c.value);
       continue;
     }
-    const auto rotations = rotationsBetween(first, ensemble.dictionaries[std::size_t(code.dictionary)]);
+    const auto rotations = rotationsBetween(first, dictionaryOf(ensemble, codes[i], channel));
     compose<double>(rotations, coefficientsIn<double>(code.coefficients), carried.data());
     sum += weights[i] * carried;
   }
@@ -70,9 +70,13 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
                                std::span<const double> weights, std::size_t channel, std::size_t coefficients) {
   ChannelCode result;
   result.dictionary = codes.front().channels[channel].dictionary;
-  double highest = 0;
-  for (std::size_t i = 0; i < codes.size(); ++i)
-    if (weights[i] > 0) highest += weights[i] * double(codes[i].channels[channel].highest);
+  double lowest = 0, highest = 0;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    lowest += weights[i] * double(codes[i].channels[channel].lowest);
+    highest += weights[i] * double(codes[i].channels[channel].highest);
+  }
+  result.lowest = float(lowest);
   result.highest = float(highest);
   const bool fraction = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
     return code.channels[channel].dictionary == result.dictionary;
@@ -107,6 +111,12 @@ SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode
                             std::span<const double> weights, std::size_t coefficients) {
   check(ensemble, codes, weights);
   if (const auto whole = indexOfFullWeight(weights)) return codes[*whole];
+  if (std::ranges::any_of(codes, &SparseCode::hasBothOrders) &&
+      !std::ranges::all_of(codes, &SparseCode::hasBothOrders)) {
+    std::vector<SparseCode> both;
+    for (const SparseCode& code : codes) both.push_back(inBothOrders(code));
+    return interpolateCodes(ensemble, both, weights, coefficients);
+  }
   SparseCode result = codes.front();
   parallelForBlocks(3, 1, [&](std::size_t channel, std::size_t) {
     result.channels[channel] = interpolateChannel(ensemble, codes, weights, channel, coefficients);

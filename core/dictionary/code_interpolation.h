@@ -17,9 +17,9 @@ std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dicti
 /// `coefficients` per channel. Codes over a dictionary other than the first code's are converted by rotationsBetween(),
 /// which makes them dense; of the sum the largest coefficients remain. The rotations lose nothing, so this is the
 /// linear interpolation of the transformed materials, made sparse again. A code of weight 1 is returned bitwise
-/// unchanged. @param weights one per code, each in [0, 1], with sum 1 (within 1e-9). @throws Error for other weights,
-/// codes that differ in transform or cell scaling (SparseCode::scaled; encode one of them again), and codes that do not
-/// fit the ensemble.
+/// unchanged. If one of the codes has both orders of the directions, so has the sum. @param weights one per code, each
+/// in [0, 1], with sum 1 (within 1e-9). @throws Error for other weights, codes that differ in transform or cell scaling
+/// (SparseCode::scaled; encode one of them again), and codes that do not fit the ensemble.
 SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t coefficients);
 

@@ -58,6 +58,12 @@ class ByteReader {
       throw Error(std::string(what) + " of the code is not a finite number >= 0");
     return number;
   }
+  /// A float32 <= 0.
+  float readMinimum() {
+    const auto number = read<float>();
+    if (!std::isfinite(number) || number > 0) throw Error("a minimum of the code is not a finite number <= 0");
+    return number;
+  }
   std::uint64_t readVariable() {
     std::uint64_t number = 0;
     for (int shift = 0; shift < 35; shift += 7) {
@@ -273,6 +279,7 @@ std::vector<std::byte> compressChannels(const SparseCode& exact) {
     writer.write(std::uint8_t(channel.dictionary));
     writer.write(channel.step);
     writer.write(channel.highest);
+    if (code.hasBothOrders()) writer.write(channel.lowest);
     levels.push_back(levelsOf(channel, sizes));
   }
   for (std::size_t c = 0; c < levels.size(); ++c) {
@@ -284,13 +291,14 @@ std::vector<std::byte> compressChannels(const SparseCode& exact) {
   return std::move(writer.bytes);
 }
 
-void expandChannels(std::span<const std::byte> bytes, SparseCode& code) {
+void expandChannels(std::span<const std::byte> bytes, SparseCode& code, bool hasLowest) {
   const Sizes sizes = modeSizes(code.grid);
   ByteReader reader(bytes);
   for (ChannelCode& channel : code.channels) {
     channel.dictionary = reader.read<std::uint8_t>();
     channel.step = reader.readNonNegative("a step");
     channel.highest = reader.readNonNegative("a maximum");
+    if (hasLowest) channel.lowest = reader.readMinimum();
   }
   RangeDecoder coder(reader.rest());
   Contexts contexts;
@@ -326,6 +334,7 @@ void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecis
   writer.write(std::uint16_t(sorted.size()));
   writer.write(scale);
   writer.write(channel.highest);
+  if (!grid.reciprocal) writer.write(channel.lowest);
   std::uint32_t before = 0;
   for (const Coefficient<float>& c : sorted) {
     writer.writeVariable(c.index - before);
@@ -338,12 +347,13 @@ void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecis
       writer.write(Eigen::half(scale > 0 ? c.value / scale : 0.0f));
 }
 
-ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cells) {
+ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cells, bool hasLowest) {
   ChannelCode channel;
   channel.dictionary = reader.read<std::uint8_t>();
   const std::size_t count = reader.read<std::uint16_t>();
   const float scale = reader.readNonNegative("a scale");
   channel.highest = reader.readNonNegative("a maximum");
+  if (hasLowest) channel.lowest = reader.readMinimum();
   if (count > reader.left()) throw Error("the code is truncated: it ends before its last index");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;
@@ -372,10 +382,10 @@ std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precis
   return std::move(writer.bytes);
 }
 
-void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code) {
-  if (precision == CodePrecision::quantised) return expandChannels(bytes, code);
+void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code, bool hasLowest) {
+  if (precision == CodePrecision::quantised) return expandChannels(bytes, code, hasLowest);
   ByteReader reader(bytes);
-  for (ChannelCode& channel : code.channels) channel = unpack(reader, precision, code.grid.size());
+  for (ChannelCode& channel : code.channels) channel = unpack(reader, precision, code.grid.size(), hasLowest);
   if (reader.left() > 0) throw Error("the code has " + std::to_string(reader.left()) + " extra bytes at the end");
 }
 

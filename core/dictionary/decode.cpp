@@ -135,10 +135,11 @@ class CodeBrdf final : public Brdf {
     for (int c = 0; c < 3; ++c) {
       channels[code.channels[std::size_t(c)].dictionary].push_back(c);
       highest_[c] = code.channels[std::size_t(c)].highest;
+      lowest_[c] = code.channels[std::size_t(c)].lowest;
     }
     for (const auto& [dictionary, list] : channels)
-      sums_.emplace_back(unscaledAtoms(ensemble.dictionaries[std::size_t(dictionary)], *geometry_, code.scaled), code,
-                         list);
+      sums_.emplace_back(
+          unscaledAtoms(dictionaryOf(ensemble, code, std::size_t(list.front())), *geometry_, code.scaled), code, list);
   }
 
   using Brdf::evaluate;
@@ -162,11 +163,11 @@ class CodeBrdf final : public Brdf {
     const GridCorners at(grid_, grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]));
     CornerValues values = CornerValues::Zero(), cosines = CornerValues::Ones();
     for (const DictionarySum& sum : sums_) sum.addTo(values, at, scratch);
-    values = values.min(highest_.replicate<1, 8>());
+    values = values.min(highest_.replicate<1, 8>()).max(lowest_.replicate<1, 8>());
     if (transform_ == DataTransform::cosineLog)
       for (int corner = 0; corner < 8; ++corner)
         cosines.col(corner).setConstant(geometry_->weights[Eigen::Index(at.cell(corner))]);
-    invertTransform(values.reshaped(), transform_, cosines.reshaped());
+    invertTransform(values.reshaped(), transform_, cosines.reshaped(), lowest_.minCoeff());
     Rgb sum(0);
     double weightSum = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -180,7 +181,7 @@ class CodeBrdf final : public Brdf {
   HalfDifferenceGrid grid_;
   DataTransform transform_;
   std::shared_ptr<const GridGeometry> geometry_;
-  Eigen::Array<float, 4, 1> highest_ = Eigen::Array<float, 4, 1>::Zero();
+  Eigen::Array<float, 4, 1> highest_ = Eigen::Array<float, 4, 1>::Zero(), lowest_ = highest_;
   std::vector<DictionarySum> sums_;
 };
 
@@ -254,8 +255,9 @@ std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const
 }
 
 void checkCode(const Ensemble& ensemble, const SparseCode& code) {
-  if (!(code.grid == ensemble.grid)) throw Error("the code and the dictionary have different grids");
-  const std::size_t cells = ensemble.grid.size();
+  if (!(code.grid == ensemble.grid || code.grid == ensemble.grid.wholeCircle()))
+    throw Error("the code and the dictionary have different grids");
+  const std::size_t cells = code.grid.size();
   for (const ChannelCode& channel : code.channels) {
     if (channel.dictionary < 0 || std::size_t(channel.dictionary) >= ensemble.dictionaries.size())
       throw Error("the code refers to dictionary " + std::to_string(channel.dictionary) + ", expected 0 to " +
@@ -273,7 +275,7 @@ std::array<Eigen::ArrayXd, 3> decodeSignals(const Ensemble& ensemble, const Spar
   std::array<Eigen::ArrayXd, 3> signals;
   parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) {
     const ChannelCode& channel = code.channels[c];
-    const auto atoms = unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry, code.scaled);
+    const auto atoms = unscaledAtoms(dictionaryOf(ensemble, code, c), *geometry, code.scaled);
     signals[c].resize(Eigen::Index(code.grid.size()));
     compose<double>(atoms, coefficientsIn<double>(channel.coefficients), signals[c].data());
     signals[c] = signals[c].min(double(channel.highest));
@@ -290,11 +292,13 @@ std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const Spar
     const Eigen::Index first = Eigen::Index(begin), length = Eigen::Index(end - begin);
     for (int c = 0; c < 3; ++c) {
       auto part = signals[std::size_t(c)].segment(first, length);
-      invertTransform(part, code.transform, geometry->weights.segment(first, length));
+      invertTransform(part, code.transform, geometry->weights.segment(first, length),
+                      code.channels[std::size_t(c)].lowest);
       for (Eigen::Index i = 0; i < length; ++i) values[begin + std::size_t(i)][c] = float(part[i]);
     }
   });
-  return std::make_shared<const TabulatedBrdf>(code.grid, std::move(values), geometry->aboveHorizon);
+  return std::make_shared<const TabulatedBrdf>(code.grid, std::move(values), geometry->aboveHorizon,
+                                               NegativeValues::stay);
 }
 
 }  // namespace gonio::dictionary

@@ -41,8 +41,8 @@ std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const
 /// The transformed values of a code in every cell, one array per channel. @throws as checkCode().
 std::array<Eigen::ArrayXd, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
 
-/// The table of a code; cells below the horizon are invalid, negative values become 0. Under 50 ms on two cores for a
-/// MERL grid. @throws as checkCode().
+/// The table of a code; cells below the horizon are invalid, values below ChannelCode::lowest become equal to it. Under
+/// 50 ms on two cores for a MERL grid. @throws as checkCode().
 std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const SparseCode& code);
 
 /// @throws Error if a code does not fit the ensemble: another grid, a dictionary or index out of range.

@@ -3,6 +3,7 @@
 #include "core/dictionary/dictionary.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace gonio::dictionary {
 
@@ -24,6 +25,42 @@ std::size_t Ensemble::bytes() const {
   for (const Dictionary& dictionary : dictionaries)
     for (const Eigen::MatrixXd& mode : dictionary.modes) numbers += std::size_t(mode.size());
   return numbers * sizeof(float);
+}
+
+Dictionary inBothOrders(const Dictionary& dictionary) {
+  Dictionary result = dictionary;
+  const Eigen::MatrixXd atoms = dictionary.modes[0] / std::numbers::sqrt2;
+  Eigen::MatrixXd& both = result.modes[0];
+  both.resize(2 * atoms.rows(), 2 * atoms.cols());
+  for (Eigen::Index a = 0; a < atoms.cols(); ++a) {
+    both.col(2 * a) << atoms.col(a), atoms.col(a);
+    both.col(2 * a + 1) << atoms.col(a), -atoms.col(a);
+  }
+  return result;
+}
+
+Ensemble inBothOrders(const Ensemble& ensemble) {
+  if (!ensemble.grid.reciprocal) return ensemble;
+  Ensemble result{ensemble.grid.wholeCircle(), {}, ensemble.learnedFrom, ensemble.scaled};
+  for (const Dictionary& dictionary : ensemble.dictionaries) result.dictionaries.push_back(inBothOrders(dictionary));
+  return result;
+}
+
+SparseCode inBothOrders(const SparseCode& code) {
+  if (code.hasBothOrders()) return code;
+  SparseCode result = code;
+  result.grid = code.grid.wholeCircle();
+  for (ChannelCode& channel : result.channels) {
+    channel.step *= std::numbers::sqrt2_v<float>;
+    // Twice the atoms of mode 0, of which this is the even one: the number of all atoms before it doubles too.
+    for (Coefficient<float>& c : channel.coefficients) c = {2 * c.index, c.value * std::numbers::sqrt2_v<float>};
+  }
+  return result;
+}
+
+Dictionary dictionaryOf(const Ensemble& ensemble, const SparseCode& code, std::size_t channel) {
+  const Dictionary& own = ensemble.dictionaries[std::size_t(code.channels[channel].dictionary)];
+  return code.grid == ensemble.grid ? own : inBothOrders(own);
 }
 
 double orthonormalityError(const Eigen::MatrixXd& matrix) {

@@ -42,6 +42,14 @@ inline std::array<int, 3> modeSizes(const HalfDifferenceGrid& grid) {
   return {grid.phiDCount, grid.thetaDCount, grid.thetaHCount};
 }
 
+/// The dictionary for signals over the whole circle of phi_d. They are the sum of a part that is the same in both
+/// orders of the directions and one that changes its sign; each atom u of mode 0 becomes (u, u) / sqrt 2 (number 2a)
+/// and (u, -u) / sqrt 2 (number 2a + 1), so that both parts have codes over the same dictionary, whose coefficients
+/// compete for places by their size. Orthonormal if the dictionary is.
+Dictionary inBothOrders(const Dictionary& dictionary);
+/// The ensemble of these, over HalfDifferenceGrid::wholeCircle(). 32 dictionaries of a MERL grid have 37 MB.
+Ensemble inBothOrders(const Ensemble& ensemble);
+
 /// Largest absolute entry of U^T U - I over all matrices.
 double orthonormalityError(const Ensemble& ensemble);
 double orthonormalityError(const Eigen::MatrixXd& matrix);
@@ -55,15 +63,16 @@ Eigen::MatrixXd polished(const Eigen::MatrixXd& nearlyOrthonormal);
 struct ChannelCode {
   int dictionary = 0;
   std::vector<Coefficient<float>> coefficients;  ///< by decreasing absolute value
-  /// Upper bound of the transformed values: the largest of the measurement. A sum of few atoms overshoots in cells with
-  /// a small factor of cell scaling, and the inverse of the logarithm would amplify that.
-  float highest = std::numeric_limits<float>::max();
+  /// Bounds of the transformed values: the largest and the smallest of the measurement, the latter at most 0. A sum of
+  /// few atoms overshoots in cells with a small factor of cell scaling, and the inverse of the logarithm would amplify
+  /// that.
+  float highest = std::numeric_limits<float>::max(), lowest = 0;
   float step = 0;  ///< of which all values are multiples (quantised()); 0: not quantised
 };
 
 /// A material as a sparse code over an ensemble: red, green, blue.
 struct SparseCode {
-  HalfDifferenceGrid grid;
+  HalfDifferenceGrid grid;  ///< of the ensemble, or its wholeCircle(): then over inBothOrders() of the dictionaries
   DataTransform transform = DataTransform::logPlus;
   bool scaled = true;  ///< whether it represents signals with cell scaling (GridGeometry::cellScaling)
   std::array<ChannelCode, 3> channels;
@@ -72,6 +81,12 @@ struct SparseCode {
   std::size_t coefficients() const;
   /// The code with only the largest `coefficients` of each channel.
   SparseCode truncated(std::size_t coefficients) const;
+  bool hasBothOrders() const { return !grid.reciprocal; }
 };
+
+/// The same material as a code over the whole circle of phi_d; the code itself if it is one.
+SparseCode inBothOrders(const SparseCode& code);
+/// The dictionary of a channel of a code. Precondition: checkCode().
+Dictionary dictionaryOf(const Ensemble& ensemble, const SparseCode& code, std::size_t channel);
 
 }  // namespace gonio::dictionary

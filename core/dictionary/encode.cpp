@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/brdf/weighted_sum.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/dictionary/alternatives/basis_pursuit.h"
 #include "core/dictionary/code_packing.h"
@@ -164,6 +165,11 @@ void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const Tabu
 
 }  // namespace
 
+std::shared_ptr<const TabulatedBrdf> onCodeGrid(const std::shared_ptr<const TabulatedBrdf>& table,
+                                                const Ensemble& ensemble, const TaskControl& control) {
+  return onGrid(table, table->isReciprocal() ? ensemble.grid : ensemble.grid.wholeCircle(), control);
+}
+
 EncodeOptions publishedEncodeOptions(std::size_t coefficients) {
   return {.coefficients = coefficients, .refinements = 0, .scaled = false, .solidAngles = false};
 }
@@ -222,7 +228,9 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
                       signals[c] = trial.signals[c].cast<float>();
-                      trial.channels[c].highest = highestOf(trial.signals[c], table, *geometry, isScaled(options));
+                      const SignalRange range = rangeOf(trial.signals[c], table, *geometry, isScaled(options));
+                      trial.channels[c].highest = range.highest;
+                      trial.channels[c].lowest = range.lowest;
                     },
                     {.stop = control.stop, .progress = {}});
   const std::array<int, 3> chosen = chooseDictionaries(signals, options.coefficients, control);
@@ -269,8 +277,18 @@ EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficient
 
 EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options,
                              const TaskControl& control) const {
-  const auto start = std::chrono::steady_clock::now();
+  if (table.grid() != ensemble_.grid && table.grid() == ensemble_.grid.wholeCircle()) {
+    const Ensemble both = inBothOrders(ensemble_);
+    EncodeOptions limited = options;
+    // About as many as fit: rounds for more coefficients would fit invalid cells to those that are then left out, which
+    // costs some decibels.
+    constexpr double bytesPerCoefficient = 2.4;
+    if (options.bytes)
+      limited.coefficients = std::min(options.coefficients, std::size_t(double(*options.bytes) / bytesPerCoefficient));
+    return Encoder(both).encode(table, limited, control);
+  }
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
+  const auto start = std::chrono::steady_clock::now();
   std::vector<Trial> trials(options.transforms.size());
   const double trialFraction = double(trials.size()) / double(trials.size() + 1);
   const TaskControl silent{.stop = control.stop, .progress = {}};

@@ -71,6 +71,11 @@ struct EncodeResult {
   double seconds = 0;
 };
 
+/// The table on the grid that the codes of an ensemble have: the ensemble's, or its whole circle if the table has both
+/// orders of the directions. @throws Cancelled.
+std::shared_ptr<const TabulatedBrdf> onCodeGrid(const std::shared_ptr<const TabulatedBrdf>& table,
+                                                const Ensemble& ensemble, const TaskControl& control = {});
+
 /// Encodes materials as sparse codes over an ensemble. Immutable.
 class Encoder {
  public:
@@ -86,7 +91,8 @@ class Encoder {
   /// CodingMethod::basisPursuit the rounds apply soft thresholding, and as many rounds of least squares follow. The
   /// transform with the smallest gamma error after a few rounds is selected, and its rounds are repeated in double
   /// precision, so that codes do not depend on the instruction set; if all rounds have a larger error than the few,
-  /// the few are used. @throws Error if the table has another grid; Cancelled.
+  /// the few are used. A table of both orders of the directions (onCodeGrid()) is encoded over inBothOrders() of the
+  /// ensemble, with the largest coefficients of both parts. @throws Error if the table has another grid; Cancelled.
   EncodeResult encode(const TabulatedBrdf& table, const EncodeOptions& options = {},
                       const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }

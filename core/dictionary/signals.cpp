@@ -63,10 +63,24 @@ std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
   return geometry;
 }
 
+/// Applies a function to the sizes of values and keeps their signs.
+template <typename Values, typename Function>
+void keepingSigns(Values& values, const Function& function) {
+  using Array = Eigen::Array<typename Values::Scalar, Eigen::Dynamic, 1>;
+  const Array signs = values.sign();
+  values = values.abs();
+  function();
+  values *= signs;
+}
+
 template <typename Scalar>
 void invert(Eigen::Ref<Eigen::Array<Scalar, Eigen::Dynamic, 1>> values, DataTransform transform,
-            const Eigen::Ref<const Eigen::ArrayXf>& weights) {
-  assert(values.size() == weights.size());
+            const Eigen::Ref<const Eigen::ArrayXf>& weights, Scalar lowest) {
+  assert(values.size() == weights.size() && lowest <= 0);
+  if (lowest < 0) {
+    values = values.max(lowest);
+    return keepingSigns(values, [&] { invert<Scalar>(values, transform, weights, 0); });
+  }
   values = values.max(Scalar(0));
   if (transform == DataTransform::root) values = values.square();
   if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) {
@@ -88,19 +102,24 @@ Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& ge
   return scales;
 }
 
-float highestOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled) {
+SignalRange rangeOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry,
+                    bool scaled) {
   const HalfDifferenceGrid& grid = table.grid();
-  double highest = 0;
+  double lowest = 0, highest = 0;
   Eigen::Index cell = 0;
   for (int h = 0; h < grid.thetaHCount; ++h)
     for (int d = 0; d < grid.thetaDCount; ++d) {
-      double most = 0;
-      for (int phi = 0; phi < grid.phiDCount; ++phi, ++cell)
-        if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
+      double least = 0, most = 0;
+      for (int phi = 0; phi < grid.phiDCount; ++phi, ++cell) {
+        if (table.valid()[std::size_t(cell)] == 0) continue;
+        least = std::min(least, signal[cell]);
+        most = std::max(most, signal[cell]);
+      }
       const double scale = scaled ? geometry.cellScaling[1][d] * geometry.cellScaling[2][h] : 1;
+      lowest = std::min(lowest, least / scale);
       highest = std::max(highest, most / scale);
     }
-  return float(highest);
+  return {float(lowest), float(highest)};
 }
 
 std::shared_ptr<const GridGeometry> GridGeometry::of(const HalfDifferenceGrid& grid) {
@@ -121,18 +140,19 @@ std::shared_ptr<const GridGeometry> GridGeometry::of(const HalfDifferenceGrid& g
 void transform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
                const Eigen::Ref<const Eigen::ArrayXf>& weights) {
   assert(values.size() == weights.size());
+  if ((values < 0).any()) return keepingSigns(values, [&] { dictionary::transform(values, transform, weights); });
   if (transform == DataTransform::cosineLog) values *= weights.cast<double>();
   if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) values = values.log1p();
   if (transform == DataTransform::root) values = values.sqrt();
 }
 
 void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
-                     const Eigen::Ref<const Eigen::ArrayXf>& weights) {
-  invert<float>(values, transform, weights);
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights, float lowest) {
+  invert<float>(values, transform, weights, lowest);
 }
 void invertTransform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
-                     const Eigen::Ref<const Eigen::ArrayXf>& weights) {
-  invert<double>(values, transform, weights);
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights, float lowest) {
+  invert<double>(values, transform, weights, double(lowest));
 }
 
 std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,

@@ -35,17 +35,22 @@ std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
 
 /// The factor of each cell by cell scaling.
 Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry);
-/// Largest transformed value of the valid cells of a signal (without cell scaling): ChannelCode::highest.
-float highestOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry, bool scaled);
+/// Smallest and largest transformed value of the valid cells of a signal (without cell scaling), at most and at least
+/// 0: ChannelCode::lowest and highest.
+struct SignalRange {
+  float lowest = 0, highest = 0;
+};
+SignalRange rangeOf(const Eigen::ArrayXd& signal, const TabulatedBrdf& table, const GridGeometry& geometry,
+                    bool scaled);
 
-/// transformed() and inverseTransformed() of arrays, in place. BRDF values are in 1/sr, >= 0.
-/// The inverse maps negative y to 0 and limits y of the logarithms to 88, so that results stay in the range of float (a
-/// code of few coefficients may overshoot).
+/// transformed() and inverseTransformed() of arrays, in place. BRDF values are in 1/sr; for negative ones both are
+/// continued as odd functions. The inverse limits y of the logarithms to 88, so that results stay in the range of float
+/// (a code of few coefficients may overshoot). @param lowest of y, at most 0: smaller ones become `lowest`.
 void transform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
                const Eigen::Ref<const Eigen::ArrayXf>& weights);
 void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
-                     const Eigen::Ref<const Eigen::ArrayXf>& weights);
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights, float lowest = 0);
 void invertTransform(Eigen::Ref<Eigen::ArrayXd> values, DataTransform transform,
-                     const Eigen::Ref<const Eigen::ArrayXf>& weights);
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights, float lowest = 0);
 
 }  // namespace gonio::dictionary

@@ -102,7 +102,7 @@ class Sampler {
       double y = 0, rho = 0;
       for (std::size_t side = 2 * n; side < 2 * n + 2; ++side) {
         if (!row.measured[side]) continue;
-        const double value = row.values[side][int(channel)];
+        const double value = std::max(0.0, row.values[side][int(channel)]);
         rho += value / count;
         y += transformed(axes_.transform, value, cosines) / count;
       }

@@ -213,7 +213,7 @@ FitCells stratifiedCells(const TabulatedBrdf& table, const CellSelection& select
   FitCells result;
   for (const std::vector<Representative>& row : rows)
     for (const Representative& r : row)
-      result.append(directions.at(r.cell).pair, Rgb(table.values()[r.cell]), r.measure);
+      result.append(directions.at(r.cell).pair, glm::max(Rgb(0), Rgb(table.values()[r.cell])), r.measure);
   result.normaliseWeights();
   return result;
 }

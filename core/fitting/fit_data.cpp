@@ -51,7 +51,7 @@ Channels takeChannelCensus(const TabulatedBrdf& table, const CellSelection& sele
     for (std::size_t cell = slab * slabLength; cell < (slab + 1) * slabLength; ++cell) {
       if (cell % rowLength == 0) measure = grid.cellMeasure(cell);
       if (!selection.isUsed[cell]) continue;
-      for (int c = 0; c < 3; ++c) slabs[slab][std::size_t(c)].add(table.values()[cell][c], measure);
+      for (int c = 0; c < 3; ++c) slabs[slab][std::size_t(c)].add(std::max(0.0f, table.values()[cell][c]), measure);
     }
   });
   Channels channels;
@@ -96,7 +96,10 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
 /// negative values, the same value everywhere, one cell that outweighs all others. Usually empty. One pass over the
 /// used cells.
 std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& selection) {
-  return warningsOf(takeChannelCensus(table, selection), selection.used, table.clampedCount(), table.validCount());
+  std::size_t negative = table.clampedCount();
+  for (const TabulatedBrdf::Value& value : table.values())
+    for (int c = 0; c < 3; ++c) negative += value[c] < 0;
+  return warningsOf(takeChannelCensus(table, selection), selection.used, negative, table.validCount());
 }
 
 /// The same for cells without a table. @param negative number of channel values that were below 0.

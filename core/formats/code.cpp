@@ -18,10 +18,17 @@ namespace {
 using dictionary::CodePrecision;
 using dictionary::SparseCode;
 
-constexpr io::ContainerFormat codeContainer{.name = "sparse code",
-                                            .signature = "GONIOCOD",
-                                            .versionBytes = sizeof(std::uint16_t),
-                                            .maxBytes = std::uint64_t(1) << 21};
+/// The version of codes of both orders of the directions; older versions of Gonio read version 1 alone.
+constexpr std::uint32_t bothOrdersVersion = 2;
+constexpr io::ContainerFormat containerOf(bool hasBothOrders) {
+  return {.name = "sparse code",
+          .signature = "GONIOCOD",
+          .version = hasBothOrders ? bothOrdersVersion : 1,
+          .readVersion = 1,
+          .versionBytes = sizeof(std::uint16_t),
+          .maxBytes = std::uint64_t(1) << 21};
+}
+constexpr io::ContainerFormat codeContainer = containerOf(true);
 constexpr int maxCodeNodes = 1024;
 constexpr std::uint8_t withoutScale = 128;  ///< flag beside the transform
 
@@ -47,7 +54,7 @@ HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
 
 std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
   const HalfDifferenceGrid& grid = code.grid;
-  io::ContainerWriter file(codeContainer);
+  io::ContainerWriter file(containerOf(code.hasBothOrders()));
   file.number(std::uint8_t(std::uint8_t(code.transform) | (code.scaled ? 0 : withoutScale)));
   file.number(std::uint8_t(precision));
   for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
@@ -73,7 +80,7 @@ CodeFile readCode(const io::ByteSource& source) {
   result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 2));
   result.code.grid = takeGrid(file);
   result.dictionaryId = file.number<std::uint64_t>();
-  unpackChannels(file.rest(), result.precision, result.code);
+  unpackChannels(file.rest(), result.precision, result.code, file.version() >= bothOrdersVersion);
   return result;
 }
 
@@ -103,6 +110,7 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, material
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
   material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
                                 std::string(dataTransformNames[std::size_t(code.transform)]) +
+                                (code.hasBothOrders() ? ", both orders of the directions" : "") +
                                 (code.scaled ? "" : ", as published (without cell scaling)");
 }
 

@@ -184,6 +184,10 @@ void readMerlMaterial(const io::ByteSource& source, const TaskControl& control, 
     material.source.notes.push_back(std::to_string(merl.clampedCount) + " small negative values were set to 0");
 }
 
+std::string negativesLoss(const TabulatedBrdf& table) {
+  return std::to_string(table.clampedCount()) + " negative values were set to 0";
+}
+
 /// The table of a material with a grid that folds phi_d or does not; null if it has none.
 std::shared_ptr<const TabulatedBrdf> ownTable(const EditedMaterial& material, bool reciprocal,
                                               const TaskControl& control) {
@@ -194,6 +198,16 @@ std::shared_ptr<const TabulatedBrdf> ownTable(const EditedMaterial& material, bo
   return editing::bakeEdits(base.table, material.edits, control);
 }
 
+/// What a file can hold: invalid cells are negative there, so that negative values become 0.
+Encoded encodedTable(const std::shared_ptr<const TabulatedBrdf>& own) {
+  const auto isNegative = [](const TabulatedBrdf::Value& v) { return v.x < 0 || v.y < 0 || v.z < 0; };
+  if (std::ranges::none_of(own->values(), isNegative)) return {encodeMerl(*own), own};
+  const auto table =
+      std::make_shared<const TabulatedBrdf>(own->grid(), std::vector(own->values().begin(), own->values().end()),
+                                            std::vector(own->valid().begin(), own->valid().end()));
+  return {encodeMerl(*table), table, {negativesLoss(*table)}};
+}
+
 /// The table to write. For a table with such a grid: that table, edited cell by cell; for other materials: the grid of
 /// the options, or else 90 x 90 x 180 angles (360 over the whole circle of phi_d).
 template <bool reciprocal>
@@ -201,13 +215,12 @@ Encoded encodeMerlMaterial(const EditedMaterial& material, const EncodeOptions& 
   constexpr HalfDifferenceGrid usual{.phiDCount = reciprocal ? 180 : 360, .reciprocal = reciprocal};
   if (auto copy = copyOfFile(material, reciprocal ? merlFormat : merlCircleFormat)) return std::move(*copy);
   const HalfDifferenceGrid grid = options.grid && options.grid->reciprocal == reciprocal ? *options.grid : usual;
-  if (const auto own = ownTable(material, reciprocal, control)) return {encodeMerl(*own), own};
+  if (const auto own = ownTable(material, reciprocal, control)) return encodedTable(own);
   const auto table = bakeTable(*material.shown.brdf, grid, control, editing::bakedAzimuths);
   Encoded made{encodeMerl(*table), table};
   made.losses.push_back("the values were sampled at " + gridName({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}) +
                         " half-difference angles");
-  if (table->clampedCount() > 0)
-    made.losses.push_back(std::to_string(table->clampedCount()) + " negative values were set to 0");
+  if (table->clampedCount() > 0) made.losses.push_back(negativesLoss(*table));
   return made;
 }
 

@@ -284,12 +284,14 @@ std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMateria
       continue;
     }
     const double begin = double(i) / double(ends.size()), end = double(i + 1) / double(ends.size());
-    const auto table = onGrid(ends[i].table, options.ensemble->grid, {.stop = control.stop});
+    const auto table = dictionary::onCodeGrid(ends[i].table, *options.ensemble, {.stop = control.stop});
     encoded.push_back(encoder.encode(*table, encode, control.between(begin, end)));
     materials.push_back(i);
   }
   const std::size_t best = bestTransform(encoded, encode.transforms.size());
   for (std::size_t m = 0; m < encoded.size(); ++m) codes[materials[m]] = encoded[m].candidates[best].code;
+  if (std::ranges::any_of(codes, &SparseCode::hasBothOrders))
+    for (SparseCode& code : codes) code = inBothOrders(code);
   return codes;
 }
 

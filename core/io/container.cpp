@@ -53,10 +53,11 @@ void ContainerWriter::description(const nlohmann::json& json) {
 
 ContainerReader::ContainerReader(const ContainerFormat& format, const ByteSource& source)
     : name_(format.name), bytes_(readWhole(source, format)), left_(std::span(bytes_).subspan(signatureBytes)) {
-  std::uint32_t version = 0;
-  std::memcpy(&version, take(format.versionBytes).data(), format.versionBytes);
-  if (version != format.version)
-    fail("the version is " + std::to_string(version) + ", expected " + std::to_string(format.version));
+  std::memcpy(&version_, take(format.versionBytes).data(), format.versionBytes);
+  const std::uint32_t oldest = format.readVersion > 0 ? format.readVersion : format.version;
+  if (version_ < oldest || version_ > format.version)
+    fail("the version is " + std::to_string(version_) + ", expected " +
+         (oldest < format.version ? std::to_string(oldest) + " to " : "") + std::to_string(format.version));
 }
 
 nlohmann::json ContainerReader::description() {

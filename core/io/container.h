@@ -21,9 +21,10 @@
 namespace gonio::io {
 
 struct ContainerFormat {
-  std::string_view name;       ///< for errors, e.g. "PDV" in "not a PDV file (signature missing)"
-  std::string_view signature;  ///< eight characters
-  std::uint32_t version = 1;
+  std::string_view name;          ///< for errors, e.g. "PDV" in "not a PDV file (signature missing)"
+  std::string_view signature;     ///< eight characters
+  std::uint32_t version = 1;      ///< that is written
+  std::uint32_t readVersion = 0;  ///< the oldest that is read; 0: only `version`
   std::size_t versionBytes = sizeof(std::uint32_t);
   std::uint64_t maxBytes = std::uint64_t(1) << 33;
 };
@@ -63,6 +64,7 @@ class ContainerReader {
   /// @throws FormatMismatch if the signature is missing; Error if the file is too large, ends within its header or has
   /// another version.
   ContainerReader(const ContainerFormat& format, const ByteSource& source);
+  std::uint32_t version() const { return version_; }
 
   template <typename Number>
   requires std::is_arithmetic_v<Number> Number number() {
@@ -104,6 +106,7 @@ class ContainerReader {
   [[noreturn]] void failNotFinite(std::string_view what, std::size_t index) const;
 
   std::string name_;
+  std::uint32_t version_ = 0;
   std::vector<std::byte> bytes_;
   std::span<const std::byte> left_;
 };

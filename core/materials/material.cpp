@@ -32,7 +32,11 @@ Material readFormat(const io::ByteSource& source, const TaskControl& control) {
 }  // namespace
 
 std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& control) const {
-  return table ? table : bakeTable(*brdf, {}, control);
+  if (table) return table;
+  constexpr int azimuths = 16;
+  const HalfDifferenceGrid grid;
+  if (brdf->isReciprocal()) return bakeTable(*brdf, grid, control, azimuths);
+  return bakeTable(*brdf, grid.wholeCircle(), control, azimuths, NegativeValues::stay);
 }
 
 Material readMaterial(const io::ByteSource& source, const TaskControl& control) {

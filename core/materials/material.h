@@ -33,7 +33,9 @@ struct Material {
                                                ///< anisotropic edits the mean over the azimuths
   std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over bundledEnsemble(), else null
 
-  /// `table`, or the BRDF sampled on the MERL grid (about 1 s for an RGL file or factors). @throws Cancelled.
+  /// `table`, or the BRDF sampled on the MERL grid; if it is not reciprocal, over the whole circle of phi_d (both
+  /// orders of the directions) and with its negative values. About 1 s for an RGL file or factors. Methods for
+  /// reciprocal materials use its meanOfOrders(). @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;
 };
 

@@ -60,9 +60,9 @@ class Nodes {
     if (!table) table = formOf<TabulatedBrdf>(test);
     HalfDifferenceGrid grid = table ? table->grid() : HalfDifferenceGrid();
     if (!grid.reciprocal || (reference.isReciprocal() && test.isReciprocal())) return grid;
-    grid.reciprocal = false;
     // A table keeps its nodes; otherwise the number of nodes stays the same.
-    if (table) grid.phiDCount *= 2;
+    if (table) return grid.wholeCircle();
+    grid.reciprocal = false;
     return grid;
   }
 
@@ -89,10 +89,7 @@ struct Compared {
 /// The index of a node of `grid` in a table that has it: one of the same grid, or of its half circle.
 std::optional<std::size_t> nodeIn(const HalfDifferenceGrid& table, const HalfDifferenceGrid& grid, std::size_t node) {
   if (table == grid) return node;
-  HalfDifferenceGrid whole = table;
-  whole.reciprocal = false;
-  whole.phiDCount *= 2;
-  if (!table.reciprocal || whole != grid) return std::nullopt;
+  if (!table.reciprocal || table.wholeCircle() != grid) return std::nullopt;
   const auto half = std::size_t(table.phiDCount);
   return node / (2 * half) * half + node % half;
 }

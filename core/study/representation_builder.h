@@ -20,8 +20,8 @@
 
 namespace gonio::study {
 
-/// The material of a study: a table, and the BRDF of the reference picture (the table itself, or the material that it
-/// samples).
+/// The material of a study: a table (of both orders of the directions if it is not reciprocal), and the BRDF of the
+/// reference picture (the table itself, or the material that it samples).
 struct StudySubject {
   std::shared_ptr<const TabulatedBrdf> table;
   std::shared_ptr<const Brdf> reference;
@@ -61,8 +61,17 @@ struct BuildContext {
   fitting::FitBase fitBase;  ///< of fitData
   std::optional<fitting::FitData> fitData;
   std::map<const RepresentationKind*, factorization::PdvFactorization> factorizations;
-  std::shared_ptr<const TabulatedBrdf> codedTable;  ///< the table on the dictionary's grid
+  std::shared_ptr<const TabulatedBrdf> codedTable;  ///< the table on the grid of codes
   std::optional<dictionary::Encoder> encoder;
+
+  /// The reciprocal part of the subject's table, for methods that describe nothing else.
+  const std::shared_ptr<const TabulatedBrdf>& mean() {
+    if (!mean_) mean_ = meanOfOrders(subject.table);
+    return mean_;
+  }
+
+ private:
+  std::shared_ptr<const TabulatedBrdf> mean_;
 };
 
 /// Builds representations of one material by the functions of their rows. Common work is done once: factors with fewer

@@ -84,14 +84,17 @@ Built builtFactors(const factorization::PdvFactors& factors, double seconds) {
 
 PdvOptions separateTerms(PdvForm form, int terms) { return {.form = form, .terms = terms}; }
 
-/// The first terms of one factorisation into the planned number of terms.
+/// The first terms of one factorisation into the planned number of terms. The published ones describe the mean of both
+/// orders of the directions, as that of a MERL file.
 template <PdvForm form, PdvOptions (*optionsOf)(PdvForm, int)>
 Built truncatedFactors(Context& context, const Representation& representation, const TaskControl& control) {
   const RepresentationKind* kind = representation.kind;
   const int terms = int(representation.budget);
   if (!context.factorizations.contains(kind)) {
     const int most = std::max(terms, int(context.maxBudgets[kind]));
-    context.factorizations[kind] = factorizePdv(*context.subject.table, optionsOf(form, most), control);
+    const bool isPublished = optionsOf == factorization::publishedPdvOptions;
+    context.factorizations[kind] =
+        factorizePdv(isPublished ? *context.mean() : *context.subject.table, optionsOf(form, most), control);
   }
   const factorization::PdvFactorization& all = context.factorizations.at(kind);
   if (terms > all.factors.terms())
@@ -124,16 +127,19 @@ Built sparseCode(Context& context, const Representation& representation, const T
     if (!options.dictionary) options.dictionary = materials::bundledEnsemble();
     context.encoder.emplace(options.dictionary->ensemble);
     context.codedTable =
-        onGrid(context.subject.table, options.dictionary->ensemble.grid, {.stop = control.stop, .progress = {}});
+        dictionary::onCodeGrid(context.subject.table, options.dictionary->ensemble, {control.stop, {}});
   }
+  // As published: of the mean of both orders of the directions, as that of a MERL file.
+  const bool isPublished = optionsOf == dictionary::publishedEncodeOptions;
+  const auto table = isPublished ? meanOfOrders(context.codedTable) : context.codedTable;
   dictionary::EncodeOptions encoding = optionsOf(std::size_t(representation.budget));
   encoding.quantised = true;
-  const dictionary::EncodeResult encoded = context.encoder->encode(*context.codedTable, encoding, control);
+  const dictionary::EncodeResult encoded = context.encoder->encode(*table, encoding, control);
   const std::vector<std::byte> file = formats::encodeCode(encoded.code, options.dictionary->id);
   // Of what the file holds: with the values as they are rounded.
   const dictionary::SparseCode stored = formats::readCode(io::MemorySource(file)).code;
   const dictionary::Ensemble& ensemble = options.dictionary->ensemble;
-  const bool sameNodes = context.subject.table->grid() == ensemble.grid;
+  const bool sameNodes = context.subject.table->grid() == stored.grid;
   Built built{.brdf = dictionary::makeCodeBrdf(ensemble, stored),
               .nodes = sameNodes ? dictionary::decode(ensemble, stored) : nullptr,
               .bytes = file.size(),
@@ -171,7 +177,7 @@ Built components(Context& context, const Representation& representation, const T
     throw Error(representation.fullLabel() + ": the training set has only " + std::to_string(given->count()) +
                 " principal components");
   const auto start = Clock::now();
-  const auto encoded = dictionary::encode(*given, *context.subject.table, count, control);
+  const auto encoded = dictionary::encode(*given, *context.mean(), count, control);
   const double seconds = secondsSince(start);
   const auto decoded = dictionary::decode(*given, encoded.inHalfPrecision(), {.stop = control.stop, .progress = {}});
   return decodedTable(decoded, halfBytesOf(encoded), seconds);
@@ -181,7 +187,7 @@ Built codeOfPatches(Context& context, const Representation& representation, cons
   const auto& patches = context.options.patches;
   if (!patches) throw Error(representation.label() + ": no dictionary was learned, expected a training set");
   const auto start = Clock::now();
-  const auto code = dictionary::encode(*patches, *context.subject.table, std::size_t(representation.budget), control);
+  const auto code = dictionary::encode(*patches, *context.mean(), std::size_t(representation.budget), control);
   const double seconds = secondsSince(start);
   return decodedTable(dictionary::decode(*patches, code),
                       dictionary::packChannels(code, dictionary::CodePrecision::quantised).size(), seconds);
@@ -200,7 +206,7 @@ Built nonparametricFactors(Context& context, const Representation&, const TaskCo
   using namespace factorization;
   const auto start = Clock::now();
   const auto samples =
-      sampleHalfDifference(*context.subject.table, nonparametricAxes(), {.stop = control.stop, .progress = {}});
+      sampleHalfDifference(*context.mean(), nonparametricAxes(), {.stop = control.stop, .progress = {}});
   const NonparametricFit fit = fitNonparametric(samples, {}, control);
   return builtNonparametric(fit.factors, secondsSince(start));
 }
@@ -214,7 +220,7 @@ Built publishedNonparametricFactors(Context& context, const Representation&, con
 }
 
 Built neuralNetwork(Context& context, const Representation&, const TaskControl& control) {
-  const baselines::NeuralFit fit = baselines::fitNeural(*context.subject.table, context.options.neural, control);
+  const baselines::NeuralFit fit = baselines::fitNeural(*context.mean(), context.options.neural, control);
   return {.brdf = std::make_shared<const NeuralBrdf>(fit.weights),
           .nodes = nullptr,
           .bytes = formats::neuralFileBytes,
@@ -226,7 +232,7 @@ Built baselineModel(Context& context, const Representation& representation, cons
   const auto start = Clock::now();
   const std::array<std::size_t, 1> budgets{std::size_t(representation.budget)};
   const baselines::ComparedModel model =
-      representation.kind->baseline->build(*context.subject.table, budgets, control).front();
+      representation.kind->baseline->build(*context.mean(), budgets, control).front();
   return {.brdf = model.brdf, .nodes = nullptr, .bytes = model.bytes, .encodeSeconds = secondsSince(start)};
 }
 

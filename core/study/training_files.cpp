@@ -67,6 +67,7 @@ dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& 
   for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
   materials.load = [files, grid](std::size_t m) {
     auto table = documents::openMaterial(files[m]).tabulated();
+    if (grid.reciprocal) table = meanOfOrders(table);
     if (!(table->grid() == grid))
       throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
                   " as for all materials of the training set");

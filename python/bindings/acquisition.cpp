@@ -133,7 +133,7 @@ PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<st
 /// The diffuse and the specular part of a material.
 py::tuple separateMaterial(const PyMaterial& material, const py::object& progress) {
   const auto parts = resultOf(progress, [&](const TaskControl& control) {
-    return dictionary::separateDiffuse(*material.table({control.stop, {}}), control);
+    return dictionary::separateDiffuse(*meanOfOrders(material.table({control.stop, {}})), control);
   });
   const std::string& name = material.shown().name;
   return py::make_tuple(newMaterial(name + " diffuse", "separation", parts.diffuse),
@@ -159,7 +159,8 @@ py::tuple learnSeparatedBasis(const std::vector<std::string>& sources, const std
 py::array_t<float> encodeComponents(const PyBasis& basis, const PyMaterial& material, int components,
                                     const py::object& progress) {
   const auto code = resultOf(progress, [&](const TaskControl& control) {
-    return dictionary::encode(*basis.components, *material.table({control.stop, {}}), components, control);
+    return dictionary::encode(*basis.components, *meanOfOrders(material.table({control.stop, {}})), components,
+                              control);
   });
   py::array_t<float> result({py::ssize_t(3), py::ssize_t(code.components())});
   float* out = result.mutable_data();

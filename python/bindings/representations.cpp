@@ -84,7 +84,7 @@ py::tuple factorizeByBaseline(const PyMaterial& material, const std::string& met
   if (bytes == 0) throw Error("bytes: expected 1 or more");
   double seconds = 0;
   const baselines::ComparedModel model = resultOf(progress, [&](const TaskControl& control) {
-    const auto table = material.table(control.between(0, 0.1));
+    const auto table = meanOfOrders(material.table(control.between(0, 0.1)));
     const auto start = std::chrono::steady_clock::now();
     const std::array<std::size_t, 1> budgets{bytes};
     auto models = baseline.build(*table, budgets, control.between(0.1, 1));
@@ -169,7 +169,8 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     PyCode result{.code = {}, .dictionary = orBundled(given)};
     const auto table = material.table(control.between(0, 0.1));
     const auto& ensemble = result.dictionary->ensemble;
-    const auto sampled = onGrid(table, ensemble.grid, {control.stop, {}});
+    auto sampled = dictionary::onCodeGrid(table, ensemble, {control.stop, {}});
+    if (asPublished) sampled = meanOfOrders(sampled);
     const dictionary::Encoder encoder(ensemble);
     dictionary::EncodeResult encoded;
     if (renderedSnr) {

@@ -26,7 +26,8 @@ baselines::NeuralFit train(const PyMaterial& material, int steps, double learnin
                            const py::object& progress) {
   const baselines::NeuralFitOptions options{.steps = steps, .learningRate = learningRate, .seed = seed};
   return resultOf(progress, [&](const TaskControl& control) {
-    return baselines::fitNeural(*material.table(control.between(0, 0.05)), options, control.between(0.05, 1));
+    return baselines::fitNeural(*meanOfOrders(material.table(control.between(0, 0.05))), options,
+                                control.between(0.05, 1));
   });
 }
 
@@ -110,7 +111,8 @@ PyPatchDictionaryPtr learnPatches(const std::vector<std::string>& sources, const
 py::tuple encodePatches(const dictionary::PatchDictionary& patches, const PyMaterial& material,
                         std::size_t coefficients, const std::string& name, const py::object& progress) {
   const auto [code, table] = resultOf(progress, [&](const TaskControl& control) {
-    const auto of = dictionary::encode(patches, *material.table({control.stop, {}}), coefficients, control);
+    const auto of =
+        dictionary::encode(patches, *meanOfOrders(material.table({control.stop, {}})), coefficients, control);
     return std::pair(of, dictionary::decode(patches, of));
   });
   return py::make_tuple(newMaterial(name, "code of patches", table),

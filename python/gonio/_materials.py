@@ -213,8 +213,9 @@ class Material:
     def tabulated(self, progress: Progress = None) -> Material:
         """The material as a table over half-difference angles; a material that is a table is returned as it is.
 
-        Other materials are evaluated at the nodes of the MERL grid, 90 x 90 x 180 (about 1 s). The table of an anisotropic
-        material is the mean over the azimuths.
+        Other materials are evaluated at the nodes of the MERL grid, 90 x 90 x 180 (about 1 s). The table of a material that
+        is not reciprocal, such as an RGL file, covers the whole circle of phi_d (90 x 90 x 360) and keeps negative values.
+        The table of an anisotropic material is the mean over the azimuths.
 
         Args:
             progress: Called with the fraction that is done, 0 to 1; None: not reported.

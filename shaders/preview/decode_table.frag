@@ -8,7 +8,7 @@
 uniform sampler2D slabs;
 uniform sampler2D thetaHAtoms;  // x the slab; two rows are eight nodes of a channel
 uniform sampler3D weights;      // of the cosines; 0 in invalid cells
-uniform vec3 highest;           // of the transformed values
+uniform vec3 highest, lowest;   // bounds of the transformed values
 uniform int block;              // of eight nodes
 
 layout(location = 0) out vec4 layers[8];
@@ -16,7 +16,8 @@ layout(location = 0) out vec4 layers[8];
 vec4 texelOf(vec3 y, ivec3 cell) {
   float weight = texelFetch(weights, cell, 0).r;
   if (weight <= 0.0) return vec4(0.0);
-  return vec4(inverseTransformed(TRANSFORM, max(min(y, highest), 0.0), weight), 1.0);
+  vec3 bounded = max(min(y, highest), lowest);
+  return vec4(sign(bounded) * inverseTransformed(TRANSFORM, abs(bounded), weight), 1.0);
 }
 
 void main() {

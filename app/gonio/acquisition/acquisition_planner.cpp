@@ -76,7 +76,7 @@ std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(co
                 "; it needs at least 2.");
   const auto load = [&](std::size_t material) {
     const std::string id = ids[qsizetype(material)].toStdString();
-    return materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
+    return meanOfOrders(materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}}));
   };
   return std::make_shared<const dictionary::PrincipalComponents>(
       dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {.maxComponents = components}, control));

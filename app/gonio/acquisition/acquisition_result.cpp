@@ -72,7 +72,7 @@ AcquisitionReferencePtr readAcquisitionReference(const QString& id, const render
                                                  const TaskControl& control) {
   constexpr double readFraction = 0.6;
   const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readFraction / 2));
-  auto table = material.tabulated(control.between(readFraction / 2, readFraction));
+  auto table = meanOfOrders(material.tabulated(control.between(readFraction / 2, readFraction)));
   return acquisitionReference(id, QString::fromStdString(material.name), std::move(table), picture,
                               control.between(readFraction, 1));
 }

@@ -51,9 +51,12 @@ QString errorText(const LoadedMaterial& loaded, std::optional<double> snr, bool 
 /// The table that is shown, or that stands for what is shown where a method needs one.
 widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
   const TabulatedBrdf* own = formOf<TabulatedBrdf>(*loaded.base);
-  const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
+  const bool isReciprocal = !loaded.material.brdf || loaded.material.brdf->isReciprocal();
+  const HalfDifferenceGrid usual, grid = own ? own->grid() : isReciprocal ? usual : usual.wholeCircle();
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
-  const QString gridExplanation = SourceFactsText::tr("Half-difference grid: θh × θd × φd.");
+  QString gridExplanation = SourceFactsText::tr("Half-difference grid: θh × θd × φd.");
+  if (!grid.reciprocal)
+    gridExplanation += ' ' + SourceFactsText::tr("φd covers the whole circle, since the material is not reciprocal.");
   const QString errorExplanation =
       SourceFactsText::tr(
           "Rendered SNR of the table against %1 in the comparison scene (bundled scene \"sphere\");\n"

@@ -166,7 +166,7 @@ SparseCode encode(const PatchDictionary& dictionary, const TabulatedBrdf& table,
   SparseCode code{.grid = table.grid(), .transform = patchTransform, .channels = {}};
   for (int c = 0; c < 3; ++c) {
     ChannelCode& channel = code.channels[std::size_t(c)];
-    channel.highest = highestOf(signals[std::size_t(c)], table, *geometry, true);
+    channel.highest = rangeOf(signals[std::size_t(c)], table, *geometry, true).highest;
     const Eigen::MatrixXd patches = patchesOf(signals[std::size_t(c)], modeSizes(table.grid()), dictionary.patch);
     const PatchCode encoded =
         encodePatches(dictionary.atoms, patches, coefficients, maxPerPatch, control.between(c / 3.0, (c + 1) / 3.0));

@@ -73,6 +73,25 @@ class BakeTableTest : public QObject {
     check(*whole, [](const DirectionPair& p) { return p.wi.z * p.wi.z; });
   }
 
+  /// The folded table is the mean of both orders of the whole circle's.
+  void theMeanOfBothOrders() {
+    const test::FunctionBrdf oneWay(
+        [](const Direction& wi, const Direction& wo) {
+          return Rgb(wi.z - 0.4, wo.z * wo.z, 0.2 + wi.x * wo.x + wi.y * wo.y);
+        },
+        true, false);
+    constexpr HalfDifferenceGrid grid{12, 12, 20};
+    const auto both = bakeTable(oneWay, grid.wholeCircle(), {}, 1, NegativeValues::stay);
+    const auto folded = bakeTable(oneWay, grid, {}, 1), mean = meanOfOrders(both);
+    QCOMPARE(mean->grid(), grid);
+    QVERIFY(std::ranges::equal(mean->valid(), folded->valid()));
+    for (std::size_t cell = 0; cell < grid.size(); ++cell)
+      for (int c = 0; c < 3; ++c) QVERIFY(std::abs(mean->values()[cell][c] - folded->values()[cell][c]) < 1e-6f);
+    QVERIFY(std::ranges::any_of(both->values(), [](const auto& value) { return value.r < -0.1f; }));
+    QCOMPARE(both->clampedCount(), std::size_t(0));
+    QVERIFY(meanOfOrders(mean) == mean);
+  }
+
   void mirrorImagesOfAPairAgree() {
     const auto table = bakeTable(*test::ggx(Rgb(0.1), Rgb(1), 0.3, 0.2));
     std::mt19937_64 random(1);

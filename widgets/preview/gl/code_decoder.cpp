@@ -64,6 +64,7 @@ CodeTexels codeTexels(const dictionary::Ensemble& ensemble, const dictionary::Sp
   std::array<ChannelRanges, 3> ranges;
   for (std::size_t c = 0; c < 3; ++c) {
     texels.highest[c] = code.channels[c].highest;
+    texels.lowest[c] = code.channels[c].lowest;
     ranges[c] = appendSorted(code.channels[c], sizes, texels.coefficients);
     texels.groups = std::max({texels.groups, int(ranges[c].groups.size()), 1});
     texels.slabs = std::max({texels.slabs, int(ranges[c].slabs.size()), 1});
@@ -76,8 +77,7 @@ CodeTexels codeTexels(const dictionary::Ensemble& ensemble, const dictionary::Sp
       list->resize(std::size_t(list == &ranges[c].groups ? texels.groups : texels.slabs), glm::vec4(0));
     texels.groupRanges.insert(texels.groupRanges.end(), ranges[c].groups.begin(), ranges[c].groups.end());
     texels.slabRanges.insert(texels.slabRanges.end(), ranges[c].slabs.begin(), ranges[c].slabs.end());
-    const auto atoms = dictionary::unscaledAtoms(ensemble.dictionaries[std::size_t(code.channels[c].dictionary)],
-                                                 *geometry, code.scaled);
+    const auto atoms = dictionary::unscaledAtoms(dictionaryOf(ensemble, code, c), *geometry, code.scaled);
     for (std::size_t mode = 0; mode < 2; ++mode) {
       const Eigen::MatrixXf single = atoms[mode].cast<float>();
       texels.atoms[mode].insert(texels.atoms[mode].end(), single.data(), single.data() + single.size());
@@ -284,6 +284,7 @@ void CodeDecoder::decode(Gl& gl, ProgramCache& programs, const CodeTexels& texel
                              {"thetaHAtoms", GL_TEXTURE_2D, thetaHAtoms},
                              {"weights", GL_TEXTURE_3D, weights_}});
   tableProgram.setUniformValue("highest", QVector3D(texels.highest[0], texels.highest[1], texels.highest[2]));
+  tableProgram.setUniformValue("lowest", QVector3D(texels.lowest[0], texels.lowest[1], texels.lowest[2]));
   for (int block = 0; block < texels.blocks(); ++block) {
     passes.drawInto(texture, grid, block * CodeTexels::layersAtOnce);
     tableProgram.setUniformValue("block", block);

@@ -29,11 +29,11 @@ struct CodeTexels {
 
   HalfDifferenceGrid grid;
   DataTransform transform = DataTransform::logPlus;
-  std::array<float, 3> highest{};       ///< maximum transformed value per channel
-  int groups = 0, slabs = 0;            ///< numbers per channel
-  std::vector<glm::vec2> coefficients;  ///< atom of phi_d, value; at least one
-  std::vector<glm::vec4> groupRanges;   ///< atom of theta_d, first coefficient, one past the last
-  std::vector<glm::vec4> slabRanges;    ///< first group, counted within the channel, and one past the last
+  std::array<float, 3> highest{}, lowest{};  ///< bounds of the transformed values per channel
+  int groups = 0, slabs = 0;                 ///< numbers per channel
+  std::vector<glm::vec2> coefficients;       ///< atom of phi_d, value; at least one
+  std::vector<glm::vec4> groupRanges;        ///< atom of theta_d, first coefficient, one past the last
+  std::vector<glm::vec4> slabRanges;         ///< first group, counted within the channel, and one past the last
   /// Atoms of phi_d and theta_d, without cell scaling (dictionary::unscaledAtoms()); the nodes of an atom are
   /// contiguous.
   std::array<std::vector<float>, 2> atoms;
