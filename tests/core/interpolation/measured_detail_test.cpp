@@ -8,7 +8,9 @@
 #include <random>
 
 #include "core/dictionary/decode.h"
+#include "core/materials/material.h"
 #include "core/math/parallel.h"
+#include "core/rendering/render_picture.h"
 #include "core/support/error.h"
 #include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"
@@ -159,6 +161,23 @@ class MeasuredDetailTest : public QObject, private ThreeMaterials {
         }
         QVERIFY2(before < 2e-5, qPrintable(QString("space %1: %2").arg(int(space)).arg(before)));
       }
+    }
+  }
+
+  /// What is seen as a blend begins: a sphere of a file that is not reciprocal, at a weight of 0.995.
+  void theImageDoesNotJump() {
+    const materials::Material file = materials::readMaterial("library:rgl/satin_purple");
+    const std::vector<InterpolationMaterial> ends{{.table = file.tabulated(), .base = file.brdf},
+                                                  {.table = bakeTable(*test::ggx(Rgb(0.3), Rgb(0.4), 0.3, 0.1))}};
+    const rendering::RenderedComparison truth(*file.brdf, {.width = 64, .height = 64, .samples = 16, .density = {}});
+    const std::vector<double> begun{0.995, 0.005};
+    for (const InterpolationSpace space : lossySpaces) {
+      const auto snr = [&](const InterpolationOptions& made) {
+        return truth.signalToNoiseRatio(truth.render(*prepareInterpolation(space, ends, made)->brdf(begun)));
+      };
+      const double kept = snr(preserving()), alone = snr(options());
+      qInfo("space %d: %.1f dB, without detail %.1f dB", int(space), kept, alone);
+      QVERIFY2(kept > 35 && alone < kept - 12, qPrintable(QString("space %1: %2, %3").arg(int(space)).arg(kept).arg(alone)));
     }
   }
 
