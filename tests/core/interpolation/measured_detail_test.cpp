@@ -177,7 +177,8 @@ class MeasuredDetailTest : public QObject, private ThreeMaterials {
       };
       const double kept = snr(preserving()), alone = snr(options());
       qInfo("space %d: %.1f dB, without detail %.1f dB", int(space), kept, alone);
-      QVERIFY2(kept > 35 && alone < kept - 12, qPrintable(QString("space %1: %2, %3").arg(int(space)).arg(kept).arg(alone)));
+      QVERIFY2(kept > 35 && alone < kept - 12,
+               qPrintable(QString("space %1: %2, %3").arg(int(space)).arg(kept).arg(alone)));
     }
   }
 
