@@ -33,7 +33,12 @@ struct InterpolateArguments {
   double at = 0.5;
   int steps = 0, terms = 10;
   std::size_t coefficients = 1024;
-  bool atGiven = false;
+  bool atGiven = false, discardsDetail = false;
+
+  /// Files of curves and codes hold none.
+  bool preservesDetail() const {
+    return !discardsDetail && !hasSuffixOf(formats::pdvFormat, out) && !hasSuffixOf(formats::codeFormat, out);
+  }
 
   interpolation::InterpolationSpace spaceChosen() const {
     const auto& names = interpolation::interpolationSpaceNames;
@@ -135,7 +140,7 @@ Json writeBlend(const interpolation::Interpolation& interpolation, interpolation
   material.base.source = {.format = "blend", .sha256 = "none"};
   const bool tables = std::ranges::all_of(interpolation.ends(), [](const auto& end) { return !end.base; });
   if (tables) material.shown.table = interpolation.table(weights, tool.control("blending"));
-  const auto own = interpolation::nativeFormBlend(interpolation, space, weights, tool.control("blending"));
+  const auto own = interpolation::nativeFormBlend(interpolation, weights, tool.control("blending"));
   if (own) material.base.brdf = own->brdf;
   Json json = writeMaterial(material, out, tool).json();
   if (own && json["losses"].empty()) json["nodes"] = own->nodesOf;
@@ -189,6 +194,7 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   preparation.encode.coefficients = preparation.codeCoefficients = options.coefficients;
   preparation.model = &models::findModel(options.model);
   preparation.pdv.terms = options.terms;
+  preparation.preserveDetail = options.preservesDetail();
   const auto start = std::chrono::steady_clock::now();
   const auto interpolation =
       interpolation::prepareInterpolation(options.spaceChosen(), ends, preparation, tool.control("preparing"));
@@ -206,6 +212,7 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
       text += parametersText(preparation.model->spec(), *parameters);
   }
   Json json{{"space", options.space}, {"materials", options.materials}, {"seconds", seconds}};
+  if (interpolation::losesDetail(options.spaceChosen())) json["keepDetail"] = interpolation->preservesDetail();
   if (options.steps > 0)
     json["steps"] = steps;
   else
@@ -242,6 +249,9 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Number of terms for --space factors (10)")
       ->check(CLI::Range(1, factorization::maxPdvTerms));
+  command->add_flag("--discard-detail", options->discardsDetail,
+                    "For --space parameters, factors and dictionary: blend the representations alone, without the "
+                    "measured detail that they miss");
   command
       ->add_option("--dictionary", options->dictionary, "Dictionary file for --space dictionary (bundled dictionary)")
       ->type_name("FILE");

@@ -78,8 +78,8 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
     ends.push_back(interpolationMaterial(source, source.brdf ? source.brdf : table, table,
                                          editing::bakeEdits(table, edits, {control.stop, {}}), edits));
   }
-  const auto interpolation = interpolation::prepareInterpolation(blend.space, ends, blendOptions(blend.model),
-                                                                 control.between(readFraction, 0.9));
+  const auto interpolation = interpolation::prepareInterpolation(
+      blend.space, ends, blendOptions(blend.model, blend.preserveDetail), control.between(readFraction, 0.9));
   return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 
@@ -99,8 +99,9 @@ interpolation::InterpolationMaterial interpolationMaterial(const materials::Mate
   return end;
 }
 
-interpolation::InterpolationOptions blendOptions(const models::Model* model) {
+interpolation::InterpolationOptions blendOptions(const models::Model* model, bool preserveDetail) {
   interpolation::InterpolationOptions options;
+  options.preserveDetail = preserveDetail;
   options.model = model;
   const auto dictionary = materials::bundledEnsemble();
   options.ensemble = {dictionary, &dictionary->ensemble};
@@ -123,6 +124,8 @@ nlohmann::json toJson(const BlendSource& blend) {
   }
   nlohmann::json json = {{"space", nameOf(blend.space)}, {"materials", std::move(materials)}};
   if (hasModel(blend.space) && blend.model) json["model"] = blend.model->spec().id;
+  // Left out where it has no effect: the hashes of blends in older documents stay the same.
+  if (interpolation::losesDetail(blend.space) && blend.preserveDetail) json["keepDetail"] = true;
   return json;
 }
 
@@ -134,6 +137,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
   auto blend = std::make_shared<BlendSource>();
   blend->space = spaceFromJson(object);
   if (hasModel(blend->space)) blend->model = &modelFromJson(object);
+  blend->preserveDetail = object.contains("keepDetail") && object.flag("keepDetail");
   const nlohmann::json& materials = object.array("materials");
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const JsonObject material(materials[i], object.place("materials") + "[" + std::to_string(i) + "]");
@@ -171,13 +175,13 @@ materials::Material blendedMaterial(const BlendSource& blend, const interpolatio
   material.source.format = "blend";
   material.source.description = fractions + "; space " + std::string(nameOf(blend.space));
   material.source.sha256 = blendSha256(blend);
-  if (const auto own = interpolation::nativeFormBlend(interpolation, blend.space, blend.weights, control)) {
+  if (const auto own = interpolation::nativeFormBlend(interpolation, blend.weights, control)) {
     material.brdf = own->brdf;
     if (std::isfinite(own->accuracy))
       material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodesOf]), own->accuracy));
     return material;
   }
-  if (interpolation::mixesNativeForms(blend.space) &&
+  if (interpolation.mixesNativeForms() &&
       std::ranges::any_of(interpolation.ends(), [](const auto& end) { return end.base != nullptr; })) {
     material.brdf = interpolation.brdf(blend.weights);
     return material;

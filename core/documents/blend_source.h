@@ -9,18 +9,20 @@
 namespace gonio::documents {
 
 /// The source of a document without a material file of its own: a blend of materials. In a document's "source":
-///   {"blend": {"space": "linear", "model": "ggx", "materials": [
+///   {"blend": {"space": "parameters", "model": "ggx", "keepDetail": true, "materials": [
 ///      {"weight": 0.4, "source": {..}, "edits": [..]}, ..]}, "sha256": ..}
-/// "model" is present in spaces that use one. The materials are documents themselves and may be blends.
+/// "model" is present in spaces that use one, "keepDetail" in blends that preserve measured detail; documents of
+/// version 0.2.0 have none. The materials are documents themselves and may be blends.
 struct BlendSource {
   interpolation::InterpolationSpace space = interpolation::InterpolationSpace::linear;
   const models::Model* model = nullptr;  ///< for the spaces `parameters` and `differential`; ignored in others
+  bool preserveDetail = true;            ///< InterpolationOptions::preserveDetail
   std::vector<EditDocument> materials;   ///< their views are ignored
   std::vector<double> weights;
 };
 
 /// The options of blends in the editor: the bundled dictionary (read at the first call, 0.1 s) and three PDV terms.
-interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr);
+interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr, bool preserveDetail = true);
 
 /// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
 /// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same
@@ -53,8 +55,8 @@ std::string blendSha256(const BlendSource& blend);
 
 /// A blend as a material, named after its materials, without a path. A blend of UTIA files, or of RGL files, has their
 /// form where nativeFormBlend() finds one; for RGL files a note states the accuracy. Otherwise it is a weighted sum if
-/// some material is not a table and the space allows it (mixesNativeForms()), else a table. @param interpolation the
-/// prepared interpolation of `blend`. @throws Error as checkLimits(), Cancelled.
+/// some material is not a table and `interpolation` allows it (mixesNativeForms()), else a table. @param interpolation
+/// the prepared interpolation of `blend`. @throws Error as checkLimits(), Cancelled.
 materials::Material blendedMaterial(const BlendSource& blend, const interpolation::Interpolation& interpolation,
                                     const TaskControl& control = {});
 

@@ -28,7 +28,8 @@ bool isDocumentName(const std::filesystem::path& path);
 /// "name" is omitted if the user gave none, "controls" (artistControls()) if none has an effect. Edits of factors
 /// contain what toJson(FactorEdit) writes, plus strength, enabled and name; toJson(BlendSource) writes a blend as
 /// source. New in version 3: edits of factors; 4: blends; 5: compositions (before, all edits were additive); 6:
-/// controls; 7: keepAlbedo (before, always false). Programs reject documents of a newer version.
+/// controls; 7: keepAlbedo, and keepDetail of blends (before, always false). Programs reject documents of a newer
+/// version.
 struct EditDocument {
   static constexpr int currentVersion = 7;
 

@@ -3,6 +3,7 @@
 #include "core/factorization/pdv_blend.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -21,8 +22,9 @@ using Curve = std::vector<double>;
 struct Hull {
   Curve falling, less;
   double weight;
+  BlendForm form;
 
-  Hull(const Curve& curve, double height, double w) : falling(curve), less(curve), weight(w) {
+  Hull(const Curve& curve, double height, double w, BlendForm f) : falling(curve), less(curve), weight(w), form(f) {
     for (double& value : falling) value /= height;
     for (std::size_t i = falling.size() - 1; i-- > 0;) falling[i] = std::max(falling[i], falling[i + 1]);
     for (std::size_t i = 0; i < less.size(); ++i) less[i] = falling[i] - curve[i] / height;
@@ -32,7 +34,8 @@ struct Hull {
   double width(std::span<const double> nodes, double level) const {
     const auto below = std::partition_point(falling.begin(), falling.end(), [&](double v) { return v >= level; });
     if (below == falling.begin()) return nodes.front();
-    if (below == falling.end()) return nodes.back();
+    if (below == falling.end())
+      return form == BlendForm::published ? nodes.back() : nodes.back() * (2 - level / falling.back());
     const auto i = std::size_t(below - falling.begin());
     const double fraction = (falling[i - 1] - level) / (falling[i - 1] - falling[i]);
     return nodes[i - 1] + fraction * (nodes[i] - nodes[i - 1]);
@@ -61,13 +64,13 @@ double levelAt(std::span<const double> nodes, const std::vector<Hull>& hulls, do
 }  // namespace
 
 std::vector<double> blendedByWidth(std::span<const double> nodes, std::span<const std::vector<double>> curves,
-                                   std::span<const double> weights) {
+                                   std::span<const double> weights, BlendForm form) {
   std::vector<Hull> hulls;
   double total = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const double height = *std::max_element(curves[i].begin(), curves[i].end());
     if (!(weights[i] > 0) || !(height > 0)) continue;
-    hulls.emplace_back(curves[i], height, weights[i]);
+    hulls.emplace_back(curves[i], height, weights[i], form);
     total += weights[i];
   }
   Curve result(nodes.size(), 0.0);
@@ -100,8 +103,8 @@ void add(Curve& sum, const Curve& curve, double weight) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * curve[i];
 }
 
-PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<const double> weights,
-                         std::size_t channel) {
+PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<const double> weights, std::size_t channel,
+                         BlendForm form) {
   PdvTerm sum;
   std::vector<Curve> shapes;
   double shaped = 0;
@@ -117,7 +120,7 @@ PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<cons
     shapes.push_back(std::move(term.f2));
   }
   if (shaped > 0) sum.f3 = scaled(sum.f3, 1 / shaped);
-  sum.f2 = blendedByWidth(ends[0]->deviationNodes, shapes, weights);
+  sum.f2 = blendedByWidth(ends[0]->deviationNodes, shapes, weights, form);
   return sum;
 }
 
@@ -126,13 +129,14 @@ struct FurtherTerm {
   std::size_t end, index;
 };
 
-/// As many as there is room for: those of the lowest index, since terms explain less and less.
-std::vector<FurtherTerm> furtherTerms(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
+/// All, or as many as there is room for: those of the lowest index, since terms explain less and less.
+std::vector<FurtherTerm> furtherTerms(std::span<const PdvFactors* const> ends, std::span<const double> weights,
+                                      BlendForm form) {
   std::vector<FurtherTerm> terms;
   for (std::size_t index = 1; index < std::size_t(maxPdvTerms); ++index)
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (weights[i] > 0 && index < std::size_t(ends[i]->terms())) terms.push_back({i, index});
-  terms.resize(std::min(terms.size(), std::size_t(maxPdvTerms - 1)));
+  if (form == BlendForm::published) terms.resize(std::min(terms.size(), std::size_t(maxPdvTerms - 1)));
   return terms;
 }
 
@@ -150,16 +154,27 @@ void checkBlendable(std::span<const PdvFactors* const> ends) {
   }
 }
 
-PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
+PdvFactors atNodesOf(const PdvFactors& nodes, const PdvFactors& factors) {
+  checkBlendable(std::array{&nodes, &factors});
+  PdvFactors result = factors;
+  result.thetaNodes = nodes.thetaNodes;
+  result.deviationNodes = nodes.deviationNodes;
+  result.phiNodes = nodes.phiNodes;
+  for (std::vector<PdvTerm>& terms : result.channels)
+    for (PdvTerm& term : terms) term = termOn(nodes, factors, term);
+  return result;
+}
+
+PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights, BlendForm form) {
   assert(!ends.empty() && ends.size() == weights.size());
   checkBlendable(ends);
   if (const auto whole = indexOfFullWeight(weights)) return *ends[*whole];
   PdvFactors result = *ends[0];
   result.highest = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) result.highest += weights[i] * ends[i]->highest;
-  const std::vector<FurtherTerm> further = furtherTerms(ends, weights);
+  const std::vector<FurtherTerm> further = furtherTerms(ends, weights, form);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    result.channels[channel] = {blendedFirstTerm(ends, weights, channel)};
+    result.channels[channel] = {blendedFirstTerm(ends, weights, channel, form)};
     for (const auto& [end, index] : further) {
       PdvTerm term = termOn(*ends[0], *ends[end], ends[end]->channels[channel][index]);
       term.f1 = scaled(term.f1, weights[end]);

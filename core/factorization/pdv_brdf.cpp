@@ -9,12 +9,14 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "core/brdf/density_mixture.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/math/fast_functions.h"
 #include "core/math/monotone_cubic.h"
+#include "core/support/error.h"
 
 namespace gonio::factorization {
 
@@ -297,6 +299,9 @@ class PdvBrdf final : public Brdf {
         f1_(f.thetaNodes, 3 * terms_),
         f2_(f.deviationNodes, 3 * terms_),
         f3_(f.phiNodes, 3 * terms_) {
+    if (f.terms() > maxEvaluatedTerms)
+      throw Error("found factors of " + std::to_string(f.terms()) + " terms, expected at most " +
+                  std::to_string(maxEvaluatedTerms));
     for (std::size_t channel = 0; channel < 3; ++channel)
       for (std::size_t term = 0; term < terms_; ++term) {
         const PdvTerm& curves = f.channels[channel][term];
@@ -334,7 +339,7 @@ class PdvBrdf final : public Brdf {
 
   /// Sets the entries `i` of `sums` to the sums over all terms, one per channel.
   void addTerms(double thetaR, double deviation, double phi, std::array<Block, 3>& sums, std::size_t i) const {
-    float products[3 * maxPdvTerms];
+    float products[3 * maxEvaluatedTerms];
     std::fill_n(products, 3 * terms_, 1.0f);
     f1_.multiply(thetaR, products);
     f2_.multiply(deviation, products);

@@ -78,6 +78,8 @@ struct PdvOptions {
   bool joint = false;
 };
 inline constexpr int maxPdvTerms = 20;
+/// Maximum number of terms of makePdvBrdf(): those of a blend of 16 materials (BlendForm::continuous).
+inline constexpr int maxEvaluatedTerms = 1 + 16 * (maxPdvTerms - 1);
 
 /// The options of the published method (Tongbuasirilai et al. 2017 and 2019; Tongbuasirilai 2023, eq. 4.24 to 4.26):
 /// ln(1 + rho), equal weights of all cells, and libraryDeviationNodes() for all materials.
@@ -105,7 +107,8 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
                               const TaskControl& control = {});
 
 /// The BRDF of factors, evaluated from the curves (monotone cubic between the nodes). Importance sampling follows the
-/// first term (core/factorization/pdv_brdf.h), which is tabulated at the first sample.
+/// first term (core/factorization/pdv_brdf.h), which is tabulated at the first sample. @throws Error for more than
+/// maxEvaluatedTerms terms.
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors);
 /// The factors of a BRDF from makePdvBrdf(); null for others.
 std::shared_ptr<const PdvFactors> pdvFactorsOf(const Brdf& brdf);

@@ -23,15 +23,20 @@ namespace gonio::interpolation {
 /// The space in which materials are blended.
 enum class InterpolationSpace {
   linear,        ///< BRDF values
-  parameters,    ///< parameters of a model fitted to each material; detail that the model does not explain is lost
+  parameters,    ///< parameters of a model fitted to each material
   differential,  ///< BRDF values, after a differential edit has changed the fitted parameters of each material to the
                  ///< blended ones, which preserves its measured detail (Tsirikoglou et al. 2016, "Differential
                  ///< Appearance Editing for Measured BRDFs"; Tongbuasirilai 2023, "Data-Driven Approaches for Sparse
                  ///< Reflectance Modeling and Acquisition", section 4.4.1)
-  factors,       ///< curves of PDV factors; detail that they do not explain is lost
+  factors,       ///< curves of PDV factors
   dictionary     ///< sparse codes over an ensemble of dictionaries, i.e. transformed BRDF values (Tongbuasirilai 2023,
-                 ///< section 4.4.2); detail outside the codes is lost
+                 ///< section 4.4.2)
 };
+/// Whether a space blends a representation of the materials that misses some of their detail: `parameters`, `factors`
+/// and `dictionary`. InterpolationOptions::preserveDetail acts in these.
+constexpr bool losesDetail(InterpolationSpace space) {
+  return space != InterpolationSpace::linear && space != InterpolationSpace::differential;
+}
 /// Names in JSON and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 5> interpolationSpaceNames{"linear", "parameters", "differential",
                                                                          "factors", "dictionary"};
@@ -55,6 +60,10 @@ struct InterpolationMaterial {
 };
 
 struct InterpolationOptions {
+  /// In spaces that lose detail: adds the detail that the representation of each material misses, by the weight of the
+  /// material (core/interpolation/measured_detail.h). The blend then begins and ends at the materials. Without it the
+  /// blend is the published one, the representation alone. No effect in other spaces.
+  bool preserveDetail = true;
   const models::Model* model = nullptr;  ///< for `parameters` and `differential`; null: GGX
   fitting::FitOptions fit = {};
   /// For `factors`, if no material consists of factors; otherwise tables are factorised with the form, transform, terms
@@ -83,8 +92,8 @@ struct TransformedMixture {
 /// blend itself. Immutable.
 ///
 /// Weights: one per material, each in [0, 1], with sum 1. A weight of 1 gives that material itself, bitwise, in its
-/// native form, so in spaces that lose detail the blend is discontinuous at the materials. `linear` and `differential`
-/// mix materials in their native form; the other spaces use their tables.
+/// native form. In spaces that lose detail the blend is discontinuous there unless it preserves the detail.
+/// Representations are made from tables; mixesNativeForms() states what is blended.
 class Interpolation {
  public:
   using Table = std::shared_ptr<const TabulatedBrdf>;
@@ -93,6 +102,11 @@ class Interpolation {
   std::size_t materials() const { return ends_.size(); }
   /// The materials to blend, called ends.
   const std::vector<InterpolationMaterial>& ends() const { return ends_; }
+  /// InterpolationOptions::preserveDetail in a space that loses detail, else false.
+  bool preservesDetail() const { return preservesDetail_; }
+  /// Whether brdf() evaluates the materials in their native form at all weights: in `linear` and `differential`, and
+  /// with preservesDetail(). The representation alone is made from their tables.
+  virtual bool mixesNativeForms() const { return preservesDetail_; }
 
   /// The blend, evaluated directly without a table. @throws Error for invalid weights.
   std::shared_ptr<const Brdf> brdf(std::span<const double> weights) const;
@@ -100,33 +114,39 @@ class Interpolation {
   Table table(std::span<const double> weights, const TaskControl& control = {}) const;
 
   // The blend in the form of its space; empty if the space has another form. Computed from the fits, factors or codes
-  // even if a weight is 1, where brdf() gives the material itself. @throws Error as brdf().
+  // even if a weight is 1, where brdf() gives the material itself; without preserved detail. @throws Error as brdf().
 
   /// The blended parameters of the model, in `parameters` and `differential`.
   std::optional<models::ParameterValues> parameters(std::span<const double> weights) const;
-  /// One edit per material, which changes its fitted parameters to the blended ones, in `differential`: the blend is
-  /// the weighted sum of the edited materials.
+  /// One edit per material, which changes its fitted parameters to the blended ones, in `differential` and, with
+  /// preservesDetail(), in `parameters`. In `differential` the blend is the weighted sum of the edited materials; in
+  /// `parameters` of the materials and the changes, clamped as a whole.
   std::vector<editing::DifferentialEdit> differentialEdits(std::span<const double> weights) const;
-  /// The blended curves, in `factors`.
+  /// The blended curves, in `factors`: the published ones, or with preservesDetail() those that are continuous at the
+  /// materials (factorization::BlendForm).
   std::optional<factorization::PdvFactors> factors(std::span<const double> weights) const;
   /// The blended code, in `dictionary`. Takes about 100 ms if the codes use different dictionaries.
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
-  /// The tables for a preview; empty in `parameters` and `factors`. In `differential` apply differentialEdits() to the
-  /// tables before mixing. In `dictionary` they contain all coefficients. About 50 ms and 18 MB per material.
-  /// Differences from brdf(): no limit on the number of coefficients; transformed values are limited by the maximum of
-  /// each material's code (ChannelCode::highest) instead of that of the blended code; single precision.
-  virtual std::optional<TransformedMixture> mixture() const { return {}; }
+  /// The tables for a preview; null in `parameters` and `factors`. In `differential` apply differentialEdits() to the
+  /// tables before mixing. In `dictionary` they contain all coefficients; with preservesDetail() brdf() uses them, too.
+  /// About 50 ms and 18 MB per material. Differences from brdf() without preserved detail: no limit on the number of
+  /// coefficients; transformed values are limited by the maximum of each material's code (ChannelCode::highest) instead
+  /// of that of the blended code; single precision.
+  virtual std::shared_ptr<const TransformedMixture> mixture() const { return nullptr; }
 
  protected:
   /// @throws Error if there are no materials.
-  explicit Interpolation(std::span<const InterpolationMaterial> ends);
+  explicit Interpolation(std::span<const InterpolationMaterial> ends, bool preservesDetail = false);
   const std::vector<Table>& tables() const { return tables_; }
 
-  // Precondition: no weight is 1.
+  // Without preserved detail; precondition of the first two: no weight is 1, except in spaces that lose detail.
   virtual std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const = 0;
   /// Default: blendedBrdf() at the nodes of the first material's grid.
   virtual Table blendedTable(std::span<const double> weights, const TaskControl& control) const;
+  /// What the space changes in the weighted sum of the representations, for preserved detail (changeOfSpace()).
+  /// Default: from blendedBrdf() at these weights and at weights of 1.
+  virtual std::shared_ptr<const Brdf> change(std::span<const double> weights) const;
 
   // For any weights.
   virtual std::optional<models::ParameterValues> blendedParameters(std::span<const double>) const { return {}; }
@@ -137,6 +157,7 @@ class Interpolation {
  private:
   std::vector<InterpolationMaterial> ends_;
   std::vector<Table> tables_;
+  bool preservesDetail_;
 };
 
 /// Prepares one or more materials. Fits, factorisations and codes take about 1 s per material. @throws Error if the

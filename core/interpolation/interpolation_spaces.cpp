@@ -10,6 +10,7 @@
 #include "core/editing/edit.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_blend.h"
+#include "core/interpolation/measured_detail.h"
 #include "core/models/model.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
@@ -22,6 +23,7 @@ class LinearInterpolation final : public Interpolation {
  public:
   LinearInterpolation(std::span<const InterpolationMaterial> ends, const TaskControl& control)
       : Interpolation(ends), sameGrid_(onOneGrid(this->tables(), control)) {}
+  bool mixesNativeForms() const override { return true; }
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
@@ -32,19 +34,19 @@ class LinearInterpolation final : public Interpolation {
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
     return weightedSum(sameGrid_, weights, control);
   }
-  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
+  std::shared_ptr<const TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
 
   std::vector<Table> sameGrid_;
 };
 
 }  // namespace
 
-TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables) {
-  TransformedMixture mixture{DataTransform::none, {}};
+std::shared_ptr<const TransformedMixture> mixtureOf(const std::vector<Interpolation::Table>& tables) {
+  auto mixture = std::make_shared<TransformedMixture>();
   for (const Interpolation::Table& table : tables)
-    mixture.tables.push_back({table->grid(),
-                              {table->values().begin(), table->values().end()},
-                              {table->valid().begin(), table->valid().end()}});
+    mixture->tables.push_back({table->grid(),
+                               {table->values().begin(), table->values().end()},
+                               {table->valid().begin(), table->valid().end()}});
   return mixture;
 }
 
@@ -77,9 +79,14 @@ using Factors = std::shared_ptr<const PdvFactors>;
 class FactorInterpolation final : public Interpolation {
  public:
   /// @throws Error when the factors cannot be blended.
-  FactorInterpolation(std::span<const InterpolationMaterial> materials, std::vector<Factors> factors)
-      : Interpolation(materials), factors_(std::move(factors)) {
+  FactorInterpolation(std::span<const InterpolationMaterial> materials, std::vector<Factors> factors,
+                      bool preservesDetail)
+      : Interpolation(materials, preservesDetail), factors_(std::move(factors)) {
     factorization::checkBlendable(curves());
+    // Those that are given may have nodes of their own, where a blend of other nodes would not return to them.
+    if (preservesDetail)
+      for (Factors& one : factors_)
+        one = std::make_shared<const PdvFactors>(factorization::atNodesOf(*factors_[0], *one));
   }
 
  private:
@@ -87,7 +94,11 @@ class FactorInterpolation final : public Interpolation {
     return factorization::makePdvBrdf(blended(weights));
   }
   std::optional<PdvFactors> blendedFactors(std::span<const double> weights) const override { return blended(weights); }
-  PdvFactors blended(std::span<const double> weights) const { return factorization::blended(curves(), weights); }
+  PdvFactors blended(std::span<const double> weights) const {
+    return factorization::blended(
+        curves(), weights,
+        preservesDetail() ? factorization::BlendForm::continuous : factorization::BlendForm::published);
+  }
   std::vector<const PdvFactors*> curves() const {
     std::vector<const PdvFactors*> curves;
     for (const Factors& factors : factors_) curves.push_back(factors.get());
@@ -126,7 +137,7 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
                           : std::make_shared<const PdvFactors>(
                                 factorizePdv(*ends[i].table, shared, control.between(begin, begin + each)).factors));
   }
-  return std::make_shared<const FactorInterpolation>(ends, std::move(factors));
+  return std::make_shared<const FactorInterpolation>(ends, std::move(factors), options.preserveDetail);
 }
 
 namespace {
@@ -137,8 +148,8 @@ using models::ParameterValues;
 class ParameterInterpolation : public Interpolation {
  public:
   ParameterInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
-                         std::vector<ParameterValues> fitted)
-      : Interpolation(ends), model_(model), fitted_(std::move(fitted)) {}
+                         std::vector<ParameterValues> fitted, bool preservesDetail)
+      : Interpolation(ends, preservesDetail), model_(model), fitted_(std::move(fitted)) {}
 
  protected:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
@@ -146,6 +157,16 @@ class ParameterInterpolation : public Interpolation {
   }
   std::optional<ParameterValues> blendedParameters(std::span<const double> weights) const override {
     return models::blended(model_.spec(), fitted_, weights);
+  }
+  std::vector<editing::DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
+    return preservesDetail() ? editsTo(blendedParameters(weights).value()) : std::vector<editing::DifferentialEdit>{};
+  }
+
+  /// One edit per material, from its fitted parameters to others.
+  std::vector<editing::DifferentialEdit> editsTo(const ParameterValues& target) const {
+    std::vector<editing::DifferentialEdit> edits;
+    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
+    return edits;
   }
 
   const models::Model& model_;
@@ -157,14 +178,12 @@ class DifferentialInterpolation final : public ParameterInterpolation {
  public:
   DifferentialInterpolation(std::span<const InterpolationMaterial> ends, const models::Model& model,
                             std::vector<ParameterValues> fitted, const TaskControl& control)
-      : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
+      : ParameterInterpolation(ends, model, std::move(fitted), false), sameGrid_(onOneGrid(this->tables(), control)) {}
+  bool mixesNativeForms() const override { return true; }
 
  private:
   std::vector<editing::DifferentialEdit> blendedEdits(std::span<const double> weights) const override {
-    const ParameterValues target = blendedParameters(weights).value();
-    std::vector<editing::DifferentialEdit> edits;
-    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
-    return edits;
+    return editsTo(blendedParameters(weights).value());
   }
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     std::vector<std::shared_ptr<const Brdf>> moved;
@@ -183,14 +202,14 @@ class DifferentialInterpolation final : public ParameterInterpolation {
     return weightedSum(moved, weights, {.stop = control.stop});
   }
 
-  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
+  std::shared_ptr<const TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
 
   std::vector<Table> sameGrid_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool preserveDetail,
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool isDifferential,
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
   const models::Model& model = options.model ? *options.model : models::ggx();
@@ -200,10 +219,10 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
     fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
     control.throwIfStopped();
   }
-  if (preserveDetail)
+  if (isDifferential)
     return std::make_shared<const DifferentialInterpolation>(ends, model, std::move(fitted),
                                                              TaskControl{control.stop, {}});
-  return std::make_shared<const ParameterInterpolation>(ends, model, std::move(fitted));
+  return std::make_shared<const ParameterInterpolation>(ends, model, std::move(fitted), options.preserveDetail);
 }
 
 namespace {
@@ -223,8 +242,13 @@ TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code
 class DictionaryInterpolation final : public Interpolation {
  public:
   DictionaryInterpolation(std::span<const InterpolationMaterial> ends, std::shared_ptr<const Ensemble> ensemble,
-                          std::vector<SparseCode> codes, std::size_t coefficients)
-      : Interpolation(ends), ensemble_(std::move(ensemble)), codes_(std::move(codes)), coefficients_(coefficients) {}
+                          std::vector<SparseCode> codes, std::size_t coefficients, bool preservesDetail)
+      : Interpolation(ends, preservesDetail),
+        ensemble_(std::move(ensemble)),
+        codes_(std::move(codes)),
+        coefficients_(coefficients) {
+    if (preservesDetail) mixture_ = decodedCodes();
+  }
 
  private:
   SparseCode between(std::span<const double> weights) const {
@@ -239,15 +263,22 @@ class DictionaryInterpolation final : public Interpolation {
     control.throwIfStopped();
     return dictionary::decode(*ensemble_, between(weights));
   }
-  std::optional<TransformedMixture> mixture() const override {
-    TransformedMixture mixture{codes_[0].transform, {}};
-    for (const SparseCode& code : codes_) mixture.tables.push_back(decodedSignals(*ensemble_, code));
+  /// With all coefficients: a blended code of few would not return to the code of a material as its weight grows to 1.
+  std::shared_ptr<const Brdf> change(std::span<const double> weights) const override {
+    return changeOfSpace(mixture_, weights);
+  }
+  std::shared_ptr<const TransformedMixture> mixture() const override { return mixture_ ? mixture_ : decodedCodes(); }
+  std::shared_ptr<const TransformedMixture> decodedCodes() const {
+    auto mixture = std::make_shared<TransformedMixture>();
+    mixture->transform = codes_[0].transform;
+    for (const SparseCode& code : codes_) mixture->tables.push_back(decodedSignals(*ensemble_, code));
     return mixture;
   }
 
   std::shared_ptr<const Ensemble> ensemble_;
   std::vector<SparseCode> codes_;
   std::size_t coefficients_;
+  std::shared_ptr<const TransformedMixture> mixture_;  ///< with preserved detail
 };
 
 /// The code whose transform and scale all have: the first one. Null if there is none.
@@ -302,8 +333,9 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
                                                        const TaskControl& control) {
   if (!options.ensemble || options.ensemble->dictionaries.empty())
     throw Error("interpolation in the space dictionary: found no dictionary, expected one");
-  return std::make_shared<const DictionaryInterpolation>(
-      ends, options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
+  return std::make_shared<const DictionaryInterpolation>(ends, options.ensemble,
+                                                         codesOfOneTransform(ends, options, control),
+                                                         options.codeCoefficients, options.preserveDetail);
 }
 
 }  // namespace gonio::interpolation

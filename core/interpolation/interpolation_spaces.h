@@ -10,8 +10,8 @@ namespace gonio::interpolation {
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationMaterial> ends,
                                                    const TaskControl& control);
-/// The space `differential` with preserveDetail, else `parameters`.
-std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool preserveDetail,
+/// The space `differential` or `parameters`.
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationMaterial> ends, bool isDifferential,
                                                        const InterpolationOptions& options, const TaskControl& control);
 std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationMaterial> ends,
                                                     const InterpolationOptions& options, const TaskControl& control);
@@ -19,7 +19,7 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
                                                        const InterpolationOptions& options, const TaskControl& control);
 
 /// The mixture of tables of untransformed BRDF values (DataTransform::none).
-TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
+std::shared_ptr<const TransformedMixture> mixtureOf(const std::vector<Interpolation::Table>& tables);
 /// The table of each material.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationMaterial> ends);
 /// The tables resampled on the grid of the first. @throws Cancelled.

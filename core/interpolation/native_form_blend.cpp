@@ -77,14 +77,10 @@ bool all(std::span<const InterpolationMaterial> ends, std::span<const double> we
 
 }  // namespace
 
-bool mixesNativeForms(InterpolationSpace space) {
-  return space == InterpolationSpace::linear || space == InterpolationSpace::differential;
-}
-
-std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, InterpolationSpace space,
-                                               std::span<const double> weights, const TaskControl& control) {
+std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, std::span<const double> weights,
+                                               const TaskControl& control) {
   const std::shared_ptr<const Brdf> blend = interpolation.brdf(weights);
-  if (!mixesNativeForms(space)) return std::nullopt;
+  if (!interpolation.mixesNativeForms()) return std::nullopt;
   const std::vector<InterpolationMaterial>& ends = interpolation.ends();
   if (all(ends, weights, utiaOf)) return NativeFormBlend{utiaBlend(*blend, control)};
   const auto isRgl = [&](const InterpolationMaterial& end) {

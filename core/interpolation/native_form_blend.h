@@ -23,14 +23,11 @@ struct NativeFormBlend {
 /// reach it, because they need different nodes.
 inline constexpr double minBlendAccuracy = 30;
 
-/// Whether a space mixes materials in their native form: `linear` and `differential`.
-bool mixesNativeForms(InterpolationSpace space);
-
 /// For UTIA files a UTIA file, exact for linear blends. For RGL files (all isotropic, or all anisotropic) an RGL file
-/// with the blend at the nodes of one of them, the one with the best accuracy. Empty for spaces that do not mix native
-/// forms, if a material has another form, or below minBlendAccuracy. Materials of weight 0 are ignored. @throws Error
-/// for invalid weights; Cancelled.
-std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, InterpolationSpace space,
-                                               std::span<const double> weights, const TaskControl& control = {});
+/// with the blend at the nodes of one of them, the one with the best accuracy. Empty if the interpolation does not mix
+/// native forms (Interpolation::mixesNativeForms()), if a material has another form, or below minBlendAccuracy.
+/// Materials of weight 0 are ignored. @throws Error for invalid weights; Cancelled.
+std::optional<NativeFormBlend> nativeFormBlend(const Interpolation& interpolation, std::span<const double> weights,
+                                               const TaskControl& control = {});
 
 }  // namespace gonio::interpolation

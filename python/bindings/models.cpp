@@ -81,7 +81,8 @@ interpolation::InterpolationMaterial endOf(const PyMaterial& material, bool bund
 }
 
 Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& space, const std::string& model,
-               int terms, std::size_t coefficients, const PyDictionaryPtr& dictionary, const py::object& progress) {
+               int terms, std::size_t coefficients, const PyDictionaryPtr& dictionary, bool preserveDetail,
+               const py::object& progress) {
   const auto found = std::ranges::find(interpolation::interpolationSpaceNames, space);
   if (found == interpolation::interpolationSpaceNames.end())
     throw Error("space: found '" + space + "', expected linear, parameters, differential, factors or dictionary");
@@ -89,6 +90,7 @@ Blends prepare(const std::vector<PyMaterialPtr>& materials, const std::string& s
   interpolation::InterpolationOptions options;
   options.model = &models::findModel(model);
   options.pdv.terms = terms;
+  options.preserveDetail = preserveDetail;
   options.encode.coefficients = options.codeCoefficients = coefficients;
   return resultOf(progress, [&](const TaskControl& control) {
     if (chosen == interpolation::InterpolationSpace::dictionary) {
@@ -110,9 +112,9 @@ void bindEdits(py::module_& module) {
   module.def("prepare_interpolation",
              [](const std::vector<PyMaterialPtr>& materials, const std::string& space, const std::string& model,
                 int terms, std::size_t coefficients, const std::shared_ptr<materials::NamedEnsemble>& dictionary,
-                const py::object& progress) {
+                bool preserveDetail, const py::object& progress) {
                return std::const_pointer_cast<interpolation::Interpolation>(
-                   prepare(materials, space, model, terms, coefficients, dictionary, progress));
+                   prepare(materials, space, model, terms, coefficients, dictionary, preserveDetail, progress));
              });
   module.def(
       "blend",

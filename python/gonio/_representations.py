@@ -407,15 +407,18 @@ class Interpolation:
     """Materials prepared for blending: fits, factorisations and codes are made once, so that each blend is fast.
 
     A blend is computed in one of five spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" mixes the
-    parameters of a fitted model, without the measured detail; "differential" edits each material toward the mixed parameters,
+    parameters of a fitted model; "differential" edits each material toward the mixed parameters,
     so that its detail is preserved (Tsirikoglou et al. 2016, "Differential Appearance Editing for Measured BRDFs"); "factors"
-    mixes factor curves; "dictionary" mixes sparse codes.
+    mixes factor curves; "dictionary" mixes sparse codes. In "parameters", "factors" and "dictionary", the detail that the
+    representation of each material misses is added by the weight of the material, so that a blend begins and ends at the
+    materials (keep_detail).
     """
 
     __slots__ = ("_handle", "_names")
 
     def __init__(self, materials: Sequence[Material], space: str = "linear", model: str = "ggx", terms: int = 10,
-                 coefficients: int = 1024, dictionary: Optional[Dictionary] = None, progress: Progress = None) -> None:
+                 coefficients: int = 1024, dictionary: Optional[Dictionary] = None, keep_detail: bool = True,
+                 progress: Progress = None) -> None:
         """Prepares materials. Takes about 1 s per material; the space "linear" needs no preparation.
 
         Args:
@@ -425,6 +428,9 @@ class Interpolation:
             terms: Number of terms for "factors".
             coefficients: Maximum number of coefficients per channel for "dictionary".
             dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
+            keep_detail: True: blends in "parameters", "factors" and "dictionary" contain the measured detail of each material,
+                by its weight, and are evaluated from the materials in their native form. False: the fits, factors or codes
+                alone, as published.
             progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Raises:
@@ -432,7 +438,8 @@ class Interpolation:
         """
         self._names = [material.name for material in materials]
         self._handle = _core.prepare_interpolation([material._handle for material in materials], space, model, terms,
-                                                   coefficients, dictionary._handle if dictionary else None, progress)
+                                                   coefficients, dictionary._handle if dictionary else None,
+                                                   keep_detail, progress)
 
     def blend(self, weights: Sequence[float], name: str = "") -> Material:
         """The blend with the given weights.
@@ -448,7 +455,7 @@ class Interpolation:
 
 
 def interpolate(materials: Sequence[Material], weights: Sequence[float], space: str = "linear", model: str = "ggx",
-                terms: int = 10, coefficients: int = 1024, dictionary: Optional[Dictionary] = None,
+                terms: int = 10, coefficients: int = 1024, dictionary: Optional[Dictionary] = None, keep_detail: bool = True,
                 progress: Progress = None) -> Material:
     """One blend of materials. For several blends of the same materials, use Interpolation.
 
@@ -460,6 +467,7 @@ def interpolate(materials: Sequence[Material], weights: Sequence[float], space: 
         terms: Number of terms for "factors".
         coefficients: Maximum number of coefficients per channel for "dictionary".
         dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
+        keep_detail: Whether the blend contains the measured detail of each material (see Interpolation).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
-    return Interpolation(materials, space, model, terms, coefficients, dictionary, progress).blend(weights)
+    return Interpolation(materials, space, model, terms, coefficients, dictionary, keep_detail, progress).blend(weights)

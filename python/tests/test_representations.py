@@ -165,6 +165,15 @@ def test_ends_of_other_spaces_are_the_materials(chrome, paint, space):
     np.testing.assert_array_equal(gonio.interpolate([chrome, paint], [1, 0], space).values, chrome.values)
 
 
+def test_blends_keep_measured_detail(chrome, paint, directions):
+    wi, wo = directions(100), directions(100, seed=2)
+    near, kept = [
+        gonio.interpolate([chrome, paint], [0.9999, 0.0001], "parameters", model="lambert", keep_detail=keep).evaluate(wi, wo)
+        for keep in (False, True)]
+    own = chrome.evaluate(wi, wo)
+    assert np.max(np.abs(kept - own) / (1 + own)) < 0.01 < np.max(np.abs(near - own) / (1 + own))
+
+
 def test_bad_blends_are_errors(chrome, paint):
     with pytest.raises(gonio.Error, match="space"):
         gonio.interpolate([chrome, paint], [0.5, 0.5], "cubic")

@@ -7,8 +7,16 @@
 //   BLEND_MOVES      each is moved by a model first, with EVALUATE_MODEL and MODEL_PARAMETERS: by model(target) -
 //                    model(its own parameters)
 //   BLEND_OWN        one of them has a part of its weight in its own form, as ownForm() evaluates it
+//   BLEND_DETAIL     measured detail is preserved (core/interpolation/measured_detail.h): the values are mixed, and the
+//                    change of the space is added, which is that of models (BLEND_MOVES), of factor curves
+//                    (BLEND_FACTORS, BLEND_FACTOR_PARTS) or of codes: BLEND_TRANSFORM, whose transformed values are in
+//                    the upper half of the textures along theta_h
+//   BLEND_BOTH_ORDERS  the change is the mean of both orders of the directions
 #include "preview/data_transform.glsl"
 #include "preview/table.glsl"
+#ifdef FACTOR_EDITS
+#include "preview/factors.glsl"
+#endif
 
 uniform sampler3D blendTables[BLEND_TABLES];
 uniform float blendPhiPeriods[BLEND_TABLES];
@@ -30,7 +38,7 @@ uniform int blendOwnIndex;
 vec3 ownForm(vec3 wi, vec3 wo);
 #endif
 
-#ifdef BLEND_IN_TRANSFORMED_DOMAIN
+#ifdef BLEND_TRANSFORM
 // Product of the cosines of both directions at a node of the grid.
 float nodeCosines(ivec3 node, vec3 size) {
   float thetaH = float(node.z * node.z) / (size.z * size.z) * (0.5 * pi);
@@ -39,7 +47,95 @@ float nodeCosines(ivec3 node, vec3 size) {
   float side = sin(thetaH) * sin(thetaD) * cos(float(node.x) / size.x * blendPhiPeriods[0]);
   return middle * middle - side * side;
 }
+#endif
 
+#ifdef BLEND_DETAIL
+uniform float blendBounds[BLEND_TABLES];  // the fraction of the bound of each material
+
+#if defined(BLEND_TRANSFORM)
+// What the space changes at a node: of the mixture transformed back, less the mixture of those transformed back.
+vec3 changeAtNode(ivec3 node, vec3 size) {
+  float cosines = nodeCosines(node, size);
+  vec3 sum = vec3(0.0), parts = vec3(0.0);
+  for (int i = 0; i < BLEND_TABLES; ++i) {
+    if (blendWeights[i] == 0.0) continue;
+    vec3 value = texelFetch(blendTables[i], node + ivec3(0, 0, int(size.z)), 0).rgb;
+    sum += blendWeights[i] * value;
+    parts += blendWeights[i] * inverseTransformed(BLEND_TRANSFORM, max(value, vec3(0.0)), cosines);
+  }
+  return inverseTransformed(BLEND_TRANSFORM, max(sum, vec3(0.0)), cosines) - parts;
+}
+
+// Interpolated over the corners above the horizon, where the transformed values are known.
+vec3 changeOfSpace(vec3 wi, vec3 wo, vec3 at) {
+  ivec3 count = textureSize(blendTables[0], 0);
+  count.z /= 2;
+  vec3 place = tablePlace(vec3(count), blendPhiPeriods[0], at);
+  ivec3 low = ivec3(place);
+  vec3 fraction = place - vec3(low);
+  vec4 sum = vec4(0.0);
+  for (int corner = 0; corner < 8; ++corner) {
+    ivec3 step = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+    ivec3 node = ivec3((low.x + step.x) % count.x, min(low.yz + step.yz, count.yz - 1));
+    if (texelFetch(blendTables[0], node + ivec3(0, 0, count.z), 0).a == 0.0) continue;
+    vec3 weights = mix(1.0 - fraction, fraction, vec3(step));
+    sum += weights.x * weights.y * weights.z * vec4(changeAtNode(node, vec3(count)), 1.0);
+  }
+  return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
+}
+
+// The lower half of the texture: the filter must not reach the upper one.
+vec4 valueAt(sampler3D values, float period, vec3 at) {
+  vec3 size = vec3(textureSize(values, 0));
+  vec3 place = tablePlace(vec3(size.xy, 0.5 * size.z), period, at);
+  place.z = min(place.z, 0.5 * size.z - 1.0);
+  return texture(values, (place + 0.5) / size);
+}
+#else
+vec4 valueAt(sampler3D values, float period, vec3 at) { return tableAt(values, period, at); }
+#endif
+
+#if defined(BLEND_FACTORS)
+#define BLEND_CURVES(edit, set, terms, axes) evaluateFactors(factorPlaces(wi, wo, edit, axes), cosines, edit, set, terms, axes)
+vec3 changeOfSpace(vec3 wi, vec3 wo, vec3 at) {
+  float cosines = wi.z * wo.z;
+  return BLEND_FACTORS - (BLEND_FACTOR_PARTS);
+}
+#elif defined(BLEND_MOVES)
+vec3 changeOfSpace(vec3 wi, vec3 wo, vec3 at) {
+  vec3 change = EVALUATE_MODEL(wi, wo, targetParameters);
+  for (int i = 0; i < BLEND_TABLES; ++i)
+    if (blendWeights[i] != 0.0) change -= blendWeights[i] * ownModel(wi, wo, i);
+  return change;
+}
+#endif
+
+// Linear RGB in 1/sr; not below the lowest of the materials, which may be negative in its own form.
+vec3 evaluateBlend(vec3 wi, vec3 wo) {
+  vec3 at;
+  if (!toHalfDifference(wi, wo, at)) return vec3(0.0);
+  vec3 values[BLEND_TABLES];
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < BLEND_TABLES; ++i) {
+    values[i] = vec3(0.0);
+    if (blendWeights[i] == 0.0) continue;
+    vec4 texel = valueAt(blendTables[i], blendPhiPeriods[i], at);
+    if (texel.a > 0.0) values[i] = texel.rgb / texel.a;
+#ifdef BLEND_OWN
+    if (i == blendOwnIndex) values[i] = mix(values[i], ownForm(wi, wo), blendOwnFraction / blendWeights[i]);
+#endif
+    sum += blendWeights[i] * values[i];
+  }
+  vec3 lowest = vec3(3.4e38);
+  for (int i = 0; i < BLEND_TABLES; ++i)
+    if (blendWeights[i] != 0.0) lowest = min(lowest, mix(sum, values[i], blendBounds[i]));
+  vec3 change = changeOfSpace(wi, wo, at);
+#ifdef BLEND_BOTH_ORDERS
+  change = 0.5 * (change + changeOfSpace(wo, wi, at));
+#endif
+  return max(lowest, sum + change);
+}
+#elif defined(BLEND_TRANSFORM)
 // The mixture at a node, transformed back; alpha is 0 where no material has data.
 vec4 blendAtNode(ivec3 node, vec3 size) {
   vec4 sum = vec4(0.0);

@@ -22,11 +22,11 @@
 #include "preview/incidence_table.glsl"
 #endif
 #include "preview/data_transform.glsl"
-#ifdef BLEND_TABLES
-#include "preview/blend.glsl"
-#endif
 #ifdef FACTOR_EDITS
 #include "preview/factors.glsl"
+#endif
+#ifdef BLEND_TABLES
+#include "preview/blend.glsl"
 #endif
 #ifdef BLEND_OWN
 vec3 ownForm(vec3 wi, vec3 wo) {

@@ -94,7 +94,8 @@ void runFactorDrag(benchmark::State& state, bool environment) {
 void directionalFactorDrag(benchmark::State& state) { runFactorDrag(state, false); }
 void environmentFactorDrag(benchmark::State& state) { runFactorDrag(state, true); }
 
-/// The drag of a point between materials: new weights, the first frame.
+/// The drag of a point between materials: new weights, the first frame. Arguments: the number of materials, and in
+/// spaces that lose detail whether it is preserved.
 void runBlendDrag(benchmark::State& state, bool environment, interpolation::InterpolationSpace space) {
   PreviewFixture& fixture = PreviewFixture::instance();
   const models::Model& model = *fixture.edit.model;
@@ -108,7 +109,9 @@ void runBlendDrag(benchmark::State& state, bool environment, interpolation::Inte
     return ends;
   }();
   const auto count = std::size_t(state.range(0));
-  const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
+  const bool preserveDetail = interpolation::losesDetail(space) && state.range(1) != 0;
+  const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)},
+                                           documents::blendOptions(nullptr, preserveDetail));
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   const auto density = fixture.renderer.subject().density;
   std::vector<double> weights(count);
@@ -142,6 +145,9 @@ void environmentParameterBlend(benchmark::State& state) {
 }
 void environmentFactorBlend(benchmark::State& state) {
   runBlendDrag(state, true, interpolation::InterpolationSpace::factors);
+}
+void environmentDictionaryBlend(benchmark::State& state) {
+  runBlendDrag(state, true, interpolation::InterpolationSpace::dictionary);
 }
 
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code
@@ -217,8 +223,12 @@ BENCHMARK(environmentDifferentialBlend)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
-BENCHMARK(environmentParameterBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-BENCHMARK(environmentFactorBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+void detailSwitch(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({2, 0})->Args({2, 1})->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+BENCHMARK(environmentParameterBlend)->Apply(detailSwitch);
+BENCHMARK(environmentFactorBlend)->Apply(detailSwitch);
+BENCHMARK(environmentDictionaryBlend)->Apply(detailSwitch);
 BENCHMARK(directionalFactorDrag)
     ->Arg(1)
     ->Arg(3)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// gonio_studies interpolation: the table of docs/results/interpolation.md. Half way between two GGX materials of
+// gonio_studies interpolation: the first table of docs/results/interpolation.md. Half way between two GGX materials of
 // different roughness (or colour) the truth is known. For each space: the rendered SNR of what it gives against the
 // material whose roughness is the geometric mean, and against the GGX material that comes nearest, with that one's
 // roughness.
@@ -100,6 +100,7 @@ void print(const Ends& ends) {
   };
   for (const Row& row : rows) {
     interpolation::InterpolationOptions options;
+    options.preserveDetail = false;
     options.model = &models::findModel(row.model);
     if (row.terms > 0) options.pdv.terms = row.terms;
     const auto between = interpolation::prepareInterpolation(row.space, materials, options);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/materials/material.h"
+#include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
@@ -35,8 +36,9 @@ std::vector<interpolation::InterpolationMaterial> ends(int count) {
 
 /// With few curves: the shader sums them all alike.
 widgets::PreparedBlendPtr prepared(InterpolationSpace space,
-                                   const std::vector<interpolation::InterpolationMaterial>& materials) {
-  interpolation::InterpolationOptions options = documents::blendOptions();
+                                   const std::vector<interpolation::InterpolationMaterial>& materials,
+                                   bool preserveDetail = true) {
+  interpolation::InterpolationOptions options = documents::blendOptions(nullptr, preserveDetail);
   options.pdv.terms = 2;
   return widgets::prepareBlend(space, materials, options);
 }
@@ -50,6 +52,14 @@ class BlendPreviewTest : public test::SphereTest {
   Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
     return spheres_->drawn(subject, scene, samples);
   }
+  void everySpaceIsThatOfCore(InterpolationSpace space, const std::vector<double>& weights, bool preserveDetail) {
+    const auto blend = prepared(space, ends(int(weights.size())), preserveDetail);
+    const auto subject = widgets::blendSubject(*blend, weights);
+    const double snr = spheres_->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
+    const QString what = QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
+    qInfo("%s", qPrintable(what));
+    QVERIFY2(snr > 40, qPrintable(what));
+  }
 
  private Q_SLOTS:
   void initTestCase() { openSpheres(); }
@@ -60,23 +70,44 @@ class BlendPreviewTest : public test::SphereTest {
     QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
     materials[0].base = models::ggx().instantiate(models::defaultParameters(models::ggx().spec()));
     QVERIFY(widgets::mixesTables(*prepared(InterpolationSpace::linear, materials)));
-    QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::parameters, materials)));
-    QVERIFY(!widgets::mixesTables(*prepared(InterpolationSpace::factors, materials)));
+    for (const auto space : {InterpolationSpace::parameters, InterpolationSpace::factors}) {
+      QVERIFY(widgets::mixesTables(*prepared(space, materials)));
+      QVERIFY(!widgets::mixesTables(*prepared(space, materials, false)));
+    }
   }
 
   /// Every space, two to four materials: the frame under the hand is the interpolation of core.
   void everySpaceIsThatOfCore() {
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::parameters,
                              InterpolationSpace::differential, InterpolationSpace::factors})
-      for (const std::vector<double>& weights : someWeights) {
-        const auto blend = prepared(space, ends(int(weights.size())));
-        const auto subject = widgets::blendSubject(*blend, weights);
-        const double snr = spheres_->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
-        const QString what =
-            QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
-        qInfo("%s", qPrintable(what));
-        QVERIFY2(snr > 40, qPrintable(what));
-      }
+      for (const std::vector<double>& weights : someWeights) everySpaceIsThatOfCore(space, weights, false);
+  }
+
+  /// With the measured detail, codes too; the last materials are on a grid of their own.
+  void theMeasuredDetailIsThatOfCore() {
+    for (const auto space :
+         {InterpolationSpace::parameters, InterpolationSpace::factors, InterpolationSpace::dictionary})
+      for (const std::vector<double>& weights : someWeights) everySpaceIsThatOfCore(space, weights, true);
+  }
+
+  /// A file that is not reciprocal, with negative colours: the picture nears it as its weight nears 1, in every space.
+  void theMeasuredDetailEndsAtTheFile() {
+    std::vector<interpolation::InterpolationMaterial> materials = ends(2);
+    const materials::Material file = materials::readMaterial("library:rgl/satin_purple");
+    materials[0] = {.table = file.tabulated(), .base = file.brdf};
+    const Image alone = drawn(widgets::measuredSubject(file.brdf), sphereScene(), 64);
+    for (const auto space :
+         {InterpolationSpace::parameters, InterpolationSpace::factors, InterpolationSpace::dictionary}) {
+      const auto blend = prepared(space, materials);
+      const auto snr = [&](const std::vector<double>& weights) {
+        auto subject = widgets::blendSubject(*blend, weights);
+        subject.density = {};
+        return metrics::signalToNoiseRatio(alone, drawn(subject, sphereScene(), 64));
+      };
+      const double near = snr({0.9999, 0.0001}), begun = snr({0.995, 0.005});
+      qInfo("%s: %.1f dB at 99.99 %%, %.1f dB at 99.5 %%", qPrintable(widgets::spaceName(space)), near, begun);
+      QVERIFY2(near > 60 && begun > 35, qPrintable(widgets::spaceName(space)));
+    }
   }
 
   void theStudioToo() {

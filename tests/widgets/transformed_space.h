@@ -58,7 +58,9 @@ class TransformedSpace final : public interpolation::Interpolation {
       transformed_.push_back(std::make_shared<const TabulatedBrdf>(table->grid(), values, valid));
     }
   }
-  std::optional<interpolation::TransformedMixture> mixture() const override { return mixture_; }
+  std::shared_ptr<const interpolation::TransformedMixture> mixture() const override {
+    return std::make_shared<const interpolation::TransformedMixture>(mixture_);
+  }
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {

@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/brdf/weighted_sum.h"
+#include "core/interpolation/interpolation_spaces.h"
 #include "core/models/registry.h"
 #include "widgets/preview/gl/shader_base.h"
 
@@ -45,6 +47,43 @@ void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heavies
   shown.ownFraction = shown.weights[heaviest] - second;
 }
 
+/// The weights of one material alone.
+std::vector<double> whole(std::size_t material, std::size_t count) {
+  std::vector<double> weights(count, 0.0);
+  weights[material] = 1;
+  return weights;
+}
+
+/// Fills what the shader needs to preserve detail: the tables of the materials, and their representations.
+void prepareDetail(PreparedBlend& blend, const TaskControl& control) {
+  const std::size_t count = blend.materials.size();
+  std::vector<interpolation::Interpolation::Table> tables = interpolation::tablesOf(blend.materials);
+  blend.codes = blend.interpolation->mixture();
+  if (blend.codes)
+    for (auto& table : tables) table = onGrid(table, blend.codes->tables[0].grid, {control.stop, {}});
+  blend.mixture = interpolation::mixtureOf(tables);
+  for (std::size_t i = 0; i < count; ++i)
+    if (auto curves = blend.interpolation->factors(whole(i, count)))
+      blend.curves.push_back(std::make_shared<const factorization::PdvFactors>(std::move(*curves)));
+}
+
+/// Whether the change of the space has another order than the materials, all of which are reciprocal.
+bool needsBothOrders(const PreparedBlend& blend, const std::vector<double>& weights) {
+  if (blend.codes || (blend.curves.empty() && blend.model->spec().reciprocal)) return false;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0 && !blend.materials[i].material()->isReciprocal()) return false;
+  return true;
+}
+
+void addDetail(PreviewBlend& shown, const PreparedBlend& blend) {
+  shown.codes = blend.codes;
+  if (auto curves = blend.interpolation->factors(shown.weights)) {
+    shown.curves = {std::make_shared<const factorization::PdvFactors>(std::move(*curves))};
+    std::ranges::copy(blend.curves, std::back_inserter(shown.curves));
+  }
+  shown.bothOrders = needsBothOrders(blend, shown.weights);
+}
+
 }  // namespace
 
 bool mixesTables(const PreparedBlend& blend) {
@@ -64,8 +103,10 @@ PreparedBlendPtr prepareBlend(interpolation::InterpolationSpace space,
   blend->interpolation =
       interpolation::prepareInterpolation(space, materials, options, control.between(0, preparedFraction));
   control.throwIfStopped();
-  if (auto mixture = blend->interpolation->mixture())
-    blend->mixture = std::make_shared<const interpolation::TransformedMixture>(std::move(*mixture));
+  if (blend->interpolation->preservesDetail())
+    prepareDetail(*blend, control);
+  else
+    blend->mixture = blend->interpolation->mixture();
   control.report(1);
   return blend;
 }
@@ -79,6 +120,7 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
   if (blend.mixture) {
     PreviewBlend shown{blend.interpolation, blend.mixture, weights, blend.interpolation->differentialEdits(weights)};
     addOwn(shown, blend, heaviest);
+    if (shown.preservesDetail()) addDetail(shown, blend);
     return {std::move(shown), lobe};
   }
   if (const auto parameters = blend.interpolation->parameters(weights))
@@ -111,7 +153,7 @@ QString spaceExplanation(interpolation::InterpolationSpace space) {
     case interpolation::InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies between a "
-          "sharp and a wide one. Detail that the model does not explain is lost in between.");
+          "sharp and a wide one.");
     case interpolation::InterpolationSpace::differential:
       return InterpolationSpaceText::tr(
           "A differential edit changes each material to the mixed parameters of the model and preserves its measured "
@@ -119,12 +161,11 @@ QString spaceExplanation(interpolation::InterpolationSpace space) {
           "Measured BRDFs.");
     case interpolation::InterpolationSpace::factors:
       return InterpolationSpaceText::tr(
-          "The curves of the PDV factors are mixed: the strength and width of the highlight "
-          "change gradually. Detail that the curves do not explain is lost in between.");
+          "The curves of the PDV factors are mixed: the strength and width of the highlight change gradually.");
     default:
       return InterpolationSpaceText::tr(
           "Each material is approximated by a sum of a few dictionary atoms; the coefficients, and with them the "
-          "transformed BRDF values, are mixed. Detail that the codes omit is lost in between.");
+          "transformed BRDF values, are mixed.");
   }
 }
 

@@ -16,8 +16,11 @@ struct PreparedBlend {
   std::vector<std::shared_ptr<const TabulatedDensity>> lobes;  ///< sampling densities of the materials
   const models::Model* model = nullptr;                        ///< for `parameters` and `differential`
   std::shared_ptr<const interpolation::Interpolation> interpolation;
-  /// The tables that the shader mixes, in spaces where it does.
+  /// The tables that the shader mixes, in spaces where it does and with preserved detail.
   std::shared_ptr<const interpolation::TransformedMixture> mixture;
+  // With preserved detail: PreviewBlend::codes, and the curves of the materials.
+  std::shared_ptr<const interpolation::TransformedMixture> codes = {};
+  std::vector<editing::FactorEdit::Curves> curves = {};
 };
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
@@ -32,8 +35,8 @@ PreparedBlendPtr prepareBlend(interpolation::InterpolationSpace space,
 bool mixesTables(const PreparedBlend& blend);
 
 /// The preview's subject for given weights, in the form with the lowest cost per frame: the shader mixes `linear`,
-/// `dictionary` and `differential`; `parameters` gives a model, `factors` curves, and a weight of 1 the material
-/// itself.
+/// `dictionary` and `differential`, and all spaces with preserved detail; otherwise `parameters` gives a model and
+/// `factors` curves. A weight of 1 gives the material itself.
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights);
 
 /// The name of a space, e.g. "Linear"; and its description for tooltips.

@@ -75,17 +75,28 @@ void BlendSpaces::setMaterials(std::vector<interpolation::InterpolationMaterial>
   for (const Space space : m_spaces) Q_EMIT changed(space);
 }
 
-void BlendSpaces::setModel(const models::Model& model) {
-  if (&model == m_model) return;
+template <class Depends>
+void BlendSpaces::forget(const Depends& depends) {
   const bool wanted = m_wanted;
   pause();
-  m_model = &model;
   for (const Space space : m_spaces) {
-    if (!usesModel(space)) continue;
+    if (!depends(space)) continue;
     entry(space) = {};
     Q_EMIT changed(space);
   }
   if (wanted) want(m_first);
+}
+
+void BlendSpaces::setModel(const models::Model& model) {
+  if (&model == m_model) return;
+  m_model = &model;
+  forget(usesModel);
+}
+
+void BlendSpaces::setPreservesDetail(bool preserves) {
+  if (preserves == m_preservesDetail) return;
+  m_preservesDetail = preserves;
+  forget(interpolation::losesDetail);
 }
 
 std::vector<double> BlendSpaces::ordered(const std::vector<double>& weights) const { return inOrder(m_order, weights); }
@@ -141,8 +152,8 @@ void BlendSpaces::next() {
 void BlendSpaces::prepare(Space space) {
   m_tasks.run<widgets::PreparedBlendPtr>(
       {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
-      [space, materials = m_materials, model = m_model](const TaskControl& control) {
-        return widgets::prepareBlend(space, materials, documents::blendOptions(model), control);
+      [space, materials = m_materials, model = m_model, detail = m_preservesDetail](const TaskControl& control) {
+        return widgets::prepareBlend(space, materials, documents::blendOptions(model, detail), control);
       },
       [this, space](const widgets::PreparedBlendPtr& prepared) {
         entry(space).prepared = prepared;

@@ -40,6 +40,9 @@ class BlendSpaces : public QObject {
   /// Sets the model of the spaces `parameters` and `differential`, which are prepared again.
   void setModel(const models::Model& model);
   const models::Model& model() const { return *m_model; }
+  /// InterpolationOptions::preserveDetail; the spaces that lose detail are prepared again.
+  void setPreservesDetail(bool preserves);
+  bool preservesDetail() const { return m_preservesDetail; }
   static bool usesModel(Space space) { return space == Space::parameters || space == Space::differential; }
   bool hasMaterials() const { return m_complete; }
   /// For each slot, the index of its material in PreparedBlend::materials, which has the order in which the materials
@@ -78,6 +81,9 @@ class BlendSpaces : public QObject {
   }
   Entry& entry(Space space) { return m_entries[std::size_t(space)]; }
   void turnPictures();
+  /// Forgets what was prepared of the spaces for which `depends(space)` is true, and prepares it again if wanted.
+  template <class Depends>
+  void forget(const Depends& depends);
   void next();
   void prepare(Space space);
   void draw(Space space);
@@ -91,6 +97,7 @@ class BlendSpaces : public QObject {
   std::vector<std::size_t> m_order;
   bool m_complete = false;
   const models::Model* m_model = &models::ggx();
+  bool m_preservesDetail = true;
   std::array<Entry, interpolation::interpolationSpaceNames.size()> m_entries;
   Space m_first = Space::linear;
   bool m_wanted = false;

@@ -37,6 +37,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_spaceBox(new QComboBox),
       m_modelLabel(new QLabel(tr("Mo&del"))),
       m_modelBox(new widgets::ModelBox),
+      m_preserveDetail(new QCheckBox(tr("Preserve measured deta&il"))),
       m_show(new QCheckBox(tr("Show in the &preview"))),
       m_open(new QPushButton(tr("Open as Ma&terial"))) {
   auto* layout = new QHBoxLayout(this);
@@ -58,6 +59,11 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
   m_spaceBox->setAccessibleName(tr("Interpolation space"));
+  m_preserveDetail->setToolTip(tr(
+      "On: adds the detail of each material that its fit, factors or code misses, by the weight of the material: the "
+      "blend begins and ends at the materials.\nOff: blends the fits, factors or codes alone, as published; the image "
+      "jumps where a weight reaches 100 %.\nThe other spaces always contain the detail."));
+  m_preserveDetail->setChecked(m_spaces.preservesDetail());
   m_show->setToolTip(
       tr("Shows the blend in the preview and updates it with every change; if off, the preview shows the open "
          "material"));
@@ -80,6 +86,7 @@ QWidget* InterpolationPanel::buildChoice() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
   column->addLayout(modelRow);
+  column->addWidget(m_preserveDetail);
   column->addWidget(m_positionEditor, 1);
   column->addWidget(m_show);
   column->addWidget(m_open);
@@ -107,6 +114,11 @@ void InterpolationPanel::connectParts() {
     touched();
     m_modelBox->setModel(model);
     m_spaces.setModel(*model);
+    Q_EMIT subjectChanged();
+  });
+  connect(m_preserveDetail, &QCheckBox::clicked, this, [this](bool preserve) {
+    touched();
+    m_spaces.setPreservesDetail(preserve);
     Q_EMIT subjectChanged();
   });
   connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
@@ -148,6 +160,7 @@ void InterpolationPanel::setSpace(Space space) {
   m_spaceBox->setToolTip(widgets::spaceExplanation(space));
   for (QWidget* part : std::initializer_list<QWidget*>{m_modelLabel, m_modelBox})
     part->setVisible(BlendSpaces::usesModel(space));
+  m_preserveDetail->setVisible(interpolation::losesDetail(space));
   showExplanation();
   m_overview->strip().setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
@@ -245,6 +258,7 @@ void InterpolationPanel::openAsMaterial() {
   auto source = std::make_shared<documents::BlendSource>();
   source->space = m_space;
   source->model = blend->model;
+  source->preserveDetail = blend->interpolation->preservesDetail();
   // As they were prepared: a document makes the blend again in the order that it names.
   source->weights = m_spaces.ordered(weights());
   source->materials.resize(std::size_t(m_materials.count()));

@@ -98,7 +98,7 @@ class InterpolationPanel : public QWidget {
   QComboBox* m_spaceBox;
   QLabel* m_modelLabel;
   widgets::ModelBox* m_modelBox;
-  QCheckBox* m_show;
+  QCheckBox *m_preserveDetail, *m_show;
   QPushButton* m_open;
 };
 

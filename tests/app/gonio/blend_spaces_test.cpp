@@ -72,6 +72,27 @@ class BlendSpacesTest : public QObject {
     QVERIFY(spaces.prepared(Space::parameters) == second);
   }
 
+  /// The switch of the detail: spaces that lose detail are prepared anew, the others stay.
+  void detailIsASwitch() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
+    QVERIFY(spaces.preservesDetail());
+    spaces.setMaterials(materials({0, 1}));
+    settle(spaces);
+    const auto before = prepared(spaces);
+    spaces.setPreservesDetail(false);
+    settle(spaces);
+    const auto after = prepared(spaces);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const bool loses = interpolation::losesDetail(spaces.spaces()[i]);
+      QCOMPARE(before[i] != after[i], loses);
+      QCOMPARE(before[i]->interpolation->preservesDetail(), loses);
+      QVERIFY(!after[i]->interpolation->preservesDetail());
+    }
+    spaces.setPreservesDetail(false);
+    QVERIFY(prepared(spaces) == after && spaces.isSettled());
+  }
+
   /// Exchanged materials are blended by what is there; the strip runs the other way.
   void aSwapKeepsEverything() {
     BackgroundTasks tasks;

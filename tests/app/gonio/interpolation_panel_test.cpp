@@ -232,6 +232,27 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(modelBox(editor).isHidden());
   }
 
+  /// The switch of the detail is there where the space loses it.
+  void theDetailOfASpace() {
+    Editor editor;
+    auto& detail = *test::child<QCheckBox>(editor.panel, "Preserve measured detail");
+    const auto choose = [&](InterpolationSpace space) {
+      QComboBox& box = spaceBox(editor);
+      box.setCurrentIndex(box.findData(int(space)));
+      Q_EMIT box.activated(box.currentIndex());
+    };
+    for (const InterpolationSpace space : editor.panel.spaces().spaces()) {
+      choose(space);
+      QCOMPARE(!detail.isHidden(), interpolation::losesDetail(space));
+    }
+    QVERIFY(detail.isChecked() && editor.panel.spaces().preservesDetail());
+    detail.click();
+    QVERIFY(!editor.panel.spaces().preservesDetail());
+    choose(InterpolationSpace::linear);
+    choose(InterpolationSpace::factors);
+    QVERIFY(!detail.isChecked());
+  }
+
   /// Cancelled work says so, and the button does it after all.
   void cancelledSpacesCanBeDrawn() {
     Editor editor;

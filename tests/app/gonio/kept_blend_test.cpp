@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // The blend that becomes the document's material.
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -58,6 +59,27 @@ class KeptBlendTest : public QObject {
     QCOMPARE(stored.blend->materials[1].sourcePath, std::string("/nowhere/light.binary"));
     QCOMPARE(stored.sourceSha256, documents::blendSha256(*stored.blend));
     QTRY_VERIFY_WITH_TIMEOUT(editor.isSettled(), patienceMilliseconds);
+  }
+
+  /// A blend that is opened remembers whether it preserves detail.
+  void keptWithItsDetail() {
+    for (const bool preserves : {true, false}) {
+      Editor editor;
+      editor.fill(0, "dark", 0.2);
+      editor.fill(1, "light", 0.6);
+      editor.panel.spaces().setPreservesDetail(preserves);
+      QComboBox& box = *editor.panel.findChildren<QComboBox*>().front();
+      box.setCurrentIndex(box.findData(int(InterpolationSpace::dictionary)));
+      Q_EMIT box.activated(box.currentIndex());
+      QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::dictionary), patienceMilliseconds);
+      editor.panel.moveTo({0.25, 0});
+      editor.openButton().click();
+      QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patienceMilliseconds);
+      const documents::EditDocument stored = editor.document.toEditDocument();
+      QCOMPARE(stored.blend->space, InterpolationSpace::dictionary);
+      QCOMPARE(stored.blend->preserveDetail, preserves);
+      QTRY_VERIFY_WITH_TIMEOUT(editor.isSettled(), patienceMilliseconds);
+    }
   }
 
   /// Current is what is seen: the material with its edits, which the kept blend remembers.

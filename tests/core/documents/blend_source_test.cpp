@@ -155,6 +155,63 @@ class BlendSourceTest : public QObject {
     QVERIFY(!documentFromJson(toJson(blendDocument())).blend->model);
   }
 
+  /// The switch is written where it acts and on. A document without it, as those of 0.2.0 are, has it off, and the hash
+  /// that it had.
+  void theSwitchOfTheDetailIsKept() {
+    for (const std::string_view name : interpolationSpaceNames) {
+      const auto space =
+          InterpolationSpace(std::find(interpolationSpaceNames.begin(), interpolationSpaceNames.end(), name) -
+                             interpolationSpaceNames.begin());
+      nlohmann::json on = toJson(blendDocument({0.25, 0.75}, space));
+      QCOMPARE(on["source"]["blend"].contains("keepDetail"), losesDetail(space));
+      QCOMPARE(documentFromJson(on).blend->preserveDetail, losesDetail(space));
+      QCOMPARE(blendSha256(*documentFromJson(on).blend), blendSha256(*blendDocument({0.25, 0.75}, space).blend));
+      on["source"]["blend"].erase("keepDetail");
+      const EditDocument old = documentFromJson(on);
+      QVERIFY(!old.blend->preserveDetail);
+      QVERIFY(!toJson(old)["source"]["blend"].contains("keepDetail"));
+      QCOMPARE(blendSha256(*old.blend) == blendSha256(*blendDocument({0.25, 0.75}, space).blend), !losesDetail(space));
+    }
+    nlohmann::json wrong = toJson(blendDocument({0.25, 0.75}, InterpolationSpace::factors));
+    wrong["source"]["blend"]["keepDetail"] = "yes";
+    QVERIFY(errorOf(wrong).find("source.blend.keepDetail") != std::string::npos);
+  }
+
+  /// A document of 0.2.0, as that wrote it: the model alone, in a table, under the same hash.
+  void documentsOfEarlierVersions() {
+    nlohmann::json json = toJson(blendDocument({0.25, 0.75}, InterpolationSpace::parameters));
+    json["version"] = 6;
+    json["source"]["blend"].erase("keepDetail");
+    json["source"]["blend"]["model"] = "phong";
+    const materials::Material material = readSource(documentFromJson(json), {});
+    QVERIFY(material.table);
+    std::vector<InterpolationMaterial> ends{{.table = lambert(0.2)}, {.table = lambert(0.6)}};
+    const auto between = prepareInterpolation(InterpolationSpace::parameters, ends,
+                                              {.preserveDetail = false, .model = &models::findModel("phong")});
+    const auto table = between->table(std::vector{0.25, 0.75});
+    QVERIFY(std::ranges::equal(table->values(), material.table->values()));
+  }
+
+  /// In a space that loses detail RGL files give the RGL file of the blend with their detail; without, a table.
+  void filesOfOneFormKeepItWithTheirDetail() {
+    EditDocument document;
+    auto blend = std::make_shared<BlendSource>();
+    blend->space = InterpolationSpace::parameters;
+    blend->model = &models::findModel("lambert");
+    blend->weights = {0.25, 0.75};
+    blend->materials.resize(2);
+    blend->materials[0].sourcePath = "library:rgl/paper_blue";
+    blend->materials[1].sourcePath = "library:rgl/paper_white";
+    document.blend = blend;
+    const materials::Material own = readSource(document, {});
+    QVERIFY(formOf<RglBrdf>(*own.brdf) && !own.table && !own.brdf->isReciprocal());
+    blend->materials[1] = fileDocument("light.binary");
+    const materials::Material mixed = readSource(document, {});
+    QVERIFY(!mixed.table && !mixed.brdf->isReciprocal());
+    blend->preserveDetail = false;
+    QVERIFY(readSource(document, {}).table);
+  }
+
   void errorsNameThePlace() {
     nlohmann::json json = toJson(blendDocument());
     const auto with = [&](const char* pointer, const nlohmann::json& value) {

@@ -79,6 +79,28 @@ class PdvBlendTest : public QObject {
     }
   }
 
+  /// The continuous form leaves out no term: near a weight of 1 all terms of the material are there, on the nodes of
+  /// the first.
+  void continuousBlendsHaveAllTerms() {
+    const PdvFactors a = factors(1, 0.4, 21, 15), b = factors(3, 1.2, 33, 15);
+    const PdvFactors* ends[] = {&a, &b};
+    const std::vector<double> weights{1e-9, 1 - 1e-9};
+    QCOMPARE(blended(ends, weights).terms(), maxPdvTerms);
+    const PdvFactors c = blended(ends, weights, BlendForm::continuous), there = atNodesOf(a, b);
+    QCOMPARE(c.terms(), 29);
+    QVERIFY(there.thetaNodes == a.thetaNodes && there.deviationNodes == a.deviationNodes);
+    const auto blend = makePdvBrdf(c), own = makePdvBrdf(there);
+    for (double theta = 0.05; theta < 1.5; theta += 0.1) {
+      const Direction wi = fromSpherical(theta, 0.3), wo = fromSpherical(0.8 * theta, 2.9);
+      const Rgb expected = own->evaluate(wi, wo);
+      QVERIFY(glm::length(blend->evaluate(wi, wo) - expected) < 1e-5 * (1 + glm::length(expected)));
+    }
+    QVERIFY(atNodesOf(a, a) == a);
+    PdvFactors many = a;
+    for (auto& channel : many.channels) channel.resize(std::size_t(maxEvaluatedTerms) + 1, channel[0]);
+    QVERIFY_EXCEPTION_THROWN(makePdvBrdf(many), Error);
+  }
+
   /// The others stay, each as strong as its material's weight.
   void furtherTermsFade() {
     const PdvFactors a = factors(1, 0.4), b = factors(3, 1.2, 21, 1), d = factors(2, 0.4, 21, 3);

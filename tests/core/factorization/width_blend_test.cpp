@@ -52,6 +52,23 @@ class WidthBlendTest : public QObject {
     QVERIFY(maxDifference(blend(nodes, {wide(0.05), wide(0.4), wide(0.1)}, {0.2, 0.5, 0.3}), wide(between)) < 0.01);
   }
 
+  /// Curves that do not fall to 0: with the continuous form the blend nears each curve as its weight nears 1, also at
+  /// the last node, where the published form jumps.
+  void continuousInTheWeights() {
+    const Curve nodes = someNodes();
+    const std::vector<Curve> curves{sampled(nodes, [](double x) { return 0.3 + 0.7 * bell(x / 0.4); }),
+                                    sampled(nodes, [](double x) { return bell(x / 0.1); }),
+                                    sampled(nodes, [](double x) { return 0.1 + 0.9 * bell(x / 0.2); })};
+    for (std::size_t end = 0; end < curves.size(); ++end) {
+      Curve weights(3, 5e-7);
+      weights[end] = 1 - 1e-6;
+      QVERIFY(maxDifference(blendedByWidth(nodes, curves, weights, BlendForm::continuous), curves[end]) < 1e-4);
+    }
+    QVERIFY(maxDifference(blendedByWidth(nodes, curves, Curve{1 - 1e-6, 5e-7, 5e-7}), curves[0]) > 0.1);
+    const std::vector<Curve> equal(2, curves[0]);
+    QVERIFY(maxDifference(blendedByWidth(nodes, equal, Curve{0.5, 0.5}, BlendForm::continuous), curves[0]) < 1e-9);
+  }
+
   /// Also where they rise again, and where they stay at a level.
   void equalCurvesGiveThemselves() {
     const Curve nodes = someNodes(50);

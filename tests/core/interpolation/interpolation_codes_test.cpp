@@ -33,7 +33,7 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
       const dictionary::SparseCode ends[] = {between->code(std::vector{1.0, 0.0, 0.0}).value(),
                                              between->code(std::vector{0.0, 1.0, 0.0}).value(),
                                              between->code(std::vector{0.0, 0.0, 1.0}).value()};
-      const TransformedMixture mixture = between->mixture().value();
+      const TransformedMixture mixture = *between->mixture();
       const Table picture = mixed(mixture, weights_);
       std::size_t compared = 0;
       for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)

@@ -42,7 +42,7 @@ std::vector<InterpolationMaterial> ownForms(const std::vector<std::shared_ptr<co
 std::optional<NativeFormBlend> blendOf(const std::vector<InterpolationMaterial>& ends,
                                        const std::vector<double>& weights,
                                        InterpolationSpace space = InterpolationSpace::linear) {
-  return nativeFormBlend(*prepareInterpolation(space, ends, options()), space, weights);
+  return nativeFormBlend(*prepareInterpolation(space, ends, options()), weights);
 }
 
 /// The largest |a - b| / (1 + |b|) over directions between the nodes too.

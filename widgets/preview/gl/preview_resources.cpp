@@ -81,17 +81,36 @@ std::shared_ptr<ShaderBase> PreviewResources::base(const std::shared_ptr<const B
   return uploaded;
 }
 
+namespace {
+
+/// Two tables of one grid as one, the second above the first along theta_h.
+interpolation::TransformedTable stacked(interpolation::TransformedTable lower,
+                                        const interpolation::TransformedTable& upper) {
+  lower.grid.thetaHCount += upper.grid.thetaHCount;
+  lower.values.insert(lower.values.end(), upper.values.begin(), upper.values.end());
+  lower.valid.insert(lower.valid.end(), upper.valid.begin(), upper.valid.end());
+  return lower;
+}
+
+}  // namespace
+
 std::shared_ptr<const MixtureTextures> PreviewResources::mixture(
-    const std::shared_ptr<const interpolation::TransformedMixture>& mixture) {
+    const std::shared_ptr<const interpolation::TransformedMixture>& mixture,
+    const std::shared_ptr<const interpolation::TransformedMixture>& codes) {
   std::erase_if(mixtures_, [](const auto& entry) { return entry.second.expired(); });
   auto& known = mixtures_[mixture];
   if (auto textures = known.lock()) return textures;
   auto textures = std::make_shared<MixtureTextures>();
-  for (const interpolation::TransformedTable& table : mixture->tables) {
+  const auto upload = [&](const interpolation::TransformedTable& table) {
     auto& texture = *textures->tables.emplace_back(std::make_unique<TableTexture>());
     texture.phiPeriod = table.grid.phiDPeriod();
     uploadTable(*this, texture.name, table.grid, table.values, table.valid);
-  }
+  };
+  for (std::size_t i = 0; i < mixture->tables.size(); ++i)
+    if (codes)
+      upload(stacked(mixture->tables[i], codes->tables[i]));
+    else
+      upload(mixture->tables[i]);
   known = textures;
   return textures;
 }

@@ -65,9 +65,12 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// A base that is not a table, uploaded at first use (a few ms); shared by all its incident directions
   /// (IncidentDirection).
   std::shared_ptr<ShaderBase> base(const std::shared_ptr<const Brdf>& base);
-  /// The textures of all tables of a mixture, uploaded at first use.
+  /// The textures of all tables of a mixture, uploaded at first use. @param codes if not null: tables on the same grid,
+  /// which the textures contain above the others along theta_h (16 texture units are too few for twice as many
+  /// textures).
   std::shared_ptr<const MixtureTextures> mixture(
-      const std::shared_ptr<const interpolation::TransformedMixture>& mixture);
+      const std::shared_ptr<const interpolation::TransformedMixture>& mixture,
+      const std::shared_ptr<const interpolation::TransformedMixture>& codes = nullptr);
   /// Whether codes are decoded on the card. By default true, except with software OpenGL (CodeDecoder::isSoftware()).
   bool decodesCodes() const { return decodesCodes_; }
   void setDecodesCodes(bool decodes) { decodesCodes_ = decodes; }

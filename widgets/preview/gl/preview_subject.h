@@ -26,11 +26,13 @@ struct StandaloneModel {
   HalfDifferenceGrid grid = {};  ///< grid of its table, if one is needed
 };
 
-/// Materials mixed by the shader: the result of `interpolation` at the weights, from tables except for `own`.
+/// Materials mixed by the shader: the result of `interpolation` at the weights, from tables except for `own`. With
+/// preserved detail (Interpolation::preservesDetail()), the change of the space is added to the mixture: that of
+/// `edits`, of `curves` or of `codes`, whichever is not empty.
 struct PreviewBlend {
   std::shared_ptr<const interpolation::Interpolation> interpolation;
-  /// The mixture of `interpolation`. The same object while the weights change, so it is uploaded once. At most four
-  /// materials.
+  /// The mixture of `interpolation`; with preserved detail the tables of the materials. The same object while the
+  /// weights change, so it is uploaded once. At most four materials.
   std::shared_ptr<const interpolation::TransformedMixture> mixture;
   std::vector<double> weights;
   /// One edit per material, applied before mixing, all with the same edited parameters; may be empty.
@@ -41,6 +43,14 @@ struct PreviewBlend {
   std::shared_ptr<const Brdf> own = {};
   std::size_t ownIndex = 0;
   double ownFraction = 0;
+  /// With preserved detail of codes: the mixture of `interpolation`, on one grid with `mixture`; else null.
+  std::shared_ptr<const interpolation::TransformedMixture> codes = {};
+  /// With preserved detail of factors: the blended curves, then those of the materials; else empty.
+  std::vector<editing::FactorEdit::Curves> curves = {};
+  /// Whether the change is the mean of both orders of the directions: if it is not reciprocal, but all materials are.
+  bool bothOrders = false;
+
+  bool preservesDetail() const { return interpolation->preservesDetail(); }
 };
 
 /// The content of a picture; empty by default.

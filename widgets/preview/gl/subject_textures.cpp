@@ -3,9 +3,11 @@
 #include "widgets/preview/gl/subject_textures.h"
 
 #include <QVector4D>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "core/interpolation/measured_detail.h"
 #include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/shader_base.h"
 #include "widgets/preview/gl/textures.h"
@@ -23,12 +25,46 @@ void setEdits(QOpenGLShaderProgram& program, const std::vector<editing::Differen
   program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 4);
 }
 
+/// The curves of a blend in pairs, as FactorTexture takes them: the blended ones, then those of the materials.
+std::vector<editing::FactorEdit> pairsOf(const std::vector<editing::FactorEdit::Curves>& curves) {
+  std::vector<editing::FactorEdit> pairs;
+  if (curves.empty()) return pairs;
+  pairs.push_back({.original = curves[0], .edited = curves[0]});
+  for (std::size_t i = 1; i < curves.size(); i += 2)
+    pairs.push_back({.original = curves[std::min(i + 1, curves.size() - 1)], .edited = curves[i]});
+  return pairs;
+}
+
+void addCurves(const PreviewBlend& blend, QStringList& definitions) {
+  const std::vector<editing::FactorEdit> pairs = pairsOf(blend.curves);
+  const auto evaluated = [&](std::size_t pair, int set) {
+    return QString("BLEND_CURVES(%1, %2, %3, %4)")
+        .arg(pair)
+        .arg(set)
+        .arg(FactorTexture::termsOf(pairs[pair]))
+        .arg(FactorTexture::axesOf(pairs[pair]));
+  };
+  QStringList parts;
+  for (std::size_t i = 0; i < blend.weights.size(); ++i)
+    if (blend.weights[i] > 0) parts << QString("blendWeights[%1] * ").arg(i) + evaluated(1 + i / 2, int(i % 2));
+  definitions << QString("FACTOR_EDITS %1").arg(pairs.size()) << "BLEND_FACTORS " + evaluated(0, 0)
+              << "BLEND_FACTOR_PARTS " + parts.join(" + ");
+}
+
+void addDetail(const PreviewBlend& blend, QStringList& definitions) {
+  definitions << "BLEND_DETAIL";
+  if (blend.bothOrders) definitions << "BLEND_BOTH_ORDERS";
+  if (!blend.curves.empty()) addCurves(blend, definitions);
+}
+
 }  // namespace
 
 void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
   definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size());
-  if (const DataTransform transform = blend.mixture->transform; transform != DataTransform::none)
-    definitions << "BLEND_IN_TRANSFORMED_DOMAIN" << QString("BLEND_TRANSFORM %1").arg(int(transform));
+  if (blend.preservesDetail()) addDetail(blend, definitions);
+  if (const DataTransform transform = (blend.codes ? blend.codes : blend.mixture)->transform;
+      blend.codes || transform != DataTransform::none)
+    definitions << QString("BLEND_TRANSFORM %1").arg(int(transform));
   if (blend.own) {
     definitions << "BLEND_OWN";
     addShaderBase(*blend.own, definitions, preamble);
@@ -45,7 +81,7 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
   assert(firstBlendUnit + count <= endOfBlendUnits);
   if (blend.mixture != uploaded_ || !textures_) {
     gl.glActiveTexture(GL_TEXTURE0 + firstBlendUnit);
-    textures_ = resources.mixture(blend.mixture);
+    textures_ = resources.mixture(blend.mixture, blend.codes);
     uploaded_ = blend.mixture;
   }
   std::vector<GLint> units;
@@ -62,7 +98,8 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
     if (blend.own != uploadedOwn_ || !own_) own_ = resources.base(blend.own);
     uploadedOwn_ = blend.own;
     own_->bind(gl, program);
-    weights[blend.ownIndex] -= float(blend.ownFraction);
+    // With preserved detail the native form replaces a part of the table's value, which bounds the blend as a whole.
+    if (!blend.preservesDetail()) weights[blend.ownIndex] -= float(blend.ownFraction);
     program.setUniformValue("blendOwnFraction", float(blend.ownFraction));
     program.setUniformValue("blendOwnIndex", int(blend.ownIndex));
   }
@@ -70,9 +107,22 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
   program.setUniformValueArray("blendPhiPeriods", periods.data(), count, 1);
   program.setUniformValueArray("blendWeights", weights.data(), count, 1);
   setEdits(program, blend.edits);
+  if (blend.preservesDetail()) bindDetail(gl, program, blend);
 }
 
-void BlendTextures::release() {
+void BlendTextures::bindDetail(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
+                               const PreviewBlend& blend) {
+  std::vector<float> bounds;
+  for (const double weight : blend.weights) bounds.push_back(float(interpolation::boundFraction(weight)));
+  program.setUniformValueArray("blendBounds", bounds.data(), int(bounds.size()), 1);
+  if (blend.curves.empty()) return;
+  gl.glActiveTexture(GL_TEXTURE0 + factorUnit);
+  curves_.update(gl, pairsOf(blend.curves));
+  curves_.setUniforms(program, factorUnit);
+}
+
+void BlendTextures::release(QOpenGLFunctions_4_1_Core* gl) {
+  if (gl) curves_.release(*gl);
   textures_.reset();
   own_.reset();
   uploadedOwn_.reset();
@@ -109,7 +159,7 @@ void SubjectTextures::release(QOpenGLFunctions_4_1_Core* gl) {
   densityTextures_.reset();
   uploadedBase_.reset();
   uploadedDensity_.reset();
-  blendTextures_.release();
+  blendTextures_.release(gl);
   if (gl) editChain_.release(*gl);
 }
 

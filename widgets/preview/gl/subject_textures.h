@@ -18,11 +18,14 @@ class BlendTextures {
   /// Uploads a new mixture (about 20 ms per material), binds it to its units and sets the shader's uniforms.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
             const PreviewBlend& blend);
-  /// Call with the context of bind() current.
-  void release();
+  /// @param gl functions of the context of bind(), which must be current; null if there is no context.
+  void release(QOpenGLFunctions_4_1_Core* gl);
 
  private:
+  void bindDetail(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const PreviewBlend& blend);
+
   std::shared_ptr<const MixtureTextures> textures_;
+  FactorTexture curves_;
   std::shared_ptr<ShaderBase> own_;
   std::shared_ptr<const Brdf> uploadedOwn_;
   std::shared_ptr<const interpolation::TransformedMixture> uploaded_;
