@@ -277,7 +277,7 @@ class ReflectionBoundTest : public QObject {
   void itIsTight() {
     const std::vector<std::pair<Form, double>> cases{{glossy(0.3), 1.45},
                                                      {glossy(0.1), 1.8},
-                                                     {glossy(0.01), 2.4},
+                                                     {glossy(0.01), 2.7},
                                                      {bakeTable(*glossy(0.2)), 1.9},
                                                      {factorised(1, DataTransform::root), 1.8}};
     for (const auto& [brdf, factor] : cases) {
