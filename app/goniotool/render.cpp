@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <chrono>
+#include <cmath>
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/mesh_file.h"
+#include "core/rendering/plan_check.h"
 #include "core/rendering/scene_file.h"
 #include "core/rendering/strategy_costs.h"
 
@@ -20,7 +22,8 @@ struct RenderArguments {
   std::vector<std::string> materials, on, off;
   std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
-  bool effects = false, costs = false, strategies = false, everything = false;
+  bool effects = false, costs = false, strategies = false, everything = false, compare = false;
+  int reflections = rendering::EffectThresholds().maxReflections;
   double remainder = rendering::EffectThresholds().remainder, wavelength = 0;
 };
 
@@ -96,6 +99,50 @@ void reportStrategies(std::span<const rendering::StrategyCost> costs, Json& json
   json["strategies"] = list;
 }
 
+Json countersJson(const rendering::RayCounters& rays) {
+  return {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}};
+}
+
+/// All effects, with the frames of the plan, so that both pictures have the same random directions.
+rendering::EffectOverrides everythingLike(const rendering::EffectPlan& plan) {
+  rendering::EffectOverrides overrides = rendering::everyEffect();
+  const auto frames = rendering::Effect::anisotropicFrames;
+  overrides[std::size_t(frames)] = plan.simulates(frames);
+  return overrides;
+}
+
+/// RMS of the difference of two pictures, relative to the RMS of the first.
+double relativeDifference(const Image& a, const Image& b) {
+  double difference = 0, total = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb x(a.pixels[i]), d = x - Rgb(b.pixels[i]);
+    difference += glm::dot(d, d);
+    total += glm::dot(x, x);
+  }
+  return total > 0 ? std::sqrt(difference / total) : 0;
+}
+
+/// Adds rays and time of the picture with all effects, and its difference from the planned picture.
+void reportEverything(const Rendered& planned, const rendering::PathTracer& everything,
+                      const rendering::RenderOptions& size, const Tool& tool, Json& json, std::string& text) {
+  const Rendered all = renderPicture(everything, size, tool);
+  const Image a = planned.film.image(), b = all.film.image();
+  const auto meanOf = [](const Image& image) {
+    double sum = 0;
+    for (const glm::vec3& pixel : image.pixels) sum += luminance(Rgb(pixel));
+    return sum / double(image.pixels.size());
+  };
+  const double difference = relativeDifference(b, a), mean = meanOf(a), meanOfAll = meanOf(b);
+  json["everything"] = {{"seconds", all.seconds},
+                        {"counters", countersJson(all.film.counters)},
+                        {"difference", difference},
+                        {"mean", meanOfAll},
+                        {"plannedMean", mean}};
+  text += "  with all effects: " + number(all.seconds) + " s, " + std::to_string(all.film.counters.shadow) +
+          " shadow rays, " + std::to_string(all.film.counters.bounce) + " bounce rays; mean " + number(meanOfAll) +
+          " instead of " + number(mean) + ", RMS difference " + number(100 * difference) + " % (with noise)\n";
+}
+
 int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out is missing: name an image to write, or use --effects, --effect-costs or --strategy-costs");
@@ -106,9 +153,11 @@ int render(const RenderArguments& options, const Tool& tool) {
   options.picture->apply(scene);
   const Materials materials = rendering::bindMaterials(scene, openMaterials(options, tool));
   const rendering::EffectOverrides overrides = overridesOf(options);
-  const rendering::EffectThresholds thresholds{.remainder = options.remainder};
-  const rendering::PathTracer tracer(scene, materials, rendering::planEffects(scene, materials, overrides, thresholds),
-                                     size.seed);
+  const rendering::EffectThresholds thresholds{.remainder = options.remainder, .maxReflections = options.reflections};
+  const rendering::PathTracer tracer(
+      scene, materials,
+      rendering::checkedPlan(scene, materials, overrides, thresholds, tool.control("checking the effect plan")),
+      size.seed);
   std::optional<rendering::EffectCosts> costs;
   if (options.costs)
     costs = rendering::measureEffectCosts(
@@ -119,13 +168,19 @@ int render(const RenderArguments& options, const Tool& tool) {
   Json json{{"scene", scene.name},
             {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},
             {"reflections", tracer.plan().reflections},
+            {"remainder", std::isfinite(tracer.plan().remainder) ? Json(tracer.plan().remainder) : Json(nullptr)},
             {"plan", planJson(tracer.plan(), shownCosts)}};
-  std::string text;
+  std::string text, comparison;
   // Before the image is written: an interrupted command leaves none.
   const auto strategies =
       options.strategies ? measureStrategies(tracer, materials, size, tool) : std::vector<rendering::StrategyCost>();
   if (!options.out.empty()) {
     const Rendered rendered = renderPicture(tracer, size, tool);
+    if (options.compare)
+      reportEverything(rendered,
+                       {scene, materials,
+                        rendering::planEffects(scene, materials, everythingLike(tracer.plan()), thresholds), size.seed},
+                       size, tool, json, comparison);
     writePicture(
         rendered.film.image(), *options.picture, options.out,
         rendering::pictureAttributes(scene, tracer.plan(), joined(options.materials), size.samples, size.seed));
@@ -135,12 +190,12 @@ int render(const RenderArguments& options, const Tool& tool) {
                  {"samples", size.samples},
                  {"width", size.width},
                  {"height", size.height},
-                 {"counters", {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}}},
+                 {"counters", countersJson(rays)},
                  {"fireflies", {{"brightest", fireflies.brightest}, {"fraction", fireflies.fraction}}},
                  {"out", options.out}});
     text = options.out + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) + ", " +
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +
-           std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n";
+           std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n" + comparison;
   }
   if (options.strategies) reportStrategies(strategies, json, text);
   if (options.effects || options.costs) text += planText(tracer.plan(), shownCosts);
@@ -175,6 +230,13 @@ void addRender(CLI::App& app, Tool& tool) {
       ->check(known);
   command->add_option("--off", options->off, "Effects to leave out")->delimiter(',')->check(known);
   command->add_flag("--everything", options->everything, "Simulate all effects, to verify the effect plan");
+  command->add_flag("--compare-everything", options->compare,
+                    "Render the picture with all effects too, and report its rays, its time and the difference");
+  command
+      ->add_option("--reflections", options->reflections,
+                   "Simulate at most this number of reflections: 1 shows direct light, 2 adds light that was reflected "
+                   "twice, and so on (64)")
+      ->check(CLI::Range(1, 64));
   command
       ->add_option("--remainder", options->remainder,
                    "Ignore further reflections that together add at most this fraction of the brightest first "

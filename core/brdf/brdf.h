@@ -11,6 +11,8 @@
 
 namespace gonio {
 
+class ValueBound;
+
 /// A sampled direction of light and its density, 1/sr. pdf = 0: the sample failed and contributes nothing.
 struct DirectionSample {
   Direction wi{0, 0, 1};
@@ -58,6 +60,10 @@ class Brdf {
   /// Whether mirroring both directions at any plane through the normal leaves the value unchanged (bilateral symmetry
   /// of an isotropic BRDF); false if unknown.
   virtual bool isMirrorSymmetric() const { return false; }
+
+  /// Bounds of the values over sets of pairs, strict up to rounding, from which the effect plan proves what it may omit
+  /// (core/brdf/value_bound.h). Null: no bound is known. May take up to a second for a sparse code.
+  virtual std::shared_ptr<const ValueBound> valueBound() const { return nullptr; }
 
   /// Whether the value of a pair is known: false below the horizon and where a measurement has no data. There
   /// evaluate() returns 0, or the extrapolation that the class documents.

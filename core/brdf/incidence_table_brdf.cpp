@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/brdf/value_bound.h"
 #include "core/math/types.h"
 #include "core/support/error.h"
 
@@ -169,6 +170,48 @@ Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
 void IncidenceTableBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     values[i] = isBelowHorizon(pairs[i].wi) || isBelowHorizon(pairs[i].wo) ? Rgb(0) : value(pairs[i]);
+}
+
+namespace {
+
+/// Over the angles of incidence and, about the mirror direction, the polar angle.
+class IncidenceBound final : public ValueBound {
+ public:
+  explicit IncidenceBound(const IncidenceTableBrdf& brdf)
+      : incident_(brdf.table().incident),
+        polars_(brdf.table().axis == Axis::mirror ? brdf.table().polars : std::vector<double>{0}),
+        extrema_(int(incident_.size()), int(polars_.size())) {
+    const IncidenceTable& table = brdf.table();
+    for (std::size_t node = 0; node < table.values.size(); ++node) {
+      const std::size_t polar = node % table.polars.size();
+      // A node below the horizon counts for nothing, or, where all are, the value is 0.
+      extrema_.include(int(node / table.polars.size() / table.azimuths.size()), polars_.size() > 1 ? int(polar) : 0,
+                       brdf.isAboveHorizon(node) ? Rgb(table.values[node]) : Rgb(0));
+    }
+  }
+
+  RgbRange over(const PairBox& box) const override {
+    const auto nodes = [](const Range& angle, const std::vector<double>& all) {
+      const auto first = std::upper_bound(all.begin(), all.end(), angle.low - incidenceTolerance) - all.begin() - 1;
+      const auto last = std::lower_bound(all.begin(), all.end(), angle.high + incidenceTolerance) - all.begin();
+      return NodeSpan({double(first), double(last)}, int(all.size()));
+    };
+    // The mirror direction of the light is that of wi turned by half a turn: 2 sin(angle / 2) is the distance.
+    const Range across = Range(2) * box.cosD * box.sinH, distance = sqrt(square(across) + square(box.rise));
+    const auto angle = [](double chord) { return 2 * std::asin(std::clamp(chord / 2, 0.0, 1.0)); };
+    return extrema_.over(nodes(box.thetaI(), incident_), nodes(increasing(distance, angle), polars_));
+  }
+
+ private:
+  using Axis = IncidenceTable::Axis;
+  std::vector<double> incident_, polars_;
+  GridExtrema extrema_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ValueBound> IncidenceTableBrdf::valueBound() const {
+  return std::make_shared<const IncidenceBound>(*this);
 }
 
 bool IncidenceTableBrdf::hasData(const DirectionPair& pair) const {

@@ -42,6 +42,7 @@ class IncidenceTableBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isReciprocal() const override { return false; }
   bool hasData(const DirectionPair& pair) const override;
+  std::shared_ptr<const ValueBound> valueBound() const override;
 
   const IncidenceTable& table() const { return table_; }
   /// Whether the viewing direction of a node is above the horizon; other nodes are ignored. @param node index into the

@@ -8,6 +8,7 @@
 
 #include "core/brdf/density_mixture.h"
 #include "core/brdf/normal_square.h"
+#include "core/brdf/value_bound.h"
 #include "core/math/fast_functions.h"
 
 namespace gonio {
@@ -182,6 +183,79 @@ void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> valu
     evaluateBlock(*tables_, block, false, reversed);
     for (std::size_t i = 0; i < count; ++i) results[i] = (results[i] + reversed[i]) / 2.0;
   }
+}
+
+namespace {
+
+/// Stored values over the whole square and all azimuths, the distributions over all azimuths.
+class RglBound final : public ValueBound {
+ public:
+  RglBound(const RglData& data, IncidentDirection incident)
+      : incident_(incident),
+        jacobian_(data.jacobian),
+        thetas_(data.incident.thetas().begin(), data.incident.thetas().end()),
+        values_(int(thetas_.size()), 1),
+        ndf_(int(data.ndf.width), 1),
+        sigma_(int(data.sigma.width), 1) {
+    const std::size_t perSlice = data.rgb.width * data.rgb.height;
+    for (std::size_t n = 0; n < data.rgb.values.size(); ++n)
+      values_.include(int(n / perSlice % thetas_.size()), 0, Rgb(data.rgb.values[n]));
+    for (std::size_t n = 0; n < data.ndf.values.size(); ++n)
+      ndf_.include(int(n % data.ndf.width), 0, Rgb(data.ndf.values[n]));
+    for (std::size_t n = 0; n < data.sigma.values.size(); ++n)
+      sigma_.include(int(n % data.sigma.width), 0, Rgb(data.sigma.values[n]));
+    ndfWidth_ = int(data.ndf.width);
+    sigmaWidth_ = int(data.sigma.width);
+  }
+
+  RgbRange over(const PairBox& box) const override {
+    RgbRange result{Rgb(std::numeric_limits<double>::infinity()), Rgb(-std::numeric_limits<double>::infinity())};
+    const auto include = [&](const RgbRange& one) {
+      result.low = glm::min(result.low, one.low);
+      result.high = glm::max(result.high, one.high);
+    };
+    if (incident_ != IncidentDirection::light) include(ofIncident(box.thetaO, box.cosI, box));
+    if (incident_ != IncidentDirection::viewer) include(ofIncident(box.thetaI(), box.cosO, box));
+    return result;
+  }
+
+ private:
+  RgbRange ofIncident(const Range& theta, const Range& cosOut, const PairBox& box) const {
+    const auto first = std::upper_bound(thetas_.begin(), thetas_.end(), theta.low - 1e-6) - thetas_.begin() - 1;
+    const auto last = std::lower_bound(thetas_.begin(), thetas_.end(), theta.high + 1e-6) - thetas_.begin();
+    const RgbRange stored =
+        values_.over(NodeSpan({double(first), double(last)}, int(thetas_.size())), NodeSpan(0.0, 1));
+    const Range cosine = max(cosOut, Range(minCosine));
+    Range factor = Range(1) / cosine;
+    if (jacobian_) {
+      const Range density = spread(ndf_, box.thetaH, ndfWidth_), area = spread(sigma_, theta, sigmaWidth_);
+      factor = factor * density / (Range(4) * max(area, Range(0)));
+    }
+    RgbRange result;
+    for (int c = 0; c < 3; ++c) {
+      const Range one = Range(stored.low[c], stored.high[c]) * factor;
+      result.low[c] = std::min(0.0, one.low);
+      result.high[c] = std::max(0.0, one.high);
+    }
+    return result;
+  }
+  static Range spread(const GridExtrema& columns, const Range& theta, int width) {
+    const auto column = [width](double angle) { return toNormalSquare(angle, 0).x * (width - 1); };
+    const RgbRange found = columns.over(NodeSpan(increasing(theta, column), width), NodeSpan(0.0, 1));
+    return {found.low.x, found.high.x};
+  }
+
+  IncidentDirection incident_;
+  bool jacobian_;
+  std::vector<double> thetas_;
+  GridExtrema values_, ndf_, sigma_;
+  int ndfWidth_ = 0, sigmaWidth_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<const ValueBound> RglBrdf::valueBound() const {
+  return std::make_shared<const RglBound>(tables_->data, incident_);
 }
 
 DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {

@@ -62,6 +62,7 @@ class RglBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return tables_->data.isotropic; }
   bool isReciprocal() const override { return incident_ == IncidentDirection::mean; }
+  std::shared_ptr<const ValueBound> valueBound() const override;
   bool isSpectral() const override { return tables_->data.spectra != nullptr; }
 
   /// The file's own importance sampling (section 5.2): luminance, then visible normals, with the viewer as incident

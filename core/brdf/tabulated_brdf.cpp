@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/brdf/value_bound.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/half_difference_grid.h"
 #include "core/math/parallel.h"
@@ -164,6 +165,40 @@ bool TabulatedBrdf::hasData(const DirectionPair& pair) const {
   bool valid = false;
   if (Brdf::hasData(pair)) lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::trilinear, &valid);
   return valid;
+}
+
+namespace {
+
+/// An interpolated value is a mean of the nodes about it, whatever phi_d.
+class TableBound final : public ValueBound {
+ public:
+  explicit TableBound(const TabulatedBrdf& table)
+      : grid_(table.grid()), extrema_(grid_.thetaHCount, grid_.thetaDCount) {
+    std::size_t cell = 0;
+    for (int i = 0; i < grid_.thetaHCount; ++i)
+      for (int j = 0; j < grid_.thetaDCount; ++j)
+        for (int k = 0; k < grid_.phiDCount; ++k, ++cell)
+          // Where no node is valid the value is 0.
+          extrema_.include(i, j, Rgb(table.values()[cell]));
+  }
+
+  RgbRange over(const PairBox& box) const override {
+    const Range thetaD = box.thetaD();
+    const auto low = grid_.position(box.thetaH.low, thetaD.low, 0),
+               high = grid_.position(box.thetaH.high, thetaD.high, 0);
+    return extrema_.over(NodeSpan({low.thetaH, high.thetaH}, grid_.thetaHCount),
+                         NodeSpan({low.thetaD, high.thetaD}, grid_.thetaDCount));
+  }
+
+ private:
+  HalfDifferenceGrid grid_;
+  GridExtrema extrema_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ValueBound> TabulatedBrdf::valueBound() const {
+  return std::make_shared<const TableBound>(*this);
 }
 
 bool TabulatedBrdf::isInterior(const GridCorners& at) const {

@@ -52,6 +52,8 @@ class TabulatedBrdf final : public Brdf {
 
   bool isReciprocal() const override { return grid_.reciprocal; }
   bool hasData(const DirectionPair& pair) const override;
+  /// From the extrema of the cells over phi_d.
+  std::shared_ptr<const ValueBound> valueBound() const override;
 
   const HalfDifferenceGrid& grid() const { return grid_; }
   std::span<const Value> values() const { return values_; }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/brdf/value_bound.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -88,6 +89,58 @@ void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> val
   for (std::size_t p = 0; p < pairs.size(); ++p)
     values[p] =
         isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo) ? Rgb(0) : valueInOrder(incident_, pairs[p], value);
+}
+
+namespace {
+
+/// Over both polar angles and the difference of the azimuths, whatever the azimuth of the incident direction.
+class UtiaBound final : public ValueBound {
+ public:
+  UtiaBound(const UtiaBrdf::Values& values, IncidentDirection incident) : extrema_(polars * polars, azimuths) {
+    const auto include = [&](int viewer, int light, int turn, const glm::vec3& value) {
+      // Both azimuths are interpolated: the nodes' difference is up to a step from that of the directions.
+      for (const int step : {-1, 0, 1})
+        extrema_.include(viewer * polars + light, (turn + step + azimuths) % azimuths, Rgb(value));
+    };
+    for (int i = 0; i < directions; ++i)
+      for (int v = 0; v < directions; ++v) {
+        const glm::vec3& value = values[std::size_t(i * directions + v)];
+        const int in = i / azimuths, out = v / azimuths, turn = (v - i + 2 * directions) % azimuths;
+        if (incident != IncidentDirection::light) include(in, out, turn, value);
+        if (incident != IncidentDirection::viewer) include(out, in, (azimuths - turn) % azimuths, value);
+      }
+  }
+
+  RgbRange over(const PairBox& box) const override {
+    const NodeSpan viewer(scaled(box.thetaO, UtiaBrdf::polarStep), polars),
+        light(scaled(box.thetaI(), UtiaBrdf::polarStep), polars);
+    const Range turn = scaled(box.phiI(), UtiaBrdf::azimuthStep);
+    const int first = int(std::floor(turn.low - 1e-6)), last = int(std::ceil(turn.high + 1e-6));
+    const int count = std::min(last - first + 1, azimuths);
+    RgbRange result{Rgb(std::numeric_limits<double>::max()), Rgb(0)};
+    for (int out = viewer.first; out <= viewer.last; ++out)
+      for (int in = light.first; in <= light.last; ++in)
+        for (int n = 0; n < count; ++n) {
+          const int at = ((first + n) % azimuths + azimuths) % azimuths, row = out * polars + in;
+          const RgbRange cell = extrema_.over(NodeSpan(double(row), polars * polars), NodeSpan(double(at), azimuths));
+          result.low = glm::min(result.low, cell.low);
+          result.high = glm::max(result.high, cell.high);
+        }
+    return result;
+  }
+
+ private:
+  static constexpr int polars = int(UtiaBrdf::polarCount), azimuths = int(UtiaBrdf::azimuthCount),
+                       directions = polars * azimuths;
+  static Range scaled(const Range& angle, double step) { return {angle.low / step, angle.high / step}; }
+
+  GridExtrema extrema_;
+};
+
+}  // namespace
+
+std::shared_ptr<const ValueBound> UtiaBrdf::valueBound() const {
+  return std::make_shared<const UtiaBound>(*values_, incident_);
 }
 
 bool UtiaBrdf::hasData(const DirectionPair& pair) const {

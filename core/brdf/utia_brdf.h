@@ -39,6 +39,7 @@ class UtiaBrdf final : public Brdf {
   bool isReciprocal() const override { return incident_ == IncidentDirection::mean; }
   /// Whether both polar angles are at most 75 degrees.
   bool hasData(const DirectionPair& pair) const override;
+  std::shared_ptr<const ValueBound> valueBound() const override;
 
   /// [incident direction][viewing direction]; the 48 values of polar angle 0 are equal. Shared by the BRDFs that
   /// withIncident() returns.

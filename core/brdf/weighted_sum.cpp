@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "core/brdf/value_bound.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
@@ -39,6 +40,26 @@ std::optional<std::size_t> indexOfFullWeight(std::span<const double> weights) {
 namespace {
 
 constexpr std::size_t blockCells = 4096;
+
+class SumBound final : public ValueBound {
+ public:
+  SumBound(std::vector<std::shared_ptr<const ValueBound>> terms, std::vector<double> weights)
+      : terms_(std::move(terms)), weights_(std::move(weights)) {}
+
+  RgbRange over(const PairBox& box) const override {
+    RgbRange sum;
+    for (std::size_t term = 0; term < terms_.size(); ++term) {
+      const RgbRange one = terms_[term]->over(box);
+      sum.low += weights_[term] * one.low;
+      sum.high += weights_[term] * one.high;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const ValueBound>> terms_;
+  std::vector<double> weights_;
+};
 
 class WeightedSum final : public Brdf {
  public:
@@ -75,6 +96,13 @@ class WeightedSum final : public Brdf {
   }
   bool isReciprocal() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isReciprocal(); });
+  }
+
+  std::shared_ptr<const ValueBound> valueBound() const override {
+    std::vector<std::shared_ptr<const ValueBound>> bounds;
+    for (const auto& term : terms_)
+      if (!bounds.emplace_back(term->valueBound())) return nullptr;
+    return std::make_shared<const SumBound>(std::move(bounds), weights_);
   }
 
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override {

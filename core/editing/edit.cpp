@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/brdf/value_bound.h"
 #include "core/editing/lobe_change.h"
 #include "core/math/parallel.h"
 #include "core/math/types.h"
@@ -100,6 +101,73 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
   }
 }
 
+/// The bounds of an edit that looks at no other directions.
+struct EditBound {
+  std::shared_ptr<const ValueBound> edited, fitted;  ///< null: a change of colours, or one that replaces the base
+  double strength;
+  Composition composition;
+  std::optional<glm::dmat3> colours;
+};
+
+/// One channel of `value` with an edit, as addEdits() computes it, over a set of pairs.
+Range editedRange(const EditBound& edit, const Range& value, const Range& edited, const Range& fitted) {
+  const Range strength(edit.strength);
+  if (!edit.fitted) return (Range(1) - strength) * value + strength * edited;
+  if (edit.composition != Composition::logPlus) return value + strength * (edited - fitted);
+  // (offset + value) (1 + strength ratio) - offset, in which the value stands once; the ratio rises with `edited`.
+  const Range offset(logPlusOffset);
+  if (!(value.low >= 0) || !(fitted.low > -logPlusOffset))
+    return value + strength * (offset + max(value, Range(0))) * ((edited - fitted) / (offset + fitted));
+  const Range ratio = (offset + edited) / (offset + fitted) - Range(1);
+  return (offset + value) * (Range(1) + strength * ratio) - offset;
+}
+
+/// Step by step what EditedBrdf does, in interval arithmetic.
+class EditedBound final : public ValueBound {
+ public:
+  EditedBound(std::shared_ptr<const ValueBound> base, std::vector<EditBound> edits, double floor)
+      : base_(std::move(base)), edits_(std::move(edits)), floor_(floor) {}
+
+  RgbRange over(const PairBox& box) const override {
+    const RgbRange base = base_->over(box);
+    std::array<Range, 3> values = channels(base);
+    for (const EditBound& edit : edits_) {
+      const std::array<Range, 3> edited = edit.edited ? channels(edit.edited->over(box)) : values;
+      const std::array<Range, 3> fitted = edit.fitted ? channels(edit.fitted->over(box)) : values;
+      const std::array<Range, 3> before = values;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Range result =
+            edit.colours ? recoloured(edit, before, c) : editedRange(edit, before[c], edited[c], fitted[c]);
+        values[c] = max(min(Range(floor_), before[c]), result);
+      }
+    }
+    RgbRange result;
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Where the base has no data the value is 0.
+      result.low[int(c)] = std::min(0.0, values[c].low);
+      result.high[int(c)] = std::max(0.0, values[c].high);
+    }
+    return result;
+  }
+
+ private:
+  static std::array<Range, 3> channels(const RgbRange& range) {
+    return {Range(range.low.x, range.high.x), Range(range.low.y, range.high.y), Range(range.low.z, range.high.z)};
+  }
+  static Range recoloured(const EditBound& edit, const std::array<Range, 3>& values, std::size_t channel) {
+    Range sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double unchanged = c == channel ? 1 - edit.strength : 0;
+      sum += Range(unchanged + edit.strength * (*edit.colours)[int(c)][int(channel)]) * values[c];
+    }
+    return sum;
+  }
+
+  std::shared_ptr<const ValueBound> base_;
+  std::vector<EditBound> edits_;
+  double floor_;
+};
+
 /// A base with edits. All are in one object, so that neither evaluation nor destruction recurses over a long list; only
 /// an edit by lobes that changes widths evaluates those before it again (maxBaseEvaluations).
 class EditedBrdf final : public Brdf {
@@ -126,6 +194,19 @@ class EditedBrdf final : public Brdf {
   }
 
   bool hasData(const DirectionPair& pair) const override { return base_->hasData(pair); }
+  /// None is known for edits by lobes, which carry the base to other directions.
+  std::shared_ptr<const ValueBound> valueBound() const override {
+    auto base = base_->valueBound();
+    if (!base) return nullptr;
+    std::vector<EditBound> edits;
+    for (const ActiveEdit& edit : edits_) {
+      EditBound& bound = edits.emplace_back(EditBound{nullptr, nullptr, edit.strength, edit.composition, edit.colours});
+      if (edit.edited) bound.edited = edit.edited->valueBound();
+      if (edit.fitted) bound.fitted = edit.fitted->valueBound();
+      if (edit.lobes || (edit.edited && !bound.edited) || (edit.fitted && !bound.fitted)) return nullptr;
+    }
+    return std::make_shared<const EditedBound>(std::move(base), std::move(edits), floor_.x);
+  }
   bool isIsotropic() const override { return base_->isIsotropic() && allIsotropic(edits_); }
   bool isReciprocal() const override {
     return base_->isReciprocal() &&

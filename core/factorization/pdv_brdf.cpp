@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/brdf/density_mixture.h"
+#include "core/brdf/value_bound.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/math/fast_functions.h"
@@ -289,6 +290,108 @@ class CurveBundle {
   std::vector<float> values_, slopes_;
 };
 
+/// The extrema of all curves of one axis: between two nodes a monotone cubic stays between their values.
+class CurveExtrema {
+ public:
+  CurveExtrema(std::vector<double> nodes, std::size_t width)
+      : nodes_(std::move(nodes)), width_(width), values_(nodes_.size() * width), slopes_(values_.size()) {}
+
+  void set(std::size_t curve, std::span<const double> values) {
+    const std::vector<double> slopes = monotoneSlopes(nodes_, values);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      values_[i * width_ + curve] = float(values[i]);
+      slopes_[i * width_ + curve] = float(slopes[i]);
+    }
+  }
+
+  /// Multiplies each entry of `products` by the range of its curve over a range of places.
+  void multiply(const Range& x, std::span<Range> products) const {
+    std::vector<float> low(width_), high(width_), end(width_);
+    valuesAt(x.low, low);
+    high = low;
+    const auto include = [&](const float* values) {
+      for (std::size_t c = 0; c < width_; ++c) {
+        low[c] = std::min(low[c], values[c]);
+        high[c] = std::max(high[c], values[c]);
+      }
+    };
+    valuesAt(x.high, end);
+    include(end.data());
+    for (auto node = std::size_t(std::upper_bound(nodes_.begin(), nodes_.end(), x.low) - nodes_.begin());
+         node < nodes_.size() && nodes_[node] < x.high; ++node)
+      include(values_.data() + node * width_);
+    constexpr double rounding = 1e-6;
+    for (std::size_t c = 0; c < width_; ++c) {
+      const double slack = rounding * std::max(std::abs(low[c]), std::abs(high[c]));
+      products[c] *= Range(low[c] - slack, high[c] + slack);
+    }
+  }
+
+ private:
+  void valuesAt(double x, std::vector<float>& result) const {
+    if (nodes_.size() < 2) {
+      std::copy_n(values_.begin(), width_, result.begin());
+      return;
+    }
+    const NodeInterval at = findInterval(nodes_, x);
+    const HermiteWeights w(at.fraction, nodes_[at.index + 1] - nodes_[at.index]);
+    const float *v = values_.data() + at.index * width_, *s = slopes_.data() + at.index * width_;
+    for (std::size_t c = 0; c < width_; ++c)
+      result[c] =
+          float(w.before * v[c] + w.after * v[c + width_] + w.slopeBefore * s[c] + w.slopeAfter * s[c + width_]);
+  }
+
+  std::vector<double> nodes_;
+  std::size_t width_;
+  std::vector<float> values_, slopes_;
+};
+
+/// The coordinates of a box are those of the factors: theta_R is the viewer's polar angle, the deviation the length of
+/// the projected wi + wo = 2 cos theta_d h, and phi its azimuth from the viewer's.
+class PdvBound final : public ValueBound {
+ public:
+  explicit PdvBound(const PdvFactors& f)
+      : transform_(f.transform),
+        highest_(f.highest),
+        terms_(std::size_t(f.terms())),
+        f1_(f.thetaNodes, 3 * terms_),
+        f2_(f.deviationNodes, 3 * terms_),
+        f3_(f.phiNodes, 3 * terms_) {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      for (std::size_t term = 0; term < terms_; ++term) {
+        const PdvTerm& curves = f.channels[channel][term];
+        f1_.set(channel * terms_ + term, curves.f1);
+        f2_.set(channel * terms_ + term, curves.f2);
+        f3_.set(channel * terms_ + term, curves.f3);
+      }
+  }
+
+  RgbRange over(const PairBox& box) const override {
+    std::array<Range, 3 * maxPdvTerms> products;
+    const std::span<Range> used = std::span(products).first(3 * terms_);
+    std::ranges::fill(used, Range(1));
+    f1_.multiply(box.thetaO, used);
+    f2_.multiply(Range(2) * box.cosD * box.sinH, used);
+    f3_.multiply(abs(box.psi), used);
+    const double weight = cosineWeight(box.cosI.low, box.cosO.low), most = cosineWeight(box.cosI.high, box.cosO.high);
+    RgbRange result;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      Range sum = 0;
+      for (std::size_t term = 0; term < terms_; ++term) sum += used[channel * terms_ + term];
+      const auto c = int(channel);
+      result.low[c] = inverseTransformed(transform_, std::min(sum.low, highest_), most);
+      result.high[c] = inverseTransformed(transform_, std::min(sum.high, highest_), weight);
+    }
+    return result;
+  }
+
+ private:
+  DataTransform transform_;
+  double highest_;
+  std::size_t terms_;
+  CurveExtrema f1_, f2_, f3_;
+};
+
 class PdvBrdf final : public Brdf {
  public:
   explicit PdvBrdf(const PdvFactors& f)
@@ -321,6 +424,7 @@ class PdvBrdf final : public Brdf {
   bool hasImportanceSampling() const override { return true; }
   double samplingCost() const override { return 1.6; }
   bool isReciprocal() const override { return false; }
+  std::shared_ptr<const ValueBound> valueBound() const override { return std::make_shared<const PdvBound>(*factors_); }
   const std::shared_ptr<const PdvFactors>& factors() const { return factors_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }

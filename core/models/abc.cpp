@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
@@ -11,6 +12,9 @@
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/abc.glsl"
+}
+namespace ranges {
 #include "core/models/abc.glsl"
 }
 
@@ -113,7 +117,7 @@ auto smoothArguments(const ParameterValues& p) {
 
 std::unique_ptr<const Brdf> createSmooth(const ParameterValues& p) {
   const double reflectance = fresnelOf(p, smoothFresnel, smoothEdgeTint)(typicalCosine);
-  return makeGeometryBrdf(bound<glsl::formula_abc_smooth>(smoothArguments(p)),
+  return makeGeometryBrdf(bound<glsl::formula_abc_smooth, ranges::formula_abc_smooth>(smoothArguments(p)),
                           // The integral over the plane is pi times that over the squared radius.
                           diffuseMixture(maxChannel(p.values[diffuse]),
                                          pi * maxChannel(p.values[amplitude]) * lobeIntegral(p) * reflectance,
@@ -133,7 +137,7 @@ std::unique_ptr<const Brdf> createAbc(const ParameterValues& p) {
     const double s = std::sin(thetaH / 2);
     return glsl::abcLobe(2 * s * s, b, c);
   });
-  return makeGeometryBrdf(bound<glsl::formula_abc>(abcArguments(p)),
+  return makeGeometryBrdf(bound<glsl::formula_abc, ranges::formula_abc>(abcArguments(p)),
                           diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{normals}));
 }
 

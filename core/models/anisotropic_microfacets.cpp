@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
@@ -19,6 +20,28 @@ inline REAL beckmannCosineOverG1(const vec3& w, const vec2& alpha) {
 }
 #include "core/models/anisotropic_microfacets.glsl"
 }  // namespace glsl
+namespace ranges {
+REAL ggxDensity(const vec3& h, const vec2& alpha) {
+  const REAL product = alpha.x * alpha.y, across = alpha.y / alpha.x, along = alpha.x / alpha.y;
+  const REAL slope = square(h.x) * across + square(h.y) * along + product * square(h.z);
+  return product / (REAL(pi) * square(slope));
+}
+/// cos theta (1 + Lambda) rises with the cosine and with the slope.
+REAL slopeOf(const vec3& w, const vec2& alpha) { return sqrt(square(alpha.x * w.x) + square(alpha.y * w.y)); }
+REAL ggxCosineOverG1(const vec3& w, const vec2& alpha) {
+  return (w.z + sqrt(square(slopeOf(w, alpha)) + square(w.z))) / 2.0;
+}
+REAL beckmannDensity(const vec3& h, const vec2& alpha) {
+  const REAL cos2 = max(square(h.z), REAL(1e-18)), slopes = square(h.x / alpha.x) + square(h.y / alpha.y);
+  return exp(-slopes / cos2) / (REAL(pi) * alpha.x * alpha.y * square(cos2));
+}
+REAL beckmannCosineOverG1(const vec3& w, const vec2& alpha) {
+  const REAL slope = slopeOf(w, alpha);
+  return {gonio::beckmannCosineOverG1({slope.low, 0, w.z.low}, 1, 1),
+          gonio::beckmannCosineOverG1({slope.high, 0, w.z.high}, 1, 1)};
+}
+#include "core/models/anisotropic_microfacets.glsl"
+}  // namespace ranges
 
 namespace {
 
@@ -80,11 +103,11 @@ auto arguments(const ParameterValues& p) {
 }
 
 /// @tparam Lobe the sampler of the distribution.
-template <auto formula, typename Lobe>
+template <auto formula, auto rangeFormula, typename Lobe>
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double x = p.values[roughnessX].x, y = p.values[roughnessY].x;
   return makeGeometryBrdf(
-      bound<formula>(arguments(p)),
+      bound<formula, rangeFormula>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
                      RotatedDensity(Lobe{x, y}, p.values[rotation].x)),
       x == y);
@@ -104,12 +127,16 @@ constexpr Model::Functions functions{
 }  // namespace
 
 const Model& ggxAnisotropic() {
-  static const Model model(ggxSpec, functions<create<glsl::formula_ggx_anisotropic, VisibleNormalDensity>>);
+  static const Model model(
+      ggxSpec, functions<create<glsl::formula_ggx_anisotropic, ranges::formula_ggx_anisotropic, VisibleNormalDensity>>);
   return model;
 }
 
 const Model& beckmannAnisotropic() {
-  static const Model model(beckmannSpec, functions<create<glsl::formula_beckmann_anisotropic, BeckmannVisibleDensity>>);
+  static const Model model(
+      beckmannSpec,
+      functions<
+          create<glsl::formula_beckmann_anisotropic, ranges::formula_beckmann_anisotropic, BeckmannVisibleDensity>>);
   return model;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
@@ -10,6 +11,9 @@
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/ashikhmin_shirley.glsl"
+}
+namespace ranges {
 #include "core/models/ashikhmin_shirley.glsl"
 }
 
@@ -67,7 +71,7 @@ auto arguments(const ParameterValues& p) {
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double nx = p.values[exponentX].x, ny = p.values[exponentY].x;
   return makeGeometryBrdf(
-      bound<glsl::formula_ashikhmin_shirley>(arguments(p)),
+      bound<glsl::formula_ashikhmin_shirley, ranges::formula_ashikhmin_shirley>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(0.5),
                      RotatedDensity(HalfVectorDensity{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
       nx == ny);

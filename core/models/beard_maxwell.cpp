@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/beard_maxwell.glsl"
+}
+namespace ranges {
 #include "core/models/beard_maxwell.glsl"
 }
 
@@ -69,7 +73,7 @@ auto arguments(const ParameterValues& p) {
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double m = p.values[roughness].x;
-  return makeGeometryBrdf(bound<glsl::formula_beard_maxwell>(arguments(p)),
+  return makeGeometryBrdf(bound<glsl::formula_beard_maxwell, ranges::formula_beard_maxwell>(arguments(p)),
                           diffuseMixture(maxChannel(p.values[diffuse] + p.values[volume]),
                                          maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
                                          HalfVectorDensity{BeckmannNormals{m, m}}));

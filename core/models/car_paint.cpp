@@ -3,12 +3,16 @@
 #include <array>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/car_paint.glsl"
+}
+namespace ranges {
 #include "core/models/car_paint.glsl"
 }
 
@@ -110,7 +114,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
     return HalfVectorDensity{BeckmannNormals{m, m}};
   };
   return makeGeometryBrdf(
-      bound<glsl::formula_car_paint>(arguments(p)),
+      bound<glsl::formula_car_paint, ranges::formula_car_paint>(arguments(p)),
       DensityMixture(mixtureFractions(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
                      CosineDensity{}, normals(0), normals(1), normals(2)));
 }

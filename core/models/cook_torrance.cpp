@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/cook_torrance.glsl"
+}
+namespace ranges {
 #include "core/models/cook_torrance.glsl"
 }
 
@@ -60,7 +64,7 @@ auto arguments(const ParameterValues& p) {
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double m = p.values[roughness].x;
   return makeGeometryBrdf(
-      bound<glsl::formula_cook_torrance>(arguments(p)),
+      bound<glsl::formula_cook_torrance, ranges::formula_cook_torrance>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnelOf(p)(typicalCosine),
                      HalfVectorDensity{BeckmannNormals{m, m}}));
 }

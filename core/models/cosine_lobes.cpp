@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 #include "core/sampling/half_vector_densities.h"
@@ -13,6 +14,9 @@
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/cosine_lobes.glsl"
+}
+namespace ranges {
 #include "core/models/cosine_lobes.glsl"
 }
 
@@ -179,41 +183,48 @@ auto neumannArguments(const ParameterValues& p) {
 }
 
 /// @param albedo of the highlight for k_s = 1, to sample it.
-template <auto formula, typename Arguments, typename Density>
+template <auto formula, auto rangeFormula, typename Arguments, typename Density>
 std::unique_ptr<const Brdf> makeBrdf(const ParameterValues& p, const Arguments& arguments, double albedo,
                                      const Density& density) {
-  return makeGeometryBrdf(bound<formula>(arguments), diffuseMixture(maxChannel(p.values[diffuse]),
-                                                                    maxChannel(p.values[specular]) * albedo, density));
+  return makeGeometryBrdf(
+      bound<formula, rangeFormula>(arguments),
+      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * albedo, density));
 }
 
 std::unique_ptr<const Brdf> createPhong(const ParameterValues& p) {
   const double n = p.values[exponent].x;
-  return makeBrdf<glsl::formula_phong>(p, phongArguments(p), 1 / reflectionNormalisation(n), reflectionDensity(n));
+  return makeBrdf<glsl::formula_phong, ranges::formula_phong>(p, phongArguments(p), 1 / reflectionNormalisation(n),
+                                                              reflectionDensity(n));
 }
 
 std::unique_ptr<const Brdf> createModifiedPhong(const ParameterValues& p) {
-  return makeBrdf<glsl::formula_phong>(p, modifiedPhongArguments(p), 1, reflectionDensity(p.values[exponent].x));
+  return makeBrdf<glsl::formula_phong, ranges::formula_phong>(p, modifiedPhongArguments(p), 1,
+                                                              reflectionDensity(p.values[exponent].x));
 }
 
 std::unique_ptr<const Brdf> createBlinn(const ParameterValues& p) {
-  return makeBrdf<glsl::formula_blinn_phong>(p, blinnArguments(p), 1, halfVectorDensity(p.values[exponent].x));
+  return makeBrdf<glsl::formula_blinn_phong, ranges::formula_blinn_phong>(p, blinnArguments(p), 1,
+                                                                          halfVectorDensity(p.values[exponent].x));
 }
 
 std::unique_ptr<const Brdf> createLewis(const ParameterValues& p) {
   const auto [kd, ks, n, aboutHalfVector] = lewisArguments(p);
   const std::tuple arguments(kd, ks, n);
-  return aboutHalfVector == 1 ? makeBrdf<glsl::formula_blinn_phong>(p, arguments, 1, halfVectorDensity(n))
-                              : makeBrdf<glsl::formula_phong>(p, arguments, 1, reflectionDensity(n));
+  return aboutHalfVector == 1
+             ? makeBrdf<glsl::formula_blinn_phong, ranges::formula_blinn_phong>(p, arguments, 1, halfVectorDensity(n))
+             : makeBrdf<glsl::formula_phong, ranges::formula_phong>(p, arguments, 1, reflectionDensity(n));
 }
 
 std::unique_ptr<const Brdf> createNeumannPhong(const ParameterValues& p) {
   const double n = p.values[exponent].x, albedo = chosen(p.values[choice].x) == 0 ? 1 : 1 / neumannPhongBound(n);
-  return makeBrdf<glsl::formula_neumann_phong>(p, neumannArguments<neumannPhongBound>(p), albedo, reflectionDensity(n));
+  return makeBrdf<glsl::formula_neumann_phong, ranges::formula_neumann_phong>(p, neumannArguments<neumannPhongBound>(p),
+                                                                              albedo, reflectionDensity(n));
 }
 
 std::unique_ptr<const Brdf> createNeumannBlinn(const ParameterValues& p) {
   const double n = p.values[exponent].x, albedo = chosen(p.values[choice].x) == 0 ? 1 : 1 / neumannBlinnBound(n);
-  return makeBrdf<glsl::formula_neumann_blinn>(p, neumannArguments<neumannBlinnBound>(p), albedo, halfVectorDensity(n));
+  return makeBrdf<glsl::formula_neumann_blinn, ranges::formula_neumann_blinn>(p, neumannArguments<neumannBlinnBound>(p),
+                                                                              albedo, halfVectorDensity(n));
 }
 
 }  // namespace

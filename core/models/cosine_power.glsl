@@ -3,7 +3,8 @@
 // Powers of the cosine of the angle between light and mirror direction (Phong), or between half vector and normal
 // (Blinn). Near 1 the cosine is computed from the distance between the directions, so that exponents of a million are
 // accurate.
-#pragma once
+#ifndef COSINE_POWER_GLSL
+#define COSINE_POWER_GLSL
 
 // (1 - x)^n for x >= 0; 0 beyond 1.
 INLINE REAL powerOfComplement(REAL x, REAL n) { return x < 1.0 ? exp(n * logOnePlus(-x)) : 0.0; }
@@ -16,3 +17,5 @@ INLINE REAL reflectionPower(SurfaceGeometry g, REAL n) {
 
 // cos^n theta_h; also accurate for nearly horizontal half vectors.
 INLINE REAL halfVectorPower(SurfaceGeometry g, REAL n) { return exp(n * logCosH(g)); }
+
+#endif

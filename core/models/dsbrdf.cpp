@@ -4,11 +4,15 @@
 #include <string_view>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/dsbrdf.glsl"
+}
+namespace ranges {
 #include "core/models/dsbrdf.glsl"
 }
 
@@ -100,7 +104,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
     const auto [strength, logKappa, logGamma] = lobeArguments(p, first);
     return luminance(strength) * glsl::dsbrdfLobe(logCosH, 0, logKappa, logGamma);
   };
-  return makeGeometryBrdf(bound<glsl::formula_dsbrdf>(arguments(p)),
+  return makeGeometryBrdf(bound<glsl::formula_dsbrdf, ranges::formula_dsbrdf>(arguments(p)),
                           excessSampler(maxChannel(p.values[0]), [&](double thetaH) {
                             const double logCosH = std::log(std::cos(thetaH));
                             return highlight(firstLobe, logCosH) + highlight(secondLobe, logCosH);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 
@@ -9,6 +10,17 @@ namespace gonio::models {
 namespace glsl {
 #include "core/models/edwards_disk.glsl"
 }
+namespace ranges {
+/// gonio::squaredRimFraction() on both sides of the mirror direction.
+REAL squaredRimFraction(const vec2& deviation, const vec3& wo) {
+  const REAL squared = dot(deviation, deviation), along = deviation.x * wo.x + deviation.y * wo.y;
+  const REAL root = sqrt(square(along) + square(wo.z) * squared);
+  const REAL outward = squared / (max(along, REAL(0)) + root), inward = (root - min(along, REAL(0))) / square(wo.z);
+  const REAL fraction = along.low >= 0 ? outward : along.high <= 0 ? inward : hull(outward, inward);
+  return min(square(max(REAL(0), REAL(squared.low > 0 ? fraction.low : 0, fraction.high))), REAL(1));
+}
+#include "core/models/edwards_disk.glsl"
+}  // namespace ranges
 
 namespace {
 
@@ -42,7 +54,7 @@ auto arguments(const ParameterValues& p) {
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  return makeGeometryBrdf(bound<glsl::formula_edwards_disk>(arguments(p)),
+  return makeGeometryBrdf(bound<glsl::formula_edwards_disk, ranges::formula_edwards_disk>(arguments(p)),
                           diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
                                          RimPowerDensity{p.values[exponent].x}),
                           true, edwardsDiskSpec.reciprocal);

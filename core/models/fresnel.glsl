@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 // Fresnel terms. cosD: cosine of the angle to the (micro)facet normal, [0, 1].
-#pragma once
+#ifndef FRESNEL_GLSL
+#define FRESNEL_GLSL
 
 // Unpolarised reflectance of a dielectric with the relative index eta > 0, in the form of Cook and Torrance 1982. eta = 1
 // gives 0; total reflection (eta < 1) and grazing incidence give 1.
@@ -69,3 +70,5 @@ INLINE REAL fresnel(FresnelTerm term, REAL cosD) {
   return term.exactFraction * fresnelOfContrast(cosD, term.contrast, term.product) + term.constant +
          term.risingFraction * (m2 * m2 * m);
 }
+
+#endif

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/ggx.glsl"
+}
+namespace ranges {
 #include "core/models/ggx.glsl"
 }
 
@@ -51,7 +55,7 @@ auto arguments(const ParameterValues& p) {
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
   return makeGeometryBrdf(
-      bound<glsl::formula_ggx>(arguments(p)),
+      bound<glsl::formula_ggx, ranges::formula_ggx>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
                      VisibleNormalDensity{p.values[roughness].x}));
 }

@@ -4,12 +4,16 @@
 #include <cmath>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/lafortune.glsl"
+}
+namespace ranges {
 #include "core/models/lafortune.glsl"
 }
 
@@ -76,7 +80,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const double xy = p.values[cXY].x,
                albedo = maxChannel(p.values[specular]) * lobe.factor / reflectionNormalisation(lobe.n);
   return makeGeometryBrdf(
-      bound<glsl::formula_lafortune>(arguments(p)),
+      bound<glsl::formula_lafortune, ranges::formula_lafortune>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), albedo, CosinePowerDensity{lobe.n, {xy, xy, p.values[cZ].x}}));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 
 namespace gonio::models {
@@ -10,8 +11,11 @@ namespace glsl {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "core/models/lambert.glsl"
-#pragma GCC diagnostic pop
 }  // namespace glsl
+namespace ranges {
+#include "core/models/lambert.glsl"
+}
+#pragma GCC diagnostic pop
 
 namespace {
 
@@ -28,7 +32,7 @@ constexpr ModelSpec lambertSpec = {
 auto arguments(const ParameterValues& p) { return std::tuple(p.values[0] / pi); }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  return makeGeometryBrdf(bound<glsl::formula_lambert>(arguments(p)));
+  return makeGeometryBrdf(bound<glsl::formula_lambert, ranges::formula_lambert>(arguments(p)));
 }
 
 }  // namespace

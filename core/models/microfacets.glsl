@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#pragma once
+#ifndef MICROFACETS_GLSL
+#define MICROFACETS_GLSL
 
 // Beckmann's distribution of facets, exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h), 1/sr: D cos theta_h integrates
 // to 1 over the hemisphere (Beckmann and Spizzichino 1963; Cook and Torrance 1982 omit the 1/pi). inverseM2: 1 / m^2, m
@@ -18,3 +19,5 @@ INLINE REAL vCavityOverCosines(SurfaceGeometry g) {
   REAL masked = 2.0 * g.h.z / (g.cosD * (g.cosI > g.cosO ? g.cosI : g.cosO));
   return unmasked < masked ? unmasked : masked;
 }
+
+#endif

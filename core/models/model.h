@@ -167,6 +167,7 @@ class ModelBrdf final : public Brdf {
   bool isReciprocal() const override { return brdf_->isReciprocal(); }
   bool isMirrorSymmetric() const override { return brdf_->isMirrorSymmetric(); }
   bool hasData(const DirectionPair& pair) const override { return brdf_->hasData(pair); }
+  std::shared_ptr<const ValueBound> valueBound() const override { return brdf_->valueBound(); }
   bool hasImportanceSampling() const override { return brdf_->hasImportanceSampling(); }
   double samplingCost() const override { return brdf_->samplingCost(); }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return brdf_->sample(wo, u); }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/direction_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/neumann_distance.glsl"
+}
+namespace ranges {
 #include "core/models/neumann_distance.glsl"
 }
 
@@ -61,9 +65,9 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const auto [kd, ks, sharpness, c, isRational] = arguments(p);
   const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
   if (isRational == 0)
-    return makeGeometryBrdf(bound<glsl::gaussianFalloff>(std::tuple(kd, ks, sharpness)),
+    return makeGeometryBrdf(bound<glsl::gaussianFalloff, ranges::gaussianFalloff>(std::tuple(kd, ks, sharpness)),
                             diffuseMixture(diffuseAlbedo, albedo, DiskDensity{GaussianRadial{p.values[width].x}}));
-  return makeGeometryBrdf(bound<glsl::rationalFalloff>(std::tuple(kd, ks, sharpness, c)),
+  return makeGeometryBrdf(bound<glsl::rationalFalloff, ranges::rationalFalloff>(std::tuple(kd, ks, sharpness, c)),
                           diffuseMixture(diffuseAlbedo, albedo, DiskDensity{RationalRadial{sharpness, c}}));
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/oren_nayar.glsl"
+}
+namespace ranges {
 #include "core/models/oren_nayar.glsl"
 }
 
@@ -43,7 +47,7 @@ auto arguments(const ParameterValues& p) {
 }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  return makeGeometryBrdf(bound<glsl::formula_oren_nayar>(arguments(p)));
+  return makeGeometryBrdf(bound<glsl::formula_oren_nayar, ranges::formula_oren_nayar>(arguments(p)));
 }
 
 }  // namespace

@@ -4,11 +4,15 @@
 #include <string_view>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/rational.glsl"
+}
+namespace ranges {
 #include "core/models/rational.glsl"
 }
 
@@ -78,7 +82,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
     return luminance(std::apply([x](const auto&... each) { return glsl::rationalValue(x, 0, each...); }, arguments(p)));
   };
   const double body = valueAt(0.5);
-  return makeGeometryBrdf(bound<glsl::formula_rational>(arguments(p)), excessSampler(pi * body, [&](double thetaH) {
+  return makeGeometryBrdf(bound<glsl::formula_rational, ranges::formula_rational>(arguments(p)),
+                          excessSampler(pi * body, [&](double thetaH) {
                             const double s = std::sin(thetaH / 2);
                             return valueAt(2 * s * s) - body;
                           }));

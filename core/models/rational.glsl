@@ -10,7 +10,7 @@ INLINE vec3 rationalValue(REAL x, REAL y, vec3 p0, vec3 px, vec3 py, vec3 pxx, v
 
 INLINE vec3 formula_rational(SurfaceGeometry g, vec3 p0, vec3 px, vec3 py, vec3 pxx, vec3 pxy, vec3 pyy, REAL qx, REAL qy,
                              REAL qxx, REAL qxy, REAL qyy) {
-  vec3 apart = g.wi - g.wo;  // 2 sin theta_d long: 1 - cos theta_d without cancellation
-  REAL y = 0.25 * dot(apart, apart) / (1.0 + g.cosD);
+  // wi - wo is 2 sin theta_d long: 1 - cos theta_d without cancellation.
+  REAL y = 0.25 * dot(g.wi - g.wo, g.wi - g.wo) / (1.0 + g.cosD);
   return rationalValue(g.oneMinusCosH, y, p0, px, py, pxx, pxy, pyy, qx, qy, qxx, qxy, qyy);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 
+#include "core/brdf/value_bound.h"
 #include "core/math/fast_functions.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
@@ -137,23 +138,77 @@ TabulatedNormals makeNormals(const std::array<Channel, 3>& channels) {
   });
 }
 
+/// The largest ln D over a range of x = tan^2 theta_h, where ln D = ln K - y - p ln y + 2 ln(1 + x), y = alpha + x /
+/// alpha. Its derivative vanishes at the roots of a quadratic polynomial.
+double highestLogDistribution(const Channel& c, const Range& x) {
+  const auto at = [&c](double tan2) {
+    const double y = c.alpha + tan2 * c.inverseAlpha;
+    return tan2 < 1e300 ? c.logNormalisation - y - c.power * std::log(y) + 2 * std::log1p(tan2)
+                        : -std::numeric_limits<double>::infinity();
+  };
+  double highest = std::max(at(x.low), at(x.high));
+  const double square = -c.inverseAlpha, linear = 2 - c.alpha - c.inverseAlpha - c.power,
+               constant = 2 * c.alpha * c.alpha - c.alpha - c.power;
+  const double discriminant = linear * linear - 4 * square * constant;
+  for (const double sign : {-1.0, 1.0}) {
+    const double root = (-linear + sign * std::sqrt(std::max(0.0, discriminant))) / (2 * square);
+    if (discriminant >= 0 && x.contains(root)) highest = std::max(highest, at(root));
+  }
+  return highest;
+}
+
+/// The factors of evaluateChannel(), each over its range.
+class SgdBound final : public ValueBound {
+ public:
+  explicit SgdBound(const std::array<Channel, 3>& channels) : channels_(channels) {}
+
+  RgbRange over(const PairBox& box) const override {
+    const Range cosI = max(box.cosI, Range(horizonTolerance)), cosO = max(box.cosO, Range(horizonTolerance));
+    const Range tan2H = square(box.sinH) / square(box.cosH), m = Range(1) - box.cosD;
+    const Range thetaI = box.thetaI();
+    RgbRange result;
+    for (int i = 0; i < 3; ++i) {
+      const Channel& c = channels_[std::size_t(i)];
+      const Range polynomial = Range(c.f0) - Range(c.f1) * box.cosD +
+                               Range(1 - c.f0) * increasing(m, [](double x) { return x * x * x * x * x; });
+      const Range fresnel = max(Range(0), polynomial);
+      // G1 falls with the angle.
+      const Range lobe = fresnel * Range(0, std::exp(highestLogDistribution(c, tan2H))) *
+                         Range(0, masking(c, thetaI.low) / cosI.low) * Range(0, masking(c, box.thetaO.low) / cosO.low);
+      const Range value = Range(c.diffuse) + Range(c.specular) * lobe;
+      result.low[i] = value.low;
+      result.high[i] = value.high;
+    }
+    return result;
+  }
+
+ private:
+  std::array<Channel, 3> channels_;
+};
+
+struct SgdFunction {
+  std::array<Channel, 3> channels;
+
+  [[gnu::always_inline]] Rgb operator()(const SurfaceGeometry& g) const {
+    const double cos2H = g.h.z * g.h.z, m = 1 - g.cosD;
+    const auto theta = [](const Direction& w) { return fastAtan2(std::sqrt(w.x * w.x + w.y * w.y), w.z); };
+    const Angles angles{.thetaI = theta(g.wi),
+                        .thetaO = theta(g.wo),
+                        .tan2H = g.sin2H / cos2H,
+                        .log4CosH = 2 * fastLog(cos2H),
+                        .oneMinusCosD5 = (m * m) * (m * m) * m,
+                        .inverseCosines = 1 / (g.cosI * g.cosO)};
+    return {evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
+            evaluateChannel(channels[2], g, angles)};
+  }
+  std::shared_ptr<const ValueBound> valueBound() const { return std::make_shared<const SgdBound>(channels); }
+};
+
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
-  return makeGeometryBrdf(
-      [channels](const SurfaceGeometry& g) {
-        const double cos2H = g.h.z * g.h.z, m = 1 - g.cosD;
-        const auto theta = [](const Direction& w) { return fastAtan2(std::sqrt(w.x * w.x + w.y * w.y), w.z); };
-        const Angles angles{.thetaI = theta(g.wi),
-                            .thetaO = theta(g.wo),
-                            .tan2H = g.sin2H / cos2H,
-                            .log4CosH = 2 * fastLog(cos2H),
-                            .oneMinusCosD5 = (m * m) * (m * m) * m,
-                            .inverseCosines = 1 / (g.cosI * g.cosO)};
-        return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
-                   evaluateChannel(channels[2], g, angles));
-      },
-      diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                     HalfVectorDensity{makeNormals(channels)}));
+  return makeGeometryBrdf(SgdFunction{channels},
+                          diffuseMixture(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                                         HalfVectorDensity{makeNormals(channels)}));
 }
 
 /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.

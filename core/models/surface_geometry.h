@@ -114,6 +114,12 @@ class GeometryBrdf final : public Brdf {
       evaluateBlock(GeometryBlock(pairs.subspan(first, count)), values.subspan(first, count));
     }
   }
+  std::shared_ptr<const ValueBound> valueBound() const override {
+    if constexpr (requires { evaluatePair_.valueBound(); })
+      return evaluatePair_.valueBound();
+    else
+      return nullptr;
+  }
   bool isIsotropic() const override { return isotropic_; }
   bool hasImportanceSampling() const override { return true; }
   bool isReciprocal() const override { return reciprocal_; }

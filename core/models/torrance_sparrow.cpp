@@ -5,12 +5,16 @@
 
 #include "core/math/quadrature.h"
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/torrance_sparrow.glsl"
+}
+namespace ranges {
 #include "core/models/torrance_sparrow.glsl"
 }
 
@@ -74,7 +78,7 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
   const double albedo = maxChannel(p.values[specular]) * facetDensity(p) * facetArea(m) * fresnel(typicalCosine);
   return makeGeometryBrdf(
-      bound<glsl::formula_torrance_sparrow>(arguments(p)),
+      bound<glsl::formula_torrance_sparrow, ranges::formula_torrance_sparrow>(arguments(p)),
       diffuseMixture(maxChannel(p.values[diffuse]), albedo, HalfVectorDensity{TabulatedNormals([m](double thetaH) {
                        return std::exp(-thetaH * thetaH / (m * m)) * std::cos(thetaH);
                      })}));

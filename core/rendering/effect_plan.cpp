@@ -45,6 +45,7 @@ void forceInterreflection(EffectPlan& plan, bool on, int maxReflections, Materia
   if (!on && plan.reflections > 1) plan.remainder = std::numeric_limits<double>::infinity();
   plan.reflections = std::min(plan.reflections, 1);
   if (!on || plan.reflections == 0) return;
+  plan.endsPathsEarly = false;
   plan.reflections = maxReflections;
   for (std::size_t object = 0; object < materials.size(); ++object)
     for (std::size_t other = 0; other < materials.size() && materials[object]; ++other)
@@ -126,10 +127,11 @@ class Analysis {
   void decideShadows();
   void decideInterreflection();
   void decideFrames();
+  std::string materialWithoutBound() const;
   void decide(Effect effect, bool calledFor, std::string reason) {
     plan.decisions[std::size_t(effect)] = {calledFor, calledFor, std::move(reason)};
   }
-  bool reflects(std::size_t object) const { return materials_[object] && !materials_[object]->bound().isBlack(); }
+  bool reflects(std::size_t object) const { return materials_[object] && !materials_[object]->isBlack(); }
   bool isLit(std::size_t object) const { return std::ranges::find(plan.lit[object], true) != plan.lit[object].end(); }
 
   const Scene& scene_;
@@ -261,15 +263,24 @@ void Analysis::decideInterreflection() {
   if (!anyLit) return decide(Effect::interreflection, false, "no light falls on a reflecting surface");
   if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface is visible from another");
   std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
+  const std::string limit = "limited to " + std::to_string(plan.reflections);
+  if (!std::isfinite(plan.remainder)) {
+    const std::string unbounded = materialWithoutBound();
+    const std::string why = unbounded.empty() ? "reflections do not die out; "
+                                              : "no bound is known for the material of " + unbounded + "; ";
+    return decide(Effect::interreflection, plan.reflections > 1, pair + "; " + why + limit);
+  }
+  const std::string least = percent(plan.remainder) + " of the brightest first reflection";
   if (plan.reflections == 1)
-    return decide(Effect::interreflection, false,
-                  pair + ", but further reflections add at most " + percent(plan.remainder) +
-                      " of the brightest first reflection");
-  const std::string rest = std::isfinite(plan.remainder)
-                               ? "reflections after the " + ordinal(plan.reflections) + " add at most " +
-                                     percent(plan.remainder) + " of the brightest first reflection"
-                               : "reflections do not die out; limited to " + std::to_string(plan.reflections);
-  decide(Effect::interreflection, true, pair + "; " + rest);
+    return decide(Effect::interreflection, false, pair + ", but further reflections add at most " + least);
+  decide(Effect::interreflection, true,
+         pair + "; reflections after the " + ordinal(plan.reflections) + " add at most " + least);
+}
+
+std::string Analysis::materialWithoutBound() const {
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object)
+    if (!plan.visible[object].empty() && !materials_[object]->bound().isFinite()) return scene_.objects[object].name;
+  return {};
 }
 
 void Analysis::decideFrames() {

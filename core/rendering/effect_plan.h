@@ -56,6 +56,9 @@ struct EffectPlan {
   /// Upper bound of the contribution of all longer paths to a pixel, as a fraction of the brightest first reflection;
   /// infinite if there is no bound.
   double remainder = 0;
+  /// Whether paths that can add little may end by chance (PathTracer); false if interreflection is forced on, so that
+  /// the picture can verify others.
+  bool endsPathsEarly = true;
 
   const EffectDecision& operator[](Effect effect) const { return decisions[std::size_t(effect)]; }
   bool simulates(Effect effect) const { return decisions[std::size_t(effect)].simulated; }

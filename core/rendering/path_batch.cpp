@@ -71,8 +71,11 @@ Rgb LightSampler::background(const Direction& toward) const {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Reflections that every path takes before chance may end it.
+/// Reflections that every path takes before chance may end it, where all effects are simulated.
 constexpr int certainReflections = 3;
+/// A path that can add less than this multiple of the typical brightness ends by chance, see survives(). Larger values
+/// trace fewer rays and add noise.
+constexpr double rouletteFraction = 2;
 
 /// The weight of a direction that was sampled with a density, where another strategy samples it with the other density:
 /// one sample each, the exponent 2 (Veach 1997, section 9.2.4). It disturbs a good strategy less than the balance
@@ -93,6 +96,8 @@ std::span<const PathTracer::PathBatch::Result> PathTracer::PathBatch::trace(std:
     sampleLights(reflection);
     sampleMaterials(reflection);
     evaluateQueries();
+    for (const Path& path : paths_)
+      if (!direct_.empty()) ++direct_[path.object].hits;
     addSampledLights();
     follow(reflection);
   }
@@ -216,7 +221,9 @@ void PathTracer::PathBatch::addSampledLights() {
   for (const LightQuery& query : lightQueries_) {
     const Path& path = paths_[query.path];
     const Rgb value = queriesOf(path).values[query.query] * query.weight;
-    if (value != Rgb(0) && !isBlocked(query, path)) addRadiance(path, query.query, path.throughput * value);
+    if (value == Rgb(0) || isBlocked(query, path)) continue;
+    addRadiance(path, query.query, path.throughput * value);
+    observe(path, value);
   }
 }
 
@@ -249,24 +256,55 @@ void PathTracer::PathBatch::follow(int reflection) {
   paths_.resize(kept);
 }
 
+bool PathTracer::PathBatch::survives(Path& path, const Rgb& found, bool continues, PathSamples& survival) const {
+  // What the path can still add: the lights that it may find, and what a visible surface reflects to it.
+  const double added = maxChannel(glm::abs(path.throughput * found)) +
+                       (continues ? maxChannel(glm::abs(path.throughput)) * brightness_.visible[path.object] : 0);
+  const double kept = added / (rouletteFraction * brightness_.typical);
+  if (kept >= 1) return true;
+  if (survival.number(path.seed) >= kept) return false;
+  path.throughput /= kept;
+  return true;
+}
+
+bool PathTracer::PathBatch::survivesLongPath(Path& path, int reflection, PathSamples& survival) const {
+  if (reflection <= certainReflections) return true;
+  const double kept = std::min(0.95, maxChannel(glm::abs(path.throughput)));
+  if (survival.number(path.seed) >= kept) return false;
+  path.throughput /= kept;
+  return true;
+}
+
+bool PathTracer::PathBatch::meet(const Ray& ray, std::span<const std::size_t> candidates, bool lamps) {
+  bool met = false;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const SceneObject& object = objects()[candidates[i]];
+    if (object.emits() == lamps) distances_[i] = nearestDistance(object.shape, ray, 0, infinity);
+    met = met || (object.emits() == lamps && std::isfinite(distances_[i]));
+  }
+  return met;
+}
+
 bool PathTracer::PathBatch::followOne(Path& path, int reflection, PathSamples& survival) {
-  path.throughput *= queriesOf(path).values[path.query] * (path.sample.wi.z / path.sample.pdf);
+  const Rgb factor = queriesOf(path).values[path.query] * (path.sample.wi.z / path.sample.pdf);
+  path.throughput *= factor;
   if (path.throughput == Rgb(0)) return false;
 
   const auto& candidates = tracer_.candidates_[path.object];
   const Ray ray{path.origin, path.toward};
-  if (!candidates.empty()) ++counters_.bounce;
-  distances_.resize(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    distances_[i] = nearestDistance(objects()[candidates[i]].shape, ray, 0, infinity);
-  if (tracer_.findsLights_[path.object]) addRadiance(path, path.query, path.throughput * foundLights(path));
-  if (!goesOn(path, reflection)) return false;
-
-  if (reflection > certainReflections) {
-    const double kept = std::min(0.95, maxChannel(glm::abs(path.throughput)));
-    if (survival.number(path.seed) >= kept) return false;
-    path.throughput /= kept;
+  const bool continues = goesOn(path, reflection), finds = tracer_.findsLights_[path.object];
+  distances_.assign(candidates.size(), infinity);
+  meet(ray, candidates, true);
+  Rgb found = finds ? foundLights(path) : Rgb(0);
+  if (!candidates.empty()) {
+    if (brightness_.typical > 0 && !survives(path, found, continues, survival)) return false;
+    ++counters_.bounce;
+    if (meet(ray, candidates, false) && finds) found = foundLights(path);
   }
+  if (finds) addRadiance(path, path.query, path.throughput * found);
+  observe(path, factor * found);
+  if (!continues) return false;
+  if (!(brightness_.typical > 0) && !survivesLongPath(path, reflection, survival)) return false;
   std::size_t next = 0;
   double nearest = infinity;
   for (std::size_t i = 0; i < candidates.size(); ++i)

@@ -125,10 +125,22 @@ class PathTracer::PathBatch {
   };
 
   /// @param recorded the light that surfaces reflect is added here (RecordedPaths); null: it is added to the results.
-  PathBatch(const PathTracer& tracer, RayCounters& counters, RecordedPaths::Row* recorded)
+  /// Direct light that an object reflects, summed over the hits of paths.
+  struct DirectLight {
+    double sum = 0;
+    int hits = 0;
+  };
+
+  /// @param brightness by which paths are weighed before they are followed (survives()); must outlive this object. With
+  /// a typical radiance of 0 all are followed, up to the fourth reflection.
+  /// @param direct empty, or one per object: receives the direct light.
+  PathBatch(const PathTracer& tracer, RayCounters& counters, RecordedPaths::Row* recorded, const Brightness& brightness,
+            std::span<DirectLight> direct = {})
       : tracer_(tracer),
         counters_(counters),
         recorded_(recorded),
+        brightness_(brightness),
+        direct_(direct),
         lights_(tracer.scene_),
         queries_(tracer.brdfs_.size()) {}
 
@@ -185,15 +197,26 @@ class PathTracer::PathBatch {
   /// Adds `radiance` times the value of a query. @param query index in the queries of the path's material.
   void addRadiance(const Path& path, std::size_t query, const Rgb& radiance);
   bool isBlocked(const LightQuery& query, const Path& path);
+  void observe(const Path& path, const Rgb& radiance) {
+    if (!direct_.empty()) direct_[path.object].sum += maxChannel(glm::abs(radiance));
+  }
   /// Adds the light that the sampled directions hit, moves continuing paths to their next surface, and removes the
   /// others.
   void follow(int reflection);
   bool followOne(Path& path, int reflection, PathSamples& survival);
+  /// Ends paths by chance that can add little (Russian roulette), before any ray is traced for them; weighs up those
+  /// that go on. @param found radiance of the lights in the sampled direction, if nothing occludes them.
+  bool survives(Path& path, const Rgb& found, bool continues, PathSamples& survival) const;
+  bool survivesLongPath(Path& path, int reflection, PathSamples& survival) const;
+  /// Sets `distances_` to those of the lamps or of all other candidates. Returns whether one of the others is met.
+  bool meet(const Ray& ray, std::span<const std::size_t> candidates, bool lamps);
   Rgb foundLights(const Path& path) const;
 
   const PathTracer& tracer_;
   RayCounters& counters_;
   RecordedPaths::Row* recorded_;
+  const Brightness& brightness_;
+  std::span<DirectLight> direct_;
   LightSampler lights_;
   std::span<const Start> starts_;
   std::vector<Result> results_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <mutex>
 
 #include "core/math/parallel.h"
@@ -54,6 +55,56 @@ std::vector<std::size_t> PathTracer::candidatesOf(std::size_t object) const {
   return candidates;
 }
 
+const PathTracer::Brightness& PathTracer::brightness() const {
+  std::call_once(pilot_->once, [this] {
+    const bool tracesRays = std::ranges::any_of(candidates_, [](const auto& objects) { return !objects.empty(); });
+    if (plan_.endsPathsEarly && tracesRays) pilot_->brightness = pilotBrightness();
+  });
+  return pilot_->brightness;
+}
+
+PathTracer::Brightness PathTracer::pilotBrightness() const {
+  constexpr int side = 32, leastHits = 16;
+  RayCounters counters;
+  const Brightness unweighed;
+  std::vector<PathBatch::DirectLight> direct(scene_.objects.size());
+  PathBatch batch(*this, counters, nullptr, unweighed, direct);
+  const glm::dvec2 extent = viewExtent(camera_, 1);
+  std::vector<PathBatch::Start> starts;
+  double sum = 0, total = 0;
+  int count = 0;
+  for (int pixel = 0; pixel < side * side; ++pixel) {
+    PathBatch::Start& start = starts.emplace_back();
+    start.pixel = std::size_t(pixel);
+    start.seed = {hashCombine(0x9b2d4e1fu, std::uint32_t(pixel)), 0};
+    const glm::dvec2 place = (glm::dvec2(pixel % side, pixel / side) + 0.5) / double(side) * 2.0 - 1.0;
+    start.ray = cameraRay(camera_, extent * place);
+    if (starts.size() < PathBatch::capacity) continue;
+    for (const PathBatch::Result& result : batch.trace(starts)) {
+      if (result.normal == Direction(0)) continue;
+      sum += std::sqrt(std::max(0.0, maxChannel(result.radiance)));
+      total += maxChannel(result.radiance);
+      ++count;
+    }
+    starts.clear();
+  }
+  if (count == 0) return {};
+  // The square of the mean root: single bright paths have little influence on it.
+  Brightness result{(sum / count) * (sum / count), {}};
+  // What else surfaces reflect raises the direct light as it does in the picture.
+  PathBatch::DirectLight all;
+  for (const auto& [light, hits] : direct) all = {all.sum + light, all.hits + hits};
+  const double rise = all.sum > 0 ? std::max(1.0, total / count / (all.sum / all.hits)) : 1;
+  for (const auto& visible : plan_.visible) {
+    double& brightest = result.visible.emplace_back(0);
+    for (const std::size_t other : visible) {
+      const auto& [light, hits] = direct[other];
+      brightest = std::max(brightest, hits < leastHits ? std::numeric_limits<double>::infinity() : rise * light / hits);
+    }
+  }
+  return result;
+}
+
 void PathTracer::traceRow(Film& film, int y, int samples, PathBatch& batch, SampleLuminances& luminances) const {
   const std::uint32_t pictureSeed = hashCombine(std::uint32_t(seed_), std::uint32_t(seed_ >> 32));
   const glm::dvec2 extent = viewExtent(camera_, double(film.width) / film.height);
@@ -94,12 +145,14 @@ void PathTracer::trace(Film& film, int samples, std::span<RecordedPaths::Row> re
   assert(film.width > 0 && film.height > 0 && samples >= 0);
   const std::size_t height = std::size_t(film.height);
   std::vector<RayCounters> counters(height);
+  const Brightness unweighed;
+  const Brightness& weighed = recorded.empty() ? brightness() : unweighed;
   std::mutex merging;
   parallelForBlocks(
       height, 1,
       [&](std::size_t y, std::size_t) {
         SampleLuminances luminances;
-        PathBatch batch(*this, counters[y], recorded.empty() ? nullptr : &recorded[y]);
+        PathBatch batch(*this, counters[y], recorded.empty() ? nullptr : &recorded[y], weighed);
         traceRow(film, int(y), samples, batch, luminances);
         const std::lock_guard lock(merging);
         film.luminances += luminances;

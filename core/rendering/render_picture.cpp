@@ -55,7 +55,9 @@ std::optional<RecordedPaths> recordPaths(const Scene& scene, const RenderOptions
   // The plan of a material that reflects everything: no other material needs more effects.
   const EffectPlan plan =
       planEffects(scene, bindMaterials(scene, materialsInSlots(scene, diffuseMaterial(Rgb(1)))), pictureOverrides());
-  if (plan.reflections > 1) return std::nullopt;
+  // A mirror sees more of what is far than this material does.
+  const bool reflectsTwice = std::ranges::any_of(plan.visible, [](const auto& visible) { return !visible.empty(); });
+  if (reflectsTwice) return std::nullopt;
   const UnitBrdf unit;
   const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, pictureMaterial(unit, options)));
   return PathTracer(scene, materials, plan, options.seed)

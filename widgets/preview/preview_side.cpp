@@ -38,6 +38,8 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
       auto density =
           subject.isMeasured() && subject.density ? subject.density : std::make_shared<const TabulatedDensity>(*brdf);
       outcome.estimate = {density, std::make_shared<const rendering::RenderMaterial>(brdf, density)};
+      // The effect plan asks for it in the GUI thread.
+      outcome.estimate.material->bound();
     });
     return outcome;
   }));

@@ -136,7 +136,7 @@ class PathTracerMaterialsTest : public QObject {
       const Material material = diffuseMaterial(Rgb(albedo));
       const EffectPlan plan = tracerOf(scene, material).plan();
       QVERIFY(plan.reflections > 5 && plan.remainder < 1.0 / 512);
-      const Rgb found = traceOnePoint(scene, material, {.size = 16, .samples = 64}),
+      const Rgb found = traceOnePoint(scene, material, {.size = 16, .samples = 1024}),
                 expected = Rgb(1, 2, 3) * (albedo / pi / 4 / (1 - albedo));
       QVERIFY2(maxChannel(glm::abs(found / expected - 1.0)) < 0.01, qPrintable(QString::number(found.y / expected.y)));
     }
