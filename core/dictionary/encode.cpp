@@ -170,6 +170,29 @@ std::shared_ptr<const TabulatedBrdf> onCodeGrid(const std::shared_ptr<const Tabu
   return onGrid(table, table->isReciprocal() ? ensemble.grid : ensemble.grid.wholeCircle(), control);
 }
 
+namespace {
+
+/// About as many coefficients as fit EncodeOptions::bytes: rounds for more would fit the invalid cells to those that
+/// are then left out, which costs some decibels.
+EncodeResult encodeWithin(const Encoder& encoder, const TabulatedBrdf& table, EncodeOptions options,
+                          const TaskControl& control) {
+  if (!options.bytes) return encoder.encode(table, options, control);
+  constexpr double bytesPerCoefficient = 2.6, noticeable = 1.05;
+  const std::size_t most = options.coefficients;
+  const auto available = double(*options.bytes);
+  options.coefficients = std::min(most, std::size_t(available / bytesPerCoefficient));
+  EncodeResult first = encoder.encode(table, options, control.between(0, 0.5));
+  const double used = double(compressChannels(quantised(first.code)).size());
+  const auto more = std::min(most, std::size_t(double(options.coefficients) * available / used));
+  if (double(more) < noticeable * double(options.coefficients)) return first;
+  options.coefficients = more;
+  EncodeResult second = encoder.encode(table, options, control.between(0.5, 1));
+  second.seconds += first.seconds;
+  return second;
+}
+
+}  // namespace
+
 EncodeOptions publishedEncodeOptions(std::size_t coefficients) {
   return {.coefficients = coefficients, .refinements = 0, .scaled = false, .solidAngles = false};
 }
@@ -279,13 +302,7 @@ EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& op
                              const TaskControl& control) const {
   if (table.grid() != ensemble_.grid && table.grid() == ensemble_.grid.wholeCircle()) {
     const Ensemble both = inBothOrders(ensemble_);
-    EncodeOptions limited = options;
-    // About as many as fit: rounds for more coefficients would fit invalid cells to those that are then left out, which
-    // costs some decibels.
-    constexpr double bytesPerCoefficient = 2.4;
-    if (options.bytes)
-      limited.coefficients = std::min(options.coefficients, std::size_t(double(*options.bytes) / bytesPerCoefficient));
-    return Encoder(both).encode(table, limited, control);
+    return encodeWithin(Encoder(both), table, options, control);
   }
   if (!(table.grid() == ensemble_.grid)) throw Error("the material and the dictionary have different grids");
   const auto start = std::chrono::steady_clock::now();
