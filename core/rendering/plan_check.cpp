@@ -109,7 +109,11 @@ EffectPlan checkedPlan(const Scene& scene, const std::vector<std::shared_ptr<con
   if (!mayOmit(scene, plan)) return plan;
   const PlanCheck check = checkPlan(scene, materials, plan, overrides, thresholds, control);
   if (!check.findsMore(thresholds.remainder)) return plan;
-  EffectPlan extended = planEffects(scene, materials, omittable(overrides), thresholds);
+  // Lights and shadows are decided by geometry alone: what a plan may lack are reflections.
+  EffectOverrides deeper = overrides;
+  std::optional<bool>& interreflection = deeper[std::size_t(Effect::interreflection)];
+  if (!interreflection) interreflection = true;
+  EffectPlan extended = planEffects(scene, materials, deeper, thresholds);
   extended.endsPathsEarly = true;
   const bool isLocal = check.worstBlock - 6 * check.worstStandardError > check.omitted;
   const std::string found = "a check with all effects found " + percentOf(isLocal ? check.worstBlock : check.omitted) +

@@ -55,7 +55,7 @@ std::string keyOf(const Representation& representation) {
 using Folder = std::filesystem::path;
 
 std::shared_ptr<const TabulatedBrdf> measuredTable(const Folder& folder, const std::string& name) {
-  return materials::readMaterial(folder / (name + "_rgb.bsdf")).tabulated();
+  return meanOfOrders(materials::readMaterial(folder / (name + "_rgb.bsdf")).tabulated());
 }
 
 std::vector<StudyRecord> recordsOf(const std::shared_ptr<const TabulatedBrdf>& table,

@@ -144,7 +144,7 @@ class HeldOut {
   explicit HeldOut(const fs::path& file)
       : name_(materialName(file)),
         collection_(collectionOf(file)),
-        table_(materials::readMaterial(file).tabulated()),
+        table_(meanOfOrders(materials::readMaterial(file).tabulated())),
         comparison_(*table_, picture) {}
 
   const TabulatedBrdf& table() const { return *table_; }
@@ -228,7 +228,7 @@ class Trial {
   const dictionary::PrincipalComponents& basis() {
     if (!basis_)
       basis_ = dictionary::learnPrincipalComponents(training_.size(), [&](std::size_t material) {
-        return materials::readMaterial(training_[material]).tabulated();
+        return meanOfOrders(materials::readMaterial(training_[material]).tabulated());
       });
     return *basis_;
   }

@@ -20,7 +20,7 @@ ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string 
                                  const rendering::RenderOptions& picture)
     : material_(file.stem()),
       collection_(std::move(collection)),
-      table_(materials::readMaterial(file).tabulated()),
+      table_(meanOfOrders(materials::readMaterial(file).tabulated())),
       comparison_(*table_, picture) {}
 
 ComparisonRecord ComparisonJudge::score(const std::string& model, const baselines::ComparedModel& built,

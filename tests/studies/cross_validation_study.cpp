@@ -112,7 +112,7 @@ class Fold {
     dictionary::TrainingMaterials materials{.names = {}, .grid = dictionary_->ensemble.grid, .load = {}};
     for (const fs::path& file : learnedFrom_) materials.names.push_back(file.stem());
     materials.load = [this](std::size_t material) {
-      return materials::readMaterial(learnedFrom_[material]).tabulated();
+      return meanOfOrders(materials::readMaterial(learnedFrom_[material]).tabulated());
     };
     return materials;
   }

@@ -63,7 +63,7 @@ dictionary::TrainingMaterials trainingOf(const dictionary::Ensemble& ensemble, s
   std::erase_if(files, [&](const fs::path& file) { return !known.contains(file.stem()); });
   dictionary::TrainingMaterials materials;
   for (const fs::path& file : files) materials.names.push_back(file.stem());
-  materials.load = [files](std::size_t m) { return materials::readMaterial(files[m]).tabulated(); };
+  materials.load = [files](std::size_t m) { return meanOfOrders(materials::readMaterial(files[m]).tabulated()); };
   return materials;
 }
 
@@ -99,7 +99,7 @@ int run(int count, char** arguments) {
   std::printf(" |\n");
   std::map<std::size_t, Eigen::ArrayXd> sums;
   for (const fs::path& file : options.tested) {
-    const auto table = materials::readMaterial(file).tabulated();
+    const auto table = meanOfOrders(materials::readMaterial(file).tabulated());
     const RenderedComparison comparison(*table, {.width = 128, .height = 128, .samples = 16});
     const auto score = [&](const Brdf& found) { return comparison.signalToNoiseRatio(comparison.render(found)); };
     for (const fs::path& path : options.plans) {

@@ -37,7 +37,7 @@ std::string summary(std::vector<double> values) {
 }
 
 void measureFile(const std::filesystem::path& file, bool prints, std::map<std::pair<int, int>, Results>& results) {
-  const auto table = materials::readMaterial(file).tabulated();
+  const auto table = meanOfOrders(materials::readMaterial(file).tabulated());
   const rendering::RenderedComparison comparison(*table, {.width = 128, .height = 128, .samples = 16});
   const auto snr = [&](const FactorMeasurement& m, FactorBound bound) {
     return comparison.signalToNoiseRatio(comparison.render(*predictFromFactors(m, bound)));

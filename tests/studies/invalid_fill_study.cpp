@@ -29,7 +29,7 @@ const dictionary::TrainingOptions training{
 
 using Table = std::shared_ptr<const TabulatedBrdf>;
 
-Table read(const fs::path& file) { return materials::readMaterial(file).tabulated(); }
+Table read(const fs::path& file) { return meanOfOrders(materials::readMaterial(file).tabulated()); }
 
 /// Invalid cells hold 0 and count as measured. (A table stores 0 in them already.)
 Table zeroFilled(const TabulatedBrdf& table) {

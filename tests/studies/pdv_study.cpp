@@ -124,7 +124,7 @@ int study(int argc, char** argv) {
   std::vector<std::pair<std::string, std::shared_ptr<const TabulatedBrdf>>> materials;
   for (int i = 1; i < argc; ++i)
     materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
-                           materials::readMaterial(argv[i]).tabulated());
+                           meanOfOrders(materials::readMaterial(argv[i]).tabulated()));
   std::printf(
       "| material | cosine | printed | exact | GGX fit | Lawrence | Bilgili |\n|---|---|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);

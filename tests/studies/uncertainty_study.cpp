@@ -73,7 +73,7 @@ int run(int count, char** arguments) {
   const SamplingPlan plan = acquisition::readPlan(arguments[1]);
   const auto basis = materials::readBasis(std::filesystem::path(arguments[1]).replace_extension(".basis"));
   std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
-  for (int i = 2; i < count; ++i) tables.push_back(materials::readMaterial(arguments[i]).tabulated());
+  for (int i = 2; i < count; ++i) tables.push_back(meanOfOrders(materials::readMaterial(arguments[i]).tabulated()));
   std::printf(
       "| way | error | of samples left out | error / deviation | within one deviation |\n|---|---|---|---|---|\n");
   for (const Way& way : ways) {

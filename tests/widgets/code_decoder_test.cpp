@@ -100,6 +100,17 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     compareWithCore(ensemble, randomCode(ensemble, DataTransform::cosineLog, {30, 20, 25}));
   }
 
+  /// Codes of both orders of the directions, with negative values.
+  void bothOrders() {
+    const Ensemble half = ensembleOn(oddGrid, 2), both = dictionary::inBothOrders(half);
+    SparseCode code = randomCode(both, DataTransform::cosineLog, {30, 20, 25});
+    for (auto& channel : code.channels) channel.lowest = -0.3f;
+    compareWithCore(both, code);
+    const auto texels = decoded(half, code);
+    QVERIFY(texels == decoded(both, code));
+    QVERIFY(std::ranges::any_of(texels, [](const glm::vec4& texel) { return texel.g < -0.1f; }));
+  }
+
   /// All coefficients that there are.
   void aFullCode() {
     const Ensemble ensemble = ensembleOn(oddGrid, 1);

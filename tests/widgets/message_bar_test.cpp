@@ -58,14 +58,15 @@ class MessageBarTest : public QObject {
     QVERIFY(bar.isProposal());
   }
 
+  /// A proposal stands below the messages, and a message takes its place.
   void aMessageDiscardsAProposal() {
     MessageBar bar;
     const QSignalSpy discarded(&bar, &MessageBar::discarded);
     bar.showMessage("first");
     bar.showProposal("apply?");
-    QVERIFY(bar.isProposal() && shown(bar) == "apply?");
+    QVERIFY(bar.isProposal() && shown(bar) == "first\napply?");
     bar.showMessage("second");
-    QCOMPARE(shown(bar), "second");
+    QCOMPARE(shown(bar), "first\nsecond");
     QCOMPARE(discarded.count(), 1);
   }
 };

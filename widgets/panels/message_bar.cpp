@@ -61,7 +61,7 @@ void MessageBar::present(const QString& text, bool proposal) {
 
 void MessageBar::showMessage(const QString& text) {
   constexpr qsizetype maxMessages = 5;  // the bar takes its height from the preview
-  if (isHidden() || isProposal()) m_shown.clear();
+  if (isHidden()) m_shown.clear();
   m_shown.removeAll(text);
   m_shown << text;
   if (m_shown.size() > maxMessages) m_shown.removeFirst();
@@ -75,7 +75,7 @@ void MessageBar::withdraw(const QString& text) {
 }
 
 void MessageBar::showProposal(const QString& text) {
-  if (isHidden() || isProposal()) m_shown.clear();
+  if (isHidden()) m_shown.clear();
   present((m_shown + QStringList{text}).join('\n'), true);
 }
 

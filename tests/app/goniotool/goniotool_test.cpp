@@ -50,7 +50,7 @@ class GoniotoolTest : public QObject {
     QVERIFY(!runJson({"info", plastic_}).json.contains("tableSnr"));
     const QString factors = folder_.path("plastic.pdv"), sampled = folder_.path("sampled.binary");
     VERIFY_SUCCESS(runTool({"factor", plastic_, "--terms", "1", "--out", factors}));
-    VERIFY_SUCCESS(runTool({"convert", factors, sampled}));
+    VERIFY_SUCCESS(runTool({"convert", factors, sampled, "--whole-circle"}));
     QCOMPARE(runTool({"info", factors, "--size", "64"}).code, 2);
     const QStringList small{"--size", "64", "--samples", "16"};
     const ToolResult result = runJson(QStringList{"info", factors, "--table-error"} + small);

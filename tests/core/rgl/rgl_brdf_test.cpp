@@ -340,7 +340,7 @@ class RglBrdfTest : public QObject {
     if (std::system(command.str().c_str()) != 0) QSKIP("make-merl does not run here");
     const materials::Material measured = materials::readMaterial(rglPath("vch_golden_yellow"));
     const materials::Material near = materials::readMaterial(folder / "vch_golden_yellow.binary");
-    const auto table = measured.tabulated();
+    const auto table = meanOfOrders(measured.tabulated());
     QCOMPARE(table->validCount(), std::size_t(1111432));
     QCOMPARE(near.table->validCount(), std::size_t(1111432));  // every cell above the horizon
     std::vector<double> ratios;
@@ -356,7 +356,8 @@ class RglBrdfTest : public QObject {
     const auto [wi, wo] = table->grid().directions(cell);
     const Rgb one = measured.brdf->evaluate(wi, wo), other = measured.brdf->evaluate(wo, wi);
     QVERIFY(one != other && !measured.brdf->isReciprocal());
-    QVERIFY(table->values()[cell] == glm::vec3(glm::max(Rgb(0), (one + other) / 2.0)));
+    const Rgb expected = glm::max(Rgb(0), (one + other) / 2.0);  // of both orders as floats
+    QVERIFY(maxChannel(glm::abs(Rgb(table->values()[cell]) - expected)) < 2e-7 * maxChannel(expected));
   }
 };
 
