@@ -81,11 +81,11 @@ PlanCheck checkPlan(const Scene& scene, const std::vector<std::shared_ptr<const 
   double brightness = 0;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
-      const auto pixel = std::size_t(y * side + x);
+      const auto pixel = std::size_t(y) * side + std::size_t(x);
       const double missing = maxChannel(all.radiance[pixel] - planned.radiance[pixel]) / samples;
       brightness += maxChannel(all.radiance[pixel]) / samples / (side * side);
       whole.add(missing);
-      parts[std::size_t(y / blockSide * blocks + x / blockSide)].add(missing);
+      parts[std::size_t(y / blockSide) * blocks + std::size_t(x / blockSide)].add(missing);
     }
   PlanCheck check;
   if (!(brightness > 0)) return check;
