@@ -11,7 +11,7 @@ namespace gonio::editing {
 
 /// The factor s(theta) of an edited highlight H', per channel: s(theta_i) s(theta_o) H' has the directional albedo of
 /// the highlight before the edit, and is reciprocal if H' is. Linear between nodes that are evenly spaced in (x + x^2)
-/// / 2, x = sqrt(1 - cos theta): 7 degrees apart at normal incidence, 3 degrees at 80 degrees.
+/// / 2, x = sqrt(1 - cos theta): 5 degrees apart at normal incidence, 2 degrees at 80 degrees.
 struct AlbedoScale {
   static constexpr std::size_t nodes = 32;
 

@@ -66,7 +66,7 @@ void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<
 ///   which their directional albedo is that of the same edit with the fitted widths.
 class LobeChange {
  public:
-  /// @param base what the edit is applied to; used only here, with DifferentialEdit::keepsAlbedo: about 8,000 pairs
+  /// @param base what the edit is applied to; used only here, with DifferentialEdit::keepsAlbedo: about 11,000 pairs
   /// for each change of width and once more, twice as many if the base is not mirror-symmetric. @throws Error if the
   /// model is not a sum of lobes.
   LobeChange(const DifferentialEdit& edit, const Brdf& base);
