@@ -129,7 +129,9 @@ PdvFactors otherFactors(const std::string& other, const FactorArguments& options
                         const Tool& tool) {
   if (formats::isPdv(other)) return formats::readPdv(other);
   const materials::Material material = documents::openMaterial(other, tool.control("reading " + other));
-  return factorizePdv(*material.tabulated(tool.control("tabulating")),
+  auto table = material.tabulated(tool.control("tabulating"));
+  if (options.asPublished) table = meanOfOrders(table);
+  return factorizePdv(*table,
                       {.form = target.form,
                        .transform = target.transform,
                        .terms = 1,

@@ -8,6 +8,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/mesh_file.h"
+#include "core/metrics/image_metrics.h"
 #include "core/rendering/plan_check.h"
 #include "core/rendering/scene_file.h"
 #include "core/rendering/strategy_costs.h"
@@ -111,17 +112,6 @@ rendering::EffectOverrides everythingLike(const rendering::EffectPlan& plan) {
   return overrides;
 }
 
-/// RMS of the difference of two pictures, relative to the RMS of the first.
-double relativeDifference(const Image& a, const Image& b) {
-  double difference = 0, total = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb x(a.pixels[i]), d = x - Rgb(b.pixels[i]);
-    difference += glm::dot(d, d);
-    total += glm::dot(x, x);
-  }
-  return total > 0 ? std::sqrt(difference / total) : 0;
-}
-
 /// Adds rays and time of the picture with all effects, and its difference from the planned picture.
 void reportEverything(const Rendered& planned, const rendering::PathTracer& everything,
                       const rendering::RenderOptions& size, const Tool& tool, Json& json, std::string& text) {
@@ -132,7 +122,7 @@ void reportEverything(const Rendered& planned, const rendering::PathTracer& ever
     for (const glm::vec3& pixel : image.pixels) sum += luminance(Rgb(pixel));
     return sum / double(image.pixels.size());
   };
-  const double difference = relativeDifference(b, a), mean = meanOf(a), meanOfAll = meanOf(b);
+  const double difference = metrics::relativeDifference(b, a), mean = meanOf(a), meanOfAll = meanOf(b);
   json["everything"] = {{"seconds", all.seconds},
                         {"counters", countersJson(all.film.counters)},
                         {"difference", difference},

@@ -179,7 +179,7 @@ class CodeBrdf final : public Brdf {
         valid[cell] = 1;
       }
     });
-    return TabulatedBrdf(grid_, std::move(values), std::move(valid)).valueBound();
+    return TabulatedBrdf(grid_, std::move(values), std::move(valid), NegativeValues::stay).valueBound();
   }
 
   static bool isAboveHorizon(const DirectionPair& pair) { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }

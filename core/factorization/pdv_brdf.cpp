@@ -346,6 +346,19 @@ class CurveExtrema {
   std::vector<float> values_, slopes_;
 };
 
+/// Sets the curves of all terms, channel by channel. @tparam Curves CurveBundle or CurveExtrema.
+template <typename Curves>
+void setCurves(const PdvFactors& f, Curves& f1, Curves& f2, Curves& f3) {
+  std::size_t curve = 0;
+  for (const auto& channel : f.channels)
+    for (const PdvTerm& term : channel) {
+      f1.set(curve, term.f1);
+      f2.set(curve, term.f2);
+      f3.set(curve, term.f3);
+      ++curve;
+    }
+}
+
 /// The coordinates of a box are those of the factors: theta_R is the viewer's polar angle, the deviation the length of
 /// the projected wi + wo = 2 cos theta_d h, and phi its azimuth from the viewer's.
 class PdvBound final : public ValueBound {
@@ -357,17 +370,11 @@ class PdvBound final : public ValueBound {
         f1_(f.thetaNodes, 3 * terms_),
         f2_(f.deviationNodes, 3 * terms_),
         f3_(f.phiNodes, 3 * terms_) {
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      for (std::size_t term = 0; term < terms_; ++term) {
-        const PdvTerm& curves = f.channels[channel][term];
-        f1_.set(channel * terms_ + term, curves.f1);
-        f2_.set(channel * terms_ + term, curves.f2);
-        f3_.set(channel * terms_ + term, curves.f3);
-      }
+    setCurves(f, f1_, f2_, f3_);
   }
 
   RgbRange over(const PairBox& box) const override {
-    std::array<Range, 3 * maxPdvTerms> products;
+    std::array<Range, 3 * maxEvaluatedTerms> products;
     const std::span<Range> used = std::span(products).first(3 * terms_);
     std::ranges::fill(used, Range(1));
     f1_.multiply(box.thetaO, used);
@@ -405,13 +412,7 @@ class PdvBrdf final : public Brdf {
     if (f.terms() > maxEvaluatedTerms)
       throw Error("found factors of " + std::to_string(f.terms()) + " terms, expected at most " +
                   std::to_string(maxEvaluatedTerms));
-    for (std::size_t channel = 0; channel < 3; ++channel)
-      for (std::size_t term = 0; term < terms_; ++term) {
-        const PdvTerm& curves = f.channels[channel][term];
-        f1_.set(channel * terms_ + term, curves.f1);
-        f2_.set(channel * terms_ + term, curves.f2);
-        f3_.set(channel * terms_ + term, curves.f3);
-      }
+    setCurves(f, f1_, f2_, f3_);
   }
 
   using Brdf::evaluate;

@@ -132,7 +132,8 @@ class Interpolation {
   /// tables before mixing. In `dictionary` they contain all coefficients; with preservesDetail() brdf() uses them, too.
   /// About 50 ms and 18 MB per material. Differences from brdf() without preserved detail: no limit on the number of
   /// coefficients; transformed values are limited by the maximum of each material's code (ChannelCode::highest) instead
-  /// of that of the blended code; single precision.
+  /// of that of the blended code; negative BRDF values, which codes of both orders of the directions may have, become
+  /// 0; single precision.
   virtual std::shared_ptr<const TransformedMixture> mixture() const { return nullptr; }
 
  protected:

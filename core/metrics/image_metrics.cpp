@@ -97,6 +97,16 @@ double meanSquaredError(const Image& reference, const Image& test) {
   return channelMean(reference, test, [](double r, double t) { return square(r - t); });
 }
 
+double relativeDifference(const Image& reference, const Image& test) {
+  double difference = 0, total = 0;
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    const Rgb x(reference.pixels[i]), d = x - Rgb(test.pixels[i]);
+    difference += glm::dot(d, d);
+    total += glm::dot(x, x);
+  }
+  return total > 0 ? std::sqrt(difference / total) : 0;
+}
+
 double meanSquaredLogError(const Image& reference, const Image& test) {
   return channelMean(reference, test, [](double r, double t) {
     return square(std::log1p(std::max(r, 0.0)) - std::log1p(std::max(t, 0.0)));

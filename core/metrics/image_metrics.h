@@ -41,6 +41,10 @@ double peakSignalToNoiseRatio(const PicturePair& reference, const PicturePair& t
 /// @throws Error if the sizes differ.
 double meanSquaredError(const Image& reference, const Image& test);
 
+/// Root mean square of the difference of linear pictures over that of the reference; 0 for a black reference. Only for
+/// pictures of the same size.
+double relativeDifference(const Image& reference, const Image& test);
+
 /// The mean of (ln(1 + reference) - ln(1 + test))^2 over all pixels and channels of linear pictures; negative radiance
 /// counts as 0. @throws Error if the sizes differ.
 double meanSquaredLogError(const Image& reference, const Image& test);

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/metrics/image_metrics.h"
+
 namespace gonio::rendering {
 
 namespace {
@@ -29,16 +31,6 @@ Timed renderOnce(const PathTracer& tracer, const EffectCostOptions& options, con
   tracer.accumulate(film, options.samples, {control.stop, {}});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return {film.image(), {seconds}};
-}
-
-double relativeDifference(const Image& a, const Image& b) {
-  double difference = 0, total = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const Rgb x(a.pixels[i]), d = x - Rgb(b.pixels[i]);
-    difference += glm::dot(d, d);
-    total += glm::dot(x, x);
-  }
-  return total > 0 ? std::sqrt(difference / total) : 0;
 }
 
 }  // namespace
@@ -73,7 +65,7 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
       timed[i].times.push_back(one.times.front());
     }
   const Timed& planned = timed[0];
-  const double noise = relativeDifference(planned.picture, render(tracerOf(overrides, 2)).picture);
+  const double noise = metrics::relativeDifference(planned.picture, render(tracerOf(overrides, 2)).picture);
   EffectCosts costs{planned.seconds(), {}};
   for (std::size_t i = 0; i < effectCount; ++i) {
     const Timed& changed = timed[i + 1];
@@ -81,7 +73,7 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
     costs.effects.push_back({.effect = Effect(i),
                              .seconds = plan.decisions[i].simulated ? -added : added,
                              .secondsNoise = std::hypot(changed.spread(), planned.spread()),
-                             .difference = relativeDifference(planned.picture, changed.picture),
+                             .difference = metrics::relativeDifference(planned.picture, changed.picture),
                              .noise = noise});
   }
   return costs;

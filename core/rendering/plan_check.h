@@ -26,8 +26,8 @@ PlanCheck checkPlan(const Scene& scene, const std::vector<std::shared_ptr<const 
                     const EffectThresholds& thresholds = {}, const TaskControl& control = {});
 
 /// The plan of planEffects(), after a check by checkPlan() where it leaves out what could be seen: if the check finds
-/// that more is missing than the thresholds allow, interreflection, shadows and lights are simulated for all objects,
-/// and the reason of Effect::interreflection states what was found. The plan rests on bounds that hold for every
+/// that more is missing than the thresholds allow, interreflection is simulated between all objects, and its reason
+/// states what was found. The plan rests on bounds that hold for every
 /// direction; the check is for scenes in which the brightest reflection, to which the remainder refers, is outside the
 /// picture. @throws Cancelled.
 EffectPlan checkedPlan(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,

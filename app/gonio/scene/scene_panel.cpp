@@ -64,7 +64,9 @@ SceneMaterialSlots::OtherMaterial SceneMaterialSlots::prepared(BlendMaterial end
   const auto density = std::make_shared<const TabulatedDensity>(*brdf);
   widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, density);
   if (end.material.base) subject.shown = widgets::EditedMaterial{end.material.base, end.material.edits};
-  return {std::move(end), {subject, std::make_shared<const rendering::RenderMaterial>(brdf, density)}};
+  const auto material = std::make_shared<const rendering::RenderMaterial>(brdf, density);
+  material->bound();  // the effect plan asks for it in the GUI thread
+  return {std::move(end), {subject, material}};
 }
 
 void SceneMaterialSlots::fill(int slot, const QString& name, std::function<BlendMaterial(const TaskControl&)> make) {

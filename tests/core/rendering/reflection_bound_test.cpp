@@ -13,11 +13,13 @@
 #include "core/brdf/utia_brdf.h"
 #include "core/brdf/value_bound.h"
 #include "core/brdf/weighted_sum.h"
+#include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_material.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/code_files.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
@@ -74,6 +76,35 @@ Form factorised(int terms, DataTransform transform) {
   options.transform = transform;
   const HalfDifferenceGrid grid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 36};
   return factorization::makePdvBrdf(factorization::factorizePdv(*bakeTable(*glossy(0.3), grid), options).factors);
+}
+
+/// As blends of several materials, which have more terms than a file can hold.
+Form factorsOfManyTerms() {
+  constexpr int repeats = 30;
+  const HalfDifferenceGrid grid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 36};
+  factorization::PdvFactors factors = factorization::factorizePdv(*bakeTable(*glossy(0.3), grid), {.terms = 2}).factors;
+  for (auto& channel : factors.channels) {
+    const auto terms = channel;
+    for (int k = 1; k < repeats; ++k) channel.insert(channel.end(), terms.begin(), terms.end());
+    for (factorization::PdvTerm& term : channel)
+      for (auto& value : term.f1) value /= repeats;
+  }
+  return factorization::makePdvBrdf(factors);
+}
+
+/// A code of both orders of the directions, with negative values.
+Form codeOfBothOrders() {
+  using namespace dictionary;
+  const Ensemble ensemble = dictionary::test_support::randomEnsemble(1);
+  SparseCode code{.grid = ensemble.grid.wholeCircle(), .transform = DataTransform::logPlus, .channels = {}};
+  std::mt19937_64 random(4);
+  for (ChannelCode& channel : code.channels) {
+    for (std::uint32_t k = 0; k < 40; ++k)
+      channel.coefficients.push_back({17 * k, float(4 * test::uniform(random) - 2)});
+    channel.highest = 2;
+    channel.lowest = -0.5f;
+  }
+  return makeCodeBrdf(ensemble, code);
 }
 
 Form utia(IncidentDirection incident) {
@@ -161,6 +192,7 @@ std::vector<std::pair<std::string, Form>> forms() {
   for (const DataTransform transform :
        {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none})
     for (const int terms : {1, 4}) all.emplace_back("factors", factorised(terms, transform));
+  all.emplace_back("factors of many terms", factorsOfManyTerms());
   for (const IncidentDirection incident : allIncidentDirections) {
     all.emplace_back("UTIA", utia(incident));
     for (const bool isotropic : {true, false}) all.emplace_back("RGL", adaptive(isotropic, incident));
@@ -169,6 +201,7 @@ std::vector<std::pair<std::string, Form>> forms() {
     for (const auto axis : {IncidenceTable::Axis::mirror, IncidenceTable::Axis::normal})
       all.emplace_back("incidence table", incidences(axis, symmetric));
   all.emplace_back("code", materials::readMaterial(test::codeFile("paper_blue")).brdf);
+  all.emplace_back("code of both orders", codeOfBothOrders());
   for (const Form& base : {table, glossy(0.1)})
     for (const auto composition : {editing::Composition::additive, editing::Composition::logPlus})
       for (const double strength : {1.0, 0.4})
