@@ -174,7 +174,8 @@ class CodeBrdf final : public Brdf {
       for (std::size_t cell = begin * perRow; cell < end * perRow; ++cell) {
         if (geometry_->aboveHorizon[cell] == 0) continue;
         const auto phi = std::size_t(grid_.phiDCount), thetaD = std::size_t(grid_.thetaDCount);
-        const GridCorners at(grid_, {double(cell / (phi * thetaD)), double(cell / phi % thetaD), double(cell % phi)});
+        const std::size_t row = cell / (phi * thetaD), column = cell / phi % thetaD;
+        const GridCorners at(grid_, {double(row), double(column), double(cell % phi)});
         values[cell] = TabulatedBrdf::Value(glm::min(valueAt(at, scratch), Rgb(std::numeric_limits<float>::max())));
         valid[cell] = 1;
       }
