@@ -122,7 +122,7 @@ DisplayPicture comparisonPicture(const Image& reference, const Image& test, cons
 
 struct CompareArguments {
   std::string reference, test, image;
-  PictureOptions picture;  ///< size and samples; the scene is that of every comparison
+  PictureOptions picture = comparisonPictures();  ///< size and samples; the scene is that of every comparison
 };
 
 void writeComparison(const Image& reference, const Image& test, const materials::Material& a,
@@ -154,10 +154,17 @@ int compare(const CompareArguments& options, const Tool& tool) {
             {"brdfSnr", decibelsJson(brdfSnr)},
             {"samples", options.picture.samples},
             {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
+  std::string costs;
+  for (const auto& [key, material] : {std::pair{"costOfA", &a}, {"costOfB", &b}}) {
+    const study::UseCost cost = study::measureUse(*material->brdf, tool.control("measuring times"));
+    json[key] = Json::object();
+    addCost(json[key], cost);
+    costs += material->name + ": " + costText(cost) + "\n";
+  }
   if (!options.image.empty()) json["image"] = options.image;
   print(tool, json,
         "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (comparison scene), BRDF SNR " +
-            number(brdfSnr) + " dB\n" + imageErrorsText(imageErrors) + errorsText(errors));
+            number(brdfSnr) + " dB\n" + costs + imageErrorsText(imageErrors) + errorsText(errors));
   return 0;
 }
 
@@ -171,10 +178,10 @@ void addCompare(CLI::App& app, Tool& tool) {
   command->add_option("B", options->test, "Material to compare with the reference")->required();
   command->add_option("--image", options->image, "PNG file to write: both images side by side and the error map")
       ->group(outputGroup);
-  command->add_option("--size", options->picture.size, "Size of the images, pixels (256)")
+  command->add_option("--size", options->picture.size, "Size of the images, pixels (128)")
       ->type_name("N|WIDTHxHEIGHT")
       ->check(parsedBy(pictureSize));
-  command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
+  command->add_option("--samples", options->picture.samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });
 }
 

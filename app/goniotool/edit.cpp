@@ -102,12 +102,16 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
             {"averagedAzimuths", averagedAzimuths(*material.shown.brdf, options.out)},
             {"out", options.out}};
   json.update(written.json());
-  print(tool, json, options.out + ": " + std::to_string(material.edits.size()) + " edits\n" + written.text);
+  const study::UseCost cost = study::measureUse(*material.shown.brdf, tool.control("measuring"));
+  addCost(json, cost);
+  print(tool, json,
+        options.out + ": " + std::to_string(material.edits.size()) + " edits, " + costText(cost) + "\n" + written.text);
   return 0;
 }
 
 /// What happened to the values of an edited material on their way to a file; nothing for a document.
 struct EditedFile {
+  study::UseCost cost;  ///< of the edited material itself
   std::size_t capped = 0;
   int averaged = 0;
   WrittenMaterial written;
@@ -119,7 +123,8 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   const auto& change = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = change.model->spec();
   const models::ParameterValues after = change.target();
-  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
+  std::string text =
+      options.out + ": " + std::string(spec.name) + ", " + costText(file.cost) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
             number(one.used) + "\n";
@@ -135,6 +140,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   json["cappedValues"] = file.capped;
   json["averagedAzimuths"] = file.averaged;
   if (file.written.bytes > 0) json.update(file.written.json());
+  addCost(json, file.cost);
   json["seconds"] = fitted.seconds;
   json["out"] = options.out;
   print(tool, json, text + file.written.text);
@@ -187,12 +193,14 @@ int edit(const EditArguments& options, const Tool& tool) {
   std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
   EditedFile file;
+  materials::EditedMaterial edited = materials::unedited(material);
+  edited.edits = {edit};
+  edited.shown = materials::withEdits(material, edited.edits, tool.control("editing"), &file.capped);
+  file.cost = study::measureUse(*edited.shown.brdf, tool.control("measuring"));
   if (writesDocument(options)) {
+    file.capped = 0;
     documents::writeDocument(documentOf(material, edit), options.out);
   } else {
-    materials::EditedMaterial edited = materials::unedited(material);
-    edited.edits = {edit};
-    edited.shown = materials::withEdits(material, edited.edits, tool.control("editing"), &file.capped);
     file.averaged = averagedAzimuths(*edited.shown.brdf, options.out);
     file.written = writeMaterial(edited, options.out, tool);
   }

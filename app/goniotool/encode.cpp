@@ -35,6 +35,12 @@ std::string addWritten(Json& json, const std::string& name, std::shared_ptr<cons
   return written.text;
 }
 
+/// Of a code that was made of a material. @param decoded its table.
+study::MaterialQuality codeQuality(const materials::Material& material, const Brdf& used, const TabulatedBrdf& decoded,
+                                   const Tool& tool) {
+  return qualityOf(material, used, &decoded, rendering::smallComparisonPicture().samples, tool);
+}
+
 struct ComponentArguments {
   std::string material, basis, out;
   int components = 0;
@@ -58,15 +64,15 @@ int encodeComponents(const ComponentArguments& options, const Tool& tool) {
       dictionary::encode(basis, *table, options.components, tool.control("encoding"));
   const double seconds = secondsSince(start);
   const auto decoded = dictionary::decode(basis, code.inHalfPrecision(), tool.control("decoding"));
-  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
+  const study::MaterialQuality quality = codeQuality(material, *decoded, *decoded, tool);
   const std::size_t bytes = dictionary::ComponentCode::halfBytes(code.components());
-  Json json{{"method", "components"},       {"coefficients", code.components()}, {"bytes", bytes},
-            {"errors", errorsJson(errors)}, {"brdfSnr", decibelsJson(snr)},      {"seconds", seconds}};
+  Json json{{"method", "components"}, {"coefficients", code.components()}, {"bytes", bytes}, {"seconds", seconds}};
+  addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
   const std::string writtenText = addWritten(json, material.name, decoded, options.out, tool);
   print(tool, json,
-        std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " +
-            number(snr) + " dB, " + number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
+        std::to_string(code.components()) + " components per channel, " + std::to_string(bytes) + " bytes, " +
+            qualityText(quality, seconds) + tableText + writtenText);
   return 0;
 }
 
@@ -95,7 +101,7 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
       dictionary::encode(patches, *table, options.coefficients, tool.control("encoding"));
   const double seconds = secondsSince(start);
   const auto decoded = dictionary::decode(patches, code);
-  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
+  const study::MaterialQuality quality = codeQuality(material, *decoded, *decoded, tool);
   const std::size_t bytes = dictionary::packChannels(code, dictionary::CodePrecision::quantised).size();
   Json json{{"method", "k-svd"},
             {"materials", training.names.size()},
@@ -103,16 +109,15 @@ int encodePatches(const PatchArguments& options, const Tool& tool) {
             {"trainingSeconds", trainingSeconds},
             {"coefficients", code.coefficients()},
             {"bytes", bytes},
-            {"errors", errorsJson(errors)},
-            {"brdfSnr", decibelsJson(snr)},
             {"seconds", seconds}};
+  addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
   const std::string writtenText = addWritten(json, material.name, decoded, options.out, tool);
   print(tool, json,
         std::to_string(patches.atoms.count()) + " atoms from " + std::to_string(training.names.size()) +
             " materials, learned in " + number(trainingSeconds) + " s\n" + std::to_string(code.coefficients()) +
-            " coefficients per channel, " + std::to_string(bytes) + " bytes, BRDF SNR " + number(snr) + " dB, " +
-            number(seconds) + " s\n" + errorsText(errors) + tableText + writtenText);
+            " coefficients per channel, " + std::to_string(bytes) + " bytes, " + qualityText(quality, seconds) +
+            tableText + writtenText);
   return 0;
 }
 
@@ -166,20 +171,18 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.asPublished) table = meanOfOrders(table);
   const Encoder encoder(dictionary->ensemble);
   EncodeResult encoded;
-  std::optional<double> renderedSnr;
-  if (options.renderedSnr > 0) {
-    auto found = study::encodeForPictures(encoder, *table, options.renderedSnr, encodeOptions(options),
-                                          tool.control("encoding"));
-    encoded = std::move(found.encoded);
-    renderedSnr = found.renderedSnr;
-  } else {
+  if (options.renderedSnr > 0)
+    encoded = study::encodeForPictures(encoder, *material.brdf, *table, options.renderedSnr, encodeOptions(options),
+                                       tool.control("encoding"))
+                  .encoded;
+  else
     encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
-  }
   const auto precision = options.single ? CodePrecision::single : CodePrecision::quantised;
   const std::vector<std::byte> bytes = formats::encodeCode(encoded.code, dictionary->id, precision);
   // Of what the file holds: with the values as they are rounded.
-  const auto decoded = decode(dictionary->ensemble, formats::readCode(io::MemorySource(bytes)).code);
-  const auto [errors, snr] = brdfQuality(*material.brdf, *decoded);
+  const SparseCode stored = formats::readCode(io::MemorySource(bytes)).code;
+  const study::MaterialQuality quality =
+      codeQuality(material, *makeCodeBrdf(dictionary->ensemble, stored), *decode(dictionary->ensemble, stored), tool);
   if (!options.out.empty()) formats::writeCode(encoded.code, dictionary->id, options.out, precision);
   Json candidates = Json::array(), dictionaries = Json::array();
   std::string text;
@@ -194,19 +197,17 @@ int encode(const EncodeArguments& options, const Tool& tool) {
     dictionaries.push_back(channel.dictionary);
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(channel.dictionary + 1);
   }
-  Json json{{"method", options.method},  {"scaled", encoded.code.scaled}, {"coefficients", encoded.code.coefficients()},
-            {"bytes", bytes.size()},     {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
-            {"candidates", candidates},  {"errors", errorsJson(errors)},  {"brdfSnr", decibelsJson(snr)},
-            {"seconds", encoded.seconds}};
+  Json json{{"method", options.method}, {"scaled", encoded.code.scaled}, {"coefficients", encoded.code.coefficients()},
+            {"bytes", bytes.size()},    {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
+            {"candidates", candidates}, {"seconds", encoded.seconds}};
+  addQuality(json, quality);
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
-  if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
         std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
             " bytes, transform " + nameOf(encoded.code.transform) +
-            (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + numbers + ", BRDF SNR " +
-            number(snr) + " dB" + (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " +
-            number(encoded.seconds) + " s\n" + text + errorsText(errors) + tableText);
+            (encoded.code.scaled ? "" : " without cell scaling") + ", dictionaries " + numbers + "\n" + text +
+            qualityText(quality, encoded.seconds) + tableText);
   return 0;
 }
 
@@ -236,10 +237,14 @@ int decode(const EncodeArguments& options, const Tool& tool) {
                                                 dictionary::decode(dictionary->ensemble, file.code), options.out, tool);
   Json json{{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}};
   json.update(written.json());
+  const study::UseCost cost =
+      study::measureUse(*dictionary::makeCodeBrdf(dictionary->ensemble, file.code), tool.control("measuring"));
+  json["code"] = Json::object();
+  addCost(json["code"], cost);
   json["out"] = options.out;
   print(tool, json,
         "wrote " + options.out + ", decoded from " + std::to_string(file.code.coefficients()) +
-            " coefficients per channel\n" + written.text);
+            " coefficients per channel; the code itself: " + costText(cost) + "\n" + written.text);
   return 0;
 }
 

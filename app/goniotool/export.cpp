@@ -97,12 +97,18 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
             {"files", filesJson(files)},
             {"snr", decibelsJson(made.snr)},
             {"brdfSnr", decibelsJson(made.brdfSnr)}};
+  std::string costs;
+  if (made.brdf) {
+    const study::UseCost cost = study::measureUse(*made.brdf, tool.control("measuring"));
+    addCost(json, cost);
+    costs = costText(cost) + " (the files, evaluated by Gonio)\n";
+  }
   for (const exports::ExportFact& fact : made.facts)
     std::visit([&](const auto& value) { json[std::string(fact.key)] = value; }, fact.value);
   json["losses"] = made.losses;
   json["warnings"] = made.warnings;
   json["seconds"] = seconds.count();
-  print(tool, json, textOf(made, files));
+  print(tool, json, textOf(made, files) + costs);
   return 0;
 }
 

@@ -48,7 +48,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   const baselines::ComparedModel model =
       baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
   const double seconds = secondsSince(start);
-  const FactorQuality quality = factorQuality(material, *model.brdf, options.samples, tool);
+  const study::MaterialQuality quality = qualityOf(material, *model.brdf, nullptr, options.samples, tool);
   WrittenMaterial written;
   if (!options.out.empty()) written = writeMaterial(material.name, model.brdf, options.out, tool, table->grid());
   Json json{{"method", options.method},
@@ -175,7 +175,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
-  const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
+  const study::MaterialQuality quality = qualityOf(material, *brdf, nullptr, options.samples, tool);
   WrittenMaterial written;
   // Before the factors: an interrupted command leaves no file.
   for (const std::string& path : {options.decode, options.out})

@@ -218,7 +218,8 @@ void addContentOptions(CLI::App& command, FigureArguments& options) {
       .add_option(
           "--numbers", options.numbers,
           "Numbers under the images: rendered-snr, an image metric (listed by goniotool compare), a metric of BRDF "
-          "values (see goniotool fit --sort), bytes, encoding-time, evaluation-time, frame-time (rendered-snr,bytes)")
+          "values (see goniotool fit --sort), bytes, encoding-time, evaluation-time, frame-time "
+          "(rendered-snr,bytes,evaluation-time)")
       ->type_name("ID")
       ->delimiter(',');
   command.add_flag("--no-numbers", options.noNumbers, "Leave out the numbers");

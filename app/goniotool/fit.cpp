@@ -65,6 +65,11 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   WrittenMaterial written;
   if (!options.out.empty()) written = writeMaterial(material.name, fitted, options.out, tool, table->grid());
   Json json = fitJson(result);
+  const study::MaterialQuality quality =
+      qualityOf(material, *fitted, nullptr, rendering::smallComparisonPicture().samples, tool);
+  json["renderedSnr"] = decibelsJson(quality.renderedSnr);
+  json["brdfSnr"] = decibelsJson(quality.brdfSnr);
+  addCost(json, quality.cost);
   json["averagedAzimuths"] = options.out.empty() ? 0 : averagedAzimuths(*fitted, options.out);
   if (written.bytes > 0) json["written"] = written.json();
   json["metric"] = options.metric;
@@ -77,7 +82,9 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   } else if (options.metric == metricId(metrics::BrdfMetric::gamma)) {
     json["gamma"] = options.fitOptions().gamma;
   }
-  print(tool, json, heading + text(result) + written.text);
+  print(tool, json,
+        heading + text(result) + "rendered SNR " + number(quality.renderedSnr) + " dB, BRDF SNR " +
+            number(quality.brdfSnr) + " dB, " + costText(quality.cost) + "\n" + written.text);
   return 0;
 }
 

@@ -62,7 +62,7 @@ std::string text(const Json& json) {
 struct InfoArguments {
   std::string material;
   bool tableError = false;
-  PictureOptions picture;  ///< size and samples of the pictures of the table's error
+  PictureOptions picture = comparisonPictures();  ///< size and samples of the pictures of the table's error
 };
 
 int info(const InfoArguments& options, const Tool& tool) {
@@ -93,11 +93,11 @@ void addInfo(CLI::App& app, Tool& tool) {
   CLI::Option* tableError =
       command->add_flag("--table-error", options->tableError,
                         "Also measure the rendered SNR of the material's table, which takes a few seconds");
-  command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (256)")
+  command->add_option("--size", options->picture.size, "Size of the rendered images, pixels (128)")
       ->type_name("N|WIDTHxHEIGHT")
       ->check(parsedBy(pictureSize))
       ->needs(tableError);
-  command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")
+  command->add_option("--samples", options->picture.samples, "Samples per pixel (32)")
       ->check(CLI::Range(1, 1 << 20))
       ->needs(tableError);
   command->callback([options, &tool] { tool.run = [options, &tool] { return info(*options, tool); }; });

@@ -160,6 +160,7 @@ Json blend(const interpolation::Interpolation& interpolation, interpolation::Int
     formats::writeCode(code.value(), dictionary, out);
   else
     json.update(writeBlend(interpolation, space, weights, names, out, tool));
+  addCost(json, study::measureUse(*interpolation.brdf(weights), tool.control("measuring")));
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
   if (factors) json["terms"] = factors->terms();
   if (code) {

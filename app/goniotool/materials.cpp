@@ -41,7 +41,10 @@ std::string basisDigest(const std::filesystem::path& basis) {
 
 Json WrittenMaterial::json() const {
   if (bytes == 0) return nullptr;
-  return {{"snr", decibelsJson(snr)}, {"brdfSnr", decibelsJson(brdfSnr)}, {"losses", losses}};
+  Json json{{"snr", decibelsJson(snr)}, {"brdfSnr", decibelsJson(brdfSnr)}};
+  addCost(json, cost);
+  json["losses"] = losses;
+  return json;
 }
 
 std::string outputHelp(const std::string& what) { return what + " (" + materials::writableSuffixText() + ")"; }
@@ -49,9 +52,11 @@ std::string outputHelp(const std::string& what) { return what + " (" + materials
 WrittenMaterial writeMaterial(const materials::EditedMaterial& material, const std::string& out, const Tool& tool,
                               const materials::EncodeOptions& options) {
   const materials::Encoded made = materials::writeMaterial(material, out, options, tool.control("writing"));
-  WrittenMaterial written{made.bytes.size(), made.snr, made.brdfSnr, made.losses, {}};
+  WrittenMaterial written{made.bytes.size(), made.snr, made.brdfSnr, {}, made.losses, {}};
+  written.cost = study::measureUse(*made.readBack, tool.control("measuring"));
   if (std::isfinite(made.snr))
     written.text = "  rendered SNR " + number(made.snr) + " dB, BRDF SNR " + number(made.brdfSnr) + " dB\n";
+  written.text += "  " + costText(written.cost) + "\n";
   for (const std::string& loss : made.losses) written.text += "  note: " + loss + "\n";
   const materials::MaterialFormat& format = materials::writableFormat(out, *material.shown.brdf, options);
   if (const std::string text = materials::shortfall(made, format, options); !text.empty())

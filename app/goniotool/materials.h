@@ -45,10 +45,11 @@ std::string outputHelp(const std::string& what);
 struct WrittenMaterial {
   std::size_t bytes = 0;
   double snr = 0, brdfSnr = 0;  ///< dB
+  study::UseCost cost;          ///< of the file, read back
   std::vector<std::string> losses;
   std::string text;  ///< a line each
 
-  /// Keys snr, brdfSnr, losses; null if no file was written.
+  /// Keys snr, brdfSnr, evaluationNs, frameMs, losses; null if no file was written.
   Json json() const;
 };
 /// Writes a material with materials::writeMaterial(). @throws Error that names the file.

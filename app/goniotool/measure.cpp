@@ -136,8 +136,8 @@ int measureCurves(const MeasureFactorsArguments& options, const Tool& tool) {
   std::function<WrittenMaterial()> writePrediction;
   if (!options.predict.empty()) writePrediction = preparePrediction(options, curves, *predicted, tool, json, text);
   if (material) {
-    const FactorQuality quality =
-        factorQuality(*material, *predicted, rendering::smallComparisonPicture().samples, tool);
+    const study::MaterialQuality quality =
+        qualityOf(*material, *predicted, nullptr, rendering::smallComparisonPicture().samples, tool);
     addQuality(json, quality);
     text += "prediction: BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) +
             " dB\n" + errorsText(quality.errors);

@@ -22,6 +22,14 @@ std::string suffixOf(const std::string& path) { return std::filesystem::path(pat
 
 }  // namespace
 
+PictureOptions comparisonPictures() {
+  const rendering::RenderOptions picture = rendering::smallComparisonPicture();
+  PictureOptions options;
+  options.size = std::to_string(picture.width);
+  options.samples = picture.samples;
+  return options;
+}
+
 std::pair<int, int> pictureSize(const std::string& text) {
   int width = 0, height = 0;
   const char* const end = text.data() + text.size();

@@ -36,6 +36,9 @@ struct PictureOptions {
   }
 };
 
+/// Size and samples of rendering::smallComparisonPicture(), so that commands that compare report the same SNR.
+PictureOptions comparisonPictures();
+
 /// Width and height of "256" or "640x480". @throws UsageError.
 std::pair<int, int> pictureSize(const std::string& text);
 

@@ -24,6 +24,8 @@ namespace {
 /// Name of this method, in addition to reconstructionMethodNames.
 constexpr const char* dictionariesMethod = "dictionaries";
 
+std::string assumptionText() { return "assumed: " + std::string(acquisition::assumedOrders) + "\n"; }
+
 struct DictionaryReconstructionRequest {
   std::string plan, values, out;
   std::string dictionary;  ///< a .dictionary file; empty: the bundled one
@@ -55,6 +57,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
                   {"noise", found.noise},
                   {"logEvidence", found.logEvidence},
                   {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
+                  {"assumption", acquisition::assumedOrders},
                   {"seconds", seconds},
                   {"trainingSeconds", trainingSeconds},
                   {"written", written.json()},
@@ -62,7 +65,8 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   print(tool, json,
         request.out + ": from " + std::to_string(plan.samples.size()) + " samples, dictionary " +
             std::to_string(found.dictionary + 1) + " of " + std::to_string(dictionary->ensemble.dictionaries.size()) +
-            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n" + written.text);
+            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n" + assumptionText() +
+            written.text);
   return 0;
 }
 
@@ -150,11 +154,17 @@ std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCell
 
 void report(const ReconstructArguments& options, bool equalNoise, const Reconstruction& found, std::size_t samples,
             double seconds, double trainingSeconds, const WrittenMaterial& written, const Tool& tool) {
-  Json json{{"method", methodOf(options)},       {"samples", samples},
-            {"components", found.components},    {"ridge", found.ridge},
-            {"equalNoise", equalNoise},          {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
-            {"cappedValues", found.cappedCount}, {"seconds", seconds},
-            {"written", written.json()},         {"out", options.out}};
+  Json json{{"method", methodOf(options)},
+            {"samples", samples},
+            {"components", found.components},
+            {"ridge", found.ridge},
+            {"equalNoise", equalNoise},
+            {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
+            {"cappedValues", found.cappedCount},
+            {"assumption", assumedOrders},
+            {"seconds", seconds},
+            {"written", written.json()},
+            {"out", options.out}};
   std::string text = options.out + ": from " + std::to_string(samples) + " samples, " +
                      std::to_string(found.components) + " components, ridge " + number(found.ridge) + ", " +
                      number(seconds) + " s\n";
@@ -168,7 +178,7 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
   }
   if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
   if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
-  print(tool, json, text + written.text);
+  print(tool, json, text + assumptionText() + written.text);
 }
 
 std::vector<std::string> reconstructionMethods() {

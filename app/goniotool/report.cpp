@@ -29,27 +29,35 @@ std::string addTableQuality(Json& json, const Brdf& measurement, const Tabulated
   return "the table that the method works on: BRDF SNR " + number(quality.brdfSnr) + " dB against the material\n";
 }
 
-FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool) {
-  FactorQuality quality{brdfQuality(*material.brdf, factors)};
-  quality.evaluationNs = study::measureEvaluation(factors).median;
+study::MaterialQuality qualityOf(const materials::Material& material, const Brdf& used, const TabulatedBrdf* decoded,
+                                 int samples, const Tool& tool) {
   rendering::RenderOptions picture = rendering::smallComparisonPicture();
   picture.samples = samples;
-  const rendering::RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));
-  quality.renderedSnr =
-      comparison.signalToNoiseRatio(comparison.render(factors, tool.control("rendering the factors")));
-  return quality;
+  return study::measureQuality(*material.brdf, used, decoded, picture, tool.control("measuring"));
 }
 
-void addQuality(Json& json, const FactorQuality& quality) {
+void addQuality(Json& json, const study::MaterialQuality& quality) {
   json["errors"] = errorsJson(quality.errors);
   json["brdfSnr"] = decibelsJson(quality.brdfSnr);
   json["renderedSnr"] = decibelsJson(quality.renderedSnr);
-  json["evaluationNs"] = quality.evaluationNs;
+  addCost(json, quality.cost);
 }
 
-std::string qualityText(const FactorQuality& quality, double seconds) {
+std::string qualityText(const study::MaterialQuality& quality, double seconds) {
   return "BRDF SNR " + number(quality.brdfSnr) + " dB, rendered SNR " + number(quality.renderedSnr) + " dB, " +
-         number(seconds) + " s, " + number(quality.evaluationNs) + " ns per evaluation\n" + errorsText(quality.errors);
+         number(seconds) + " s, " + costText(quality.cost) + "\n" + errorsText(quality.errors);
+}
+
+void addCost(Json& json, const study::UseCost& cost) {
+  json["evaluationNs"] = cost.evaluation.median;
+  json["frameMs"] = cost.frameMilliseconds;
+}
+
+std::string costText(const study::UseCost& cost) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%.3g ns per evaluation, %.3g ms per frame", cost.evaluation.median,
+                cost.frameMilliseconds);
+  return text;
 }
 
 Json planJson(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs) {

@@ -66,20 +66,20 @@ BrdfQuality brdfQuality(const Brdf& measurement, const Brdf& test);
 /// @return a line of text, or "".
 std::string addTableQuality(Json& json, const Brdf& measurement, const TabulatedBrdf& table);
 
-/// Errors of a factorisation, computed in the same way for all methods of `goniotool factor`.
-struct FactorQuality : BrdfQuality {
-  double renderedSnr = 0;  ///< dB, in pictures of the size of smallComparisonPicture()
-  double evaluationNs = 0;
-};
+/// study::measureQuality() against the material in its native form. @param used as there. @param samples per pixel of
+/// the pictures. @throws Cancelled.
+study::MaterialQuality qualityOf(const materials::Material& material, const Brdf& used, const TabulatedBrdf* decoded,
+                                 int samples, const Tool& tool);
 
-/// Against the material in its native form. @param samples per pixel of the pictures. Takes a few seconds. @throws
-/// Cancelled.
-FactorQuality factorQuality(const materials::Material& material, const Brdf& factors, int samples, const Tool& tool);
-
-/// Adds errors, brdfSnr, renderedSnr and evaluationNs.
-void addQuality(Json& json, const FactorQuality& quality);
+/// Adds errors, brdfSnr, renderedSnr, evaluationNs and frameMs.
+void addQuality(Json& json, const study::MaterialQuality& quality);
 /// "BRDF SNR 31 dB, rendered SNR 28 dB", the times, and a line per error.
-std::string qualityText(const FactorQuality& quality, double seconds);
+std::string qualityText(const study::MaterialQuality& quality, double seconds);
+
+/// Adds evaluationNs and frameMs.
+void addCost(Json& json, const study::UseCost& cost);
+/// "52 ns per evaluation, 14 ms per frame".
+std::string costText(const study::UseCost& cost);
 
 // Reports of effect plans.
 

@@ -47,7 +47,7 @@ int trainNeural(const NeuralArguments& options, const Tool& tool) {
                                        ? baselines::fitNeural(*table, options.training, tool.control("training"))
                                        : publishedWeights(options.weights, options.row);
   const auto brdf = std::make_shared<const NeuralBrdf>(fit.weights);
-  const FactorQuality quality = factorQuality(material, *brdf, options.samples, tool);
+  const study::MaterialQuality quality = qualityOf(material, *brdf, nullptr, options.samples, tool);
   WrittenMaterial written;
   if (materials::hasSuffixOf(formats::neuralFormat, options.out))
     formats::writeNeural(fit.weights, options.out);

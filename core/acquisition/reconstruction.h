@@ -89,6 +89,10 @@ struct ReconstructionOptions {
   bool componentsAsSamples = false;  ///< whether to use as many components as samples, instead of `components`
 };
 
+/// What every reconstruction assumes of the two directions, since the training materials are the means of both orders
+/// (TabulatedBrdf::meanOfOrders()).
+inline constexpr std::string_view assumedOrders = "reciprocal: a reading also stands for light and viewer exchanged";
+
 /// The options of the published method: eq. 5.14 with eta = 40 and as many components as samples (Nielsen et al. 2015;
 /// Tongbuasirilai 2023; the authors' code).
 ReconstructionOptions publishedReconstruction();
@@ -117,7 +121,8 @@ struct Reconstruction {
   std::vector<float> standardDeviation;
 };
 
-/// Each sample is read at the nearest node of the basis (nearestNode()). Components that are not used count as noise of
+/// Each sample is read at the nearest node of the basis (nearestNode()), which both orders of its directions share: the
+/// result is reciprocal (assumedOrders). Components that are not used count as noise of
 /// a sample, and so do the standard deviations of the values if given: eta is replaced by eta + t (l + s^2) (unless
 /// `equalNoise`), with t the number of training signals, l the variance that is left out (leftOutVariance()), and s the
 /// standard deviation of the mapped value to first order (root mean square of the channels). The three channels share

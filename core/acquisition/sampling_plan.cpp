@@ -215,6 +215,7 @@ std::string planCsv(const SamplingPlan& plan, const std::vector<std::string>& co
   if (!plan.method.empty()) csv.comment(std::string(methodLabel) + plan.method);
   if (!plan.basisDigest.empty()) csv.comment(std::string(basisLabel) + plan.basisDigest);
   for (const std::string& comment : comments) csv.comment(comment);
+  csv.comment("theta_i, phi_i: direction of the light; theta_o, phi_o: direction of the viewer");
   csv.texts({"index", "theta_i", "phi_i", "theta_o", "phi_o", "theta_h", "theta_d", "phi_d", "order"}).endLine();
   for (const PlannedSample& sample : plan.samples) {
     const auto& [wi, wo] = sample.directions;

@@ -58,9 +58,9 @@ std::vector<std::size_t> shortPath(std::span<const DirectionPair> pairs);
 
 // A sampling plan as CSV (csv_text.h): comment lines, then the columns
 //   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
-// with angles in degrees; i is the light, o the viewer. The comments "method: .." and "basis, SHA-256: .." are read.
-// theta_h, theta_d and phi_d are redundant, for the user's information; readers only use them to detect angles in
-// radians. `order` is the order of measurement, along a short path of the arms.
+// with angles in degrees; i is the light, o the viewer, as a comment says. The comments "method: .." and "basis,
+// SHA-256: .." are read. theta_h, theta_d and phi_d are redundant, for the user's information; readers only use them to
+// detect angles in radians. `order` is the order of measurement, along a short path of the arms.
 
 /// Angles have six decimals, enough to find the node of the directions again. @param comments lines of comments,
 /// without #.

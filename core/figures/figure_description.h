@@ -97,7 +97,7 @@ struct FigurePictures {
 ///    "representations": [{"id": "ggx"}, {"id": "factors-3d", "budget": 10, "label": "PDV"}, ..],
 ///    "pictures": {"scene": "row", "environment": "sky", "size": 256, "samples": 64, "exposure": 0,
 ///                 "toneMap": "clamp"},
-///    "numbers": ["rendered-snr", "bytes"], "inset": {"x": 0.35, "y": 0.15, "size": 0.25},
+///    "numbers": ["rendered-snr", "bytes", "evaluation-time"], "inset": {"x": 0.35, "y": 0.15, "size": 0.25},
 ///    "errorMaps": true, "errorMaximum": 0.5}
 /// Only format, version, materials and representations are required.
 struct FigureDescription {
@@ -113,7 +113,8 @@ struct FigureDescription {
   std::vector<FigureMaterial> materials;
   std::vector<FigureRepresentation> representations;
   FigurePictures pictures;
-  std::vector<std::string> numbers{"rendered-snr", "bytes"};  ///< ids of figureNumbers(), in the order of display
+  std::vector<std::string> numbers{"rendered-snr", "bytes",
+                                   "evaluation-time"};  ///< ids of figureNumbers(), in the order of display
   std::optional<FigureInset> inset;
   bool errorMaps = true;
   std::optional<double> errorMaximum;  ///< luminance difference at the end of the error scale; empty: from all pictures

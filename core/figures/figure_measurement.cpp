@@ -25,12 +25,24 @@ bool showsTimes(const FigureDescription& description) {
   return std::ranges::any_of(description.numbers, [](const std::string& id) { return figureNumber(id).isTimed; });
 }
 
+bool isComparisonScene(const FigurePictures& pictures) {
+  constexpr std::string_view names[] = {"", rendering::comparisonSceneName, rendering::bundledComparisonScene};
+  return pictures.environment.empty() && std::ranges::find(names, pictures.scene) != std::end(names);
+}
+
 study::StudyOptions studyOptions(const FigureDescription& description) {
   study::StudyOptions options;
   const FigurePictures& pictures = description.pictures;
-  options.picture.width = options.picture.height = pictures.size;
-  options.picture.samples = pictures.samples;
-  options.scene = figureScene(pictures);
+  rendering::RenderOptions shown;
+  shown.width = shown.height = pictures.size;
+  shown.samples = pictures.samples;
+  // In the scene of all comparisons, the numbers are those of the study, whatever the size of the pictures.
+  if (isComparisonScene(pictures)) {
+    options.shown = shown;
+  } else {
+    options.picture = shown;
+    options.scene = figureScene(pictures);
+  }
   options.timed = showsTimes(description);
   return options;
 }

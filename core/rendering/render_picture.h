@@ -39,8 +39,7 @@ Scene comparisonScene();
 /// Its name in result files, and that of the same scene in lists (bundledSceneNames()). openScene() accepts both.
 inline constexpr const char *comparisonSceneName = "sphere-studio", *bundledComparisonScene = "sphere";
 
-/// The common picture options of rankings, studies and the editor's comparisons, so that they report equal numbers: a
-/// quarter of the pixels of `goniotool compare` and half its samples; the SNR differs by 0.1 dB.
+/// The picture options of every rendered SNR, so that commands, studies, exports and the editor report equal numbers.
 inline RenderOptions smallComparisonPicture() { return {.width = 128, .height = 128, .samples = 32, .density = {}}; }
 
 /// A rendered picture of a comparison.

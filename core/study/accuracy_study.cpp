@@ -37,9 +37,28 @@ double frameMilliseconds(const rendering::RenderedComparison& comparison, const 
   return quantile(std::move(frames), 0.5);
 }
 
+UseCost useCost(const rendering::RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
+  return {measureEvaluation(brdf, stop), frameMilliseconds(comparison, brdf, stop)};
+}
+
+/// The pictures of a study: measured, and shown where other pictures are.
+struct StudyPictures {
+  rendering::RenderedComparison measured;
+  std::optional<rendering::RenderedComparison> shown;
+
+  StudyPictures(const Brdf& reference, const StudyOptions& options, const TaskControl& control)
+      : measured(sceneOf(options), reference, options.picture, control.between(0, 0.5)) {
+    if (options.shown) shown.emplace(sceneOf(options), reference, *options.shown, control.between(0.5, 1));
+  }
+  static rendering::Scene sceneOf(const StudyOptions& options) {
+    return options.scene ? *options.scene : rendering::comparisonScene();
+  }
+  const Image& reference() const { return shown ? shown->reference() : measured.reference(); }
+};
+
 MeasuredRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
-                               const Brdf& measurement, const rendering::RenderedComparison& comparison,
-                               const StudyOptions& options, const TaskControl& stop) {
+                               const Brdf& measurement, const StudyPictures& pictures, const StudyOptions& options,
+                               const TaskControl& stop) {
   MeasuredRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
       .brdf = built.brdf,
@@ -47,17 +66,14 @@ MeasuredRepresentation measure(const Representation& representation, const Built
       .tabulated = built.tabulated,
       .fit = built.fit};
   StudyRecord& record = studied.record;
-  if (options.timed) {
-    record.evaluation = measureEvaluation(*built.brdf, stop);
-    record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, stop);
-  } else {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    record.evaluation = {none, none, none};
-    record.frameMilliseconds = none;
-  }
-  rendering::ComparisonPicture picture = comparison.render(*built.brdf, stop);
-  record.renderedSnr = comparison.signalToNoiseRatio(picture);
-  studied.picture = std::move(picture.image);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const UseCost cost =
+      options.timed ? useCost(pictures.measured, *built.brdf, stop) : UseCost{{none, none, none}, none};
+  record.evaluation = cost.evaluation;
+  record.frameMilliseconds = cost.frameMilliseconds;
+  rendering::ComparisonPicture picture = pictures.measured.render(*built.brdf, stop);
+  record.renderedSnr = pictures.measured.signalToNoiseRatio(picture);
+  studied.picture = pictures.shown ? pictures.shown->render(*built.brdf, stop).image : std::move(picture.image);
   stop.throwIfStopped();
   const fitting::FitOptions& fit = options.build.fit;
   const bool useNodes = built.nodes && formOf<TabulatedBrdf>(measurement);
@@ -71,22 +87,41 @@ MeasuredRepresentation measure(const Representation& representation, const Built
 
 }  // namespace
 
+UseCost measureUse(const Brdf& brdf, const TaskControl& control) {
+  const rendering::RenderedComparison comparison(brdf, rendering::smallComparisonPicture(), control.between(0, 0.5));
+  return useCost(comparison, brdf, {control.stop, {}});
+}
+
+MaterialQuality measureQuality(const Brdf& measurement, const Brdf& used, const TabulatedBrdf* decoded,
+                               const rendering::RenderOptions& picture, const TaskControl& control) {
+  const rendering::RenderedComparison comparison(measurement, picture, control.between(0, 0.4));
+  const TaskControl stop{control.stop, {}};
+  MaterialQuality quality;
+  quality.renderedSnr = comparison.signalToNoiseRatio(comparison.render(used, stop));
+  control.report(0.6);
+  const Brdf& compared = decoded ? static_cast<const Brdf&>(*decoded) : used;
+  quality.errors = metrics::brdfErrors(measurement, compared);
+  stop.throwIfStopped();
+  quality.brdfSnr = metrics::brdfSignalToNoiseRatio(measurement, compared);
+  control.report(0.8);
+  quality.cost = useCost(comparison, used, stop);
+  return quality;
+}
+
 std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const Representation> representations,
                                   const StudyOptions& options, const TaskControl& control) {
   std::vector<StudyRecord> records;
   try {
-    const rendering::RenderedComparison comparison(options.scene ? *options.scene : rendering::comparisonScene(),
-                                                   *subject.reference, options.picture,
-                                                   control.between(0, referenceFraction));
-    if (options.referenceRendered) options.referenceRendered(comparison.reference());
+    const StudyPictures pictures(*subject.reference, options, control.between(0, referenceFraction));
+    if (options.referenceRendered) options.referenceRendered(pictures.reference());
     RepresentationBuilder builder(subject, options.build, representations);
     const double fraction = (1 - referenceFraction) / double(std::max<std::size_t>(1, representations.size()));
     for (const Representation& representation : representations) {
       const double begin = referenceFraction + double(records.size()) * fraction;
       const BuiltRepresentation built =
           builder.build(representation, control.between(begin, begin + buildFraction * fraction));
-      const MeasuredRepresentation studied = measure(representation, built, *subject.reference, comparison, options,
-                                                     {.stop = control.stop, .progress = {}});
+      const MeasuredRepresentation studied =
+          measure(representation, built, *subject.reference, pictures, options, {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);
       if (options.measured) options.measured(studied);
       control.report(begin + fraction);

@@ -11,6 +11,33 @@
 
 namespace gonio::study {
 
+/// What using a material costs on this machine at the moment: the times of a StudyRecord.
+struct UseCost {
+  EvaluationTime evaluation;
+  double frameMilliseconds = 0;
+};
+
+/// Measures measureEvaluation() and the time of a frame of comparisonScene() (median of three, or fewer if they take
+/// more than a second). Takes about the time of five frames. @throws Cancelled.
+UseCost measureUse(const Brdf& brdf, const TaskControl& control = {});
+
+/// How close a material is to the measurement that it stands for, and what using it costs: the numbers of a
+/// StudyRecord, for a single one. Every command, the editor and Python take them from here.
+struct MaterialQuality {
+  std::vector<double>
+      errors;              ///< against the measurement in its native form, in the order of metrics::allBrdfMetrics()
+  double brdfSnr = 0;      ///< dB, as metrics::brdfSignalToNoiseRatio()
+  double renderedSnr = 0;  ///< in comparisonScene(), dB; +infinity for equal pictures, NaN for a black reference
+  UseCost cost;
+};
+
+/// Measures a material against a measurement. @param used evaluated in the pictures and timed, such as a code. @param
+/// decoded the same as a table, from which errors and BRDF SNR are computed faster; null: `used`. @param picture size
+/// and samples of the pictures. About two seconds on two cores. @throws Cancelled.
+MaterialQuality measureQuality(const Brdf& measurement, const Brdf& used, const TabulatedBrdf* decoded = nullptr,
+                               const rendering::RenderOptions& picture = rendering::smallComparisonPicture(),
+                               const TaskControl& control = {});
+
 /// A measured representation.
 struct MeasuredRepresentation {
   StudyRecord record;
@@ -22,8 +49,10 @@ struct MeasuredRepresentation {
 
 struct StudyOptions {
   BuildOptions build;
-  /// Options of the pictures and of the timed frames. `density` is replaced by the reference's.
+  /// Options of the measured pictures and of the timed frames. `density` is replaced by the reference's.
   rendering::RenderOptions picture = rendering::smallComparisonPicture();
+  /// Size and samples of the pictures that are returned, where they differ from those that are measured.
+  std::optional<rendering::RenderOptions> shown = {};
   /// Scene of the pictures instead of comparisonScene(); then the rendered SNRs are those of this scene.
   std::optional<rendering::Scene> scene = {};
   /// Whether to measure the times of an evaluation and a frame; false: they are NaN, and only one frame is rendered.

@@ -21,14 +21,14 @@ constexpr double upwardFraction = 0.7;
 
 class Search {
  public:
-  Search(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
+  Search(const dictionary::Encoder& encoder, const Brdf& measurement, const TabulatedBrdf& table, double renderedSnr,
          const dictionary::EncodeOptions& options, const rendering::RenderOptions& picture, const TaskControl& control)
       : encoder_(encoder),
         table_(table),
         renderedSnr_(renderedSnr),
         options_(options),
         control_(control),
-        comparison_(table, picture, stop()) {}
+        comparison_(measurement, picture, stop()) {}
 
   /// The best of each transform.
   std::vector<PictureEncoding> run() {
@@ -125,10 +125,11 @@ std::vector<GammaTrial> selectGamma(const fitting::FitBase& base, const models::
   return trials;
 }
 
-PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
+PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const Brdf& measurement,
+                                  const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control,
                                   const rendering::RenderOptions& picture) {
-  Search search(encoder, table, renderedSnr, options, picture, control);
+  Search search(encoder, measurement, table, renderedSnr, options, picture, control);
   std::vector<PictureEncoding> found = search.run();
   std::vector<dictionary::EncodedCandidate> candidates;
   for (const PictureEncoding& one : found) candidates.push_back(one.encoded.candidates.front());

@@ -38,11 +38,12 @@ struct PictureEncoding {
 /// the transforms reaches it, then bisects the last interval to within 3 %; selects the transform that needs fewer. If
 /// `options.coefficients` are not sufficient, returns the code with the highest SNR found. About 20 encodings and
 /// pictures, about a minute on two cores.
-/// @param renderedSnr to reach: decoded table against the table in comparisonScene(), dB.
-/// @param picture options of the pictures; use those of other comparisons, because smaller pictures give a higher SNR.
+/// @param measurement in its native form, which the SNR is of. @param table of it on the encoder's grid.
+/// @param renderedSnr to reach: decoded table against the measurement in comparisonScene(), dB.
 /// @throws Error as Encoder::encode(); Cancelled.
-PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
+PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const Brdf& measurement,
+                                  const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control = {},
-                                  const rendering::RenderOptions& picture = {});
+                                  const rendering::RenderOptions& picture = rendering::smallComparisonPicture());
 
 }  // namespace gonio::study

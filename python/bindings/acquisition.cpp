@@ -285,6 +285,7 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
   row["ridge"] = result.ridge;
   row["components"] = result.components;
   row["leave_one_out_error"] = result.leaveOneOutError;
+  row["assumption"] = acquisition::assumedOrders;
   row["deviation"] = result.standardDeviation.empty()
                          ? py::object(py::none())
                          : py::object(onGrid(basis.components->mapping, result.standardDeviation));

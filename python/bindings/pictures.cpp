@@ -9,6 +9,7 @@
 #include "core/metrics/image_errors.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
+#include "core/rendering/plan_check.h"
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "core/study/accuracy_study.h"
@@ -44,8 +45,9 @@ py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& sce
   if (samples < 1) throw Error("samples: expected 1 or more");
   return toArrays(resultOf(progress, [&](const TaskControl& control) {
     const Filled filled = fill(given, scene, environment, rotation);
-    const rendering::PathTracer tracer(filled.scene, filled.materials,
-                                       rendering::planEffects(filled.scene, filled.materials), seed);
+    const rendering::PathTracer tracer(
+        filled.scene, filled.materials,
+        rendering::checkedPlan(filled.scene, filled.materials, {}, {}, {control.stop, {}}), seed);
     rendering::Film film(width, height);
     tracer.accumulate(film, samples, control);
     return film.image();
@@ -53,9 +55,9 @@ py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& sce
 }
 
 py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment) {
-  const rendering::EffectPlan plan = resultOf(py::none(), [&](const TaskControl&) {
+  const rendering::EffectPlan plan = resultOf(py::none(), [&](const TaskControl& control) {
     const Filled filled = fill(given, scene, environment, 0);
-    return rendering::planEffects(filled.scene, filled.materials);
+    return rendering::checkedPlan(filled.scene, filled.materials, {}, {}, control);
   });
   py::list list;
   for (std::size_t i = 0; i < rendering::effectCount; ++i)
@@ -70,19 +72,22 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
     std::vector<double> errors, imageErrors;
     double brdfSnr, renderedSnr, renderedPsnr;
     Image reference, test;
+    std::array<study::UseCost, 2> costs;
   };
   Result result = resultOf(progress, [&](const TaskControl& control) {
     Result made;
     made.errors = metrics::brdfErrors(*a.brdf(), *b.brdf(), maxPolarAngle);
     made.brdfSnr = metrics::brdfSignalToNoiseRatio(*a.brdf(), *b.brdf());
     const rendering::RenderedComparison comparison(
-        *a.brdf(), {.width = size, .height = size, .samples = samples, .density = {}}, control.between(0.2, 0.6));
-    rendering::ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
+        *a.brdf(), {.width = size, .height = size, .samples = samples, .density = {}}, control.between(0.2, 0.5));
+    rendering::ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.5, 0.8));
     made.renderedSnr = comparison.signalToNoiseRatio(picture);
     made.renderedPsnr = comparison.peakSignalToNoiseRatio(picture);
     made.imageErrors = metrics::imageErrors(comparison.reference(), picture.image);
     made.reference = comparison.reference();
     made.test = std::move(picture.image);
+    made.costs = {study::measureUse(*a.brdf(), control.between(0.8, 0.9)),
+                  study::measureUse(*b.brdf(), control.between(0.9, 1))};
     return made;
   });
   py::dict row;
@@ -94,6 +99,8 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
   for (std::size_t i = 0; i < result.imageErrors.size(); ++i)
     imageMetrics[py::str(std::string(metrics::imageMetricRecords()[i].id))] = result.imageErrors[i];
   row["image_metrics"] = imageMetrics;
+  row["evaluation_ns"] = py::make_tuple(result.costs[0].evaluation.median, result.costs[1].evaluation.median);
+  row["frame_ms"] = py::make_tuple(result.costs[0].frameMilliseconds, result.costs[1].frameMilliseconds);
   row["pictures"] = py::none();
   if (pictures)
     row["pictures"] = py::make_tuple(toArrays(std::move(result.reference))[0], toArrays(std::move(result.test))[0]);

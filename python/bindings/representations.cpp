@@ -174,7 +174,8 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     const dictionary::Encoder encoder(ensemble);
     dictionary::EncodeResult encoded;
     if (renderedSnr) {
-      auto found = study::encodeForPictures(encoder, *sampled, *renderedSnr, options, control.between(0.1, 1));
+      auto found =
+          study::encodeForPictures(encoder, *material.brdf(), *sampled, *renderedSnr, options, control.between(0.1, 1));
       encoded = std::move(found.encoded);
       result.renderedSnr = found.renderedSnr;
     } else {

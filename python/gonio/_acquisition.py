@@ -363,6 +363,8 @@ class Reconstruction:
     leave_one_out_error: float
     """Root mean square error of predicting each sample's mapped value (see Basis) from all other samples, for "local-ridge" in
     the combination with the largest weight; NaN for "sparse" and for one sample."""
+    assumption: str
+    """What is assumed of light and viewer: a reading also stands for both exchanged, so that the material is reciprocal."""
     deviation: Optional[NDArray[np.float32]] = field(repr=False)
     """Uncertainty: standard deviation of the mapped value (see Basis) of each cell, shape (n_h, n_d, n_phi); NaN in invalid
     cells; None for "sparse"."""

@@ -46,11 +46,11 @@ class ModelPanelTest : public QObject {
     auto* list = panel.findChild<QComboBox*>();
     QCOMPARE(list->currentIndex(), -1);
     for (const models::Model* model : models::allModels()) {
-      panel.setModel(model, "residual");
+      panel.setModel(model);
       QVERIFY(list->currentText() ==
               QString::fromUtf8(model->spec().name.data(), qsizetype(model->spec().name.size())));
     }
-    panel.setModel(nullptr, {});
+    panel.setModel(nullptr);
     QCOMPARE(list->currentIndex(), -1);
   }
 };

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "widgets/inputs/plain_text_style.h"
+#include "widgets/panels/elided_label.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -75,26 +76,26 @@ ModelPanel::ModelPanel(QWidget* parent)
     : QWidget(parent),
       m_models(new ModelBox(this)),
       m_fit(new QPushButton(tr("Fit"), this)),
-      m_residual(new QLabel(this)) {
+      m_costs(new ElidedLabel(this)) {
   m_fit->setToolTip(tr("Fits the model to the measurement (Ctrl+F5)"));
-  m_residual->setWordWrap(true);
-  m_residual->setForegroundRole(QPalette::PlaceholderText);
+  m_costs->setForegroundRole(QPalette::PlaceholderText);
   auto* top = new QHBoxLayout;
   top->addWidget(m_models, 1);
   top->addWidget(m_fit);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(top);
-  layout->addWidget(m_residual);
+  layout->addWidget(m_costs);
   connect(m_fit, &QPushButton::clicked, this, &ModelPanel::fitRequested);
   connect(m_models, &ModelBox::modelChosen, this, &ModelPanel::modelChosen);
-  setModel(nullptr, {});
+  setModel(nullptr);
 }
 
-void ModelPanel::setModel(const models::Model* model, const QString& residual) {
-  m_models->setModel(model);
-  m_residual->setText(residual);
-  m_residual->setVisible(!residual.isEmpty());
+void ModelPanel::setModel(const models::Model* model) { m_models->setModel(model); }
+
+void ModelPanel::setCosts(const QString& line, const QString& details) {
+  m_costs->setText(line);
+  m_costs->setToolTip(details);
 }
 
 void ModelPanel::setBusy(bool busy) { m_fit->setText(busy ? tr("Fitting") : tr("Fit")); }

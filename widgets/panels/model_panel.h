@@ -8,10 +8,11 @@
 
 #include "core/models/model.h"
 
-class QLabel;
 class QPushButton;
 
 namespace gonio::widgets {
+
+class ElidedLabel;
 
 /// A list of all models by family.
 class ModelBox : public QComboBox {
@@ -36,15 +37,17 @@ class ModelBox : public QComboBox {
 /// Rich text about a model: name, what it is for, formula, source.
 QString modelToolTip(const models::ModelSpec& spec);
 
-/// The choice of the fitted model: a list by family, a fit button, and the quality of the fit.
+/// The choice of the fitted model: a list by family, a fit button, and what its accuracy costs.
 class ModelPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ModelPanel(QWidget* parent = nullptr);
 
-  /// Shows a model (null: none chosen) and text about its fit. Emits nothing.
-  void setModel(const models::Model* model, const QString& residual);
+  /// Shows a model (null: none chosen). Emits nothing.
+  void setModel(const models::Model* model);
+  /// Shows the accuracy and the cost in one line below the model, and all numbers in its tooltip.
+  void setCosts(const QString& line, const QString& details);
   /// During a fit the list remains enabled: choosing another model replaces the running fit.
   void setBusy(bool busy);
 
@@ -55,7 +58,7 @@ class ModelPanel : public QWidget {
  private:
   ModelBox* m_models;
   QPushButton* m_fit;
-  QLabel* m_residual;
+  ElidedLabel* m_costs;
 };
 
 }  // namespace gonio::widgets

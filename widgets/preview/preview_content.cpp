@@ -72,13 +72,21 @@ bool PreviewContent::isComparing() const {
 /// Plans the effects that the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
   static const std::shared_ptr<const rendering::RenderMaterial> grey = rendering::diffuseMaterial(Rgb(0.5));
-  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials()));
+  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, otherSlotMaterials(),
+                              m_thresholds));
 }
 
 void PreviewContent::adoptPlan(PreviewSide& side, const rendering::EffectPlan& plan) {
   const bool another = !(plan == side.plan());
   side.setPlan(plan);
   if (another && &side == &m_first) Q_EMIT planChanged(plan);
+}
+
+void PreviewContent::setCheckedPlan(const rendering::EffectPlan& checked) {
+  if (checked == m_first.plan()) return;
+  adoptPlan(m_first, checked);
+  trace(m_first);
+  Q_EMIT changed();
 }
 
 void PreviewContent::trace(PreviewSide& side) {
@@ -202,6 +210,13 @@ rendering::RenderMaterials PreviewContent::otherSlotMaterials() const {
 void PreviewContent::setOverrides(const rendering::EffectOverrides& overrides) {
   if (overrides == m_overrides) return;
   m_overrides = overrides;
+  setScene(m_scene);
+}
+
+void PreviewContent::setReflectionLimit(int reflections) {
+  const int limit = reflections > 0 ? reflections : rendering::EffectThresholds{}.maxReflections;
+  if (limit == m_thresholds.maxReflections) return;
+  m_thresholds.maxReflections = limit;
   setScene(m_scene);
 }
 

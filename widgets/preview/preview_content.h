@@ -70,8 +70,13 @@ class PreviewContent : public QObject {
   /// Sets effects that the user forces on or off.
   void setOverrides(const rendering::EffectOverrides& overrides);
   const rendering::EffectOverrides& overrides() const { return m_overrides; }
+  /// Sets the number of reflections after which all paths end: the picture of the first path terms. 0: no such limit.
+  void setReflectionLimit(int reflections);
+  const rendering::EffectThresholds& thresholds() const { return m_thresholds; }
   /// The plan for the first subject, or for a grey surface until its material is known.
   const rendering::EffectPlan& plan() const { return m_first.plan(); }
+  /// Replaces it by rendering::checkedPlan() of the same scene, material and overrides, until one of these changes.
+  void setCheckedPlan(const rendering::EffectPlan& checked);
   Tracing tracing() const;
   /// Sets whether OpenGL runs on the CPU. If so, meshes are path-traced at rest, which is twice as fast.
   void setSoftware(bool software);
@@ -115,6 +120,7 @@ class PreviewContent : public QObject {
   void light(rendering::Scene& scene) const;
 
   PreviewSide m_first, m_second;
+  rendering::EffectThresholds m_thresholds;
   PreviewComparison m_comparison;
   rendering::Scene m_scene, m_home;
   std::optional<std::shared_ptr<const rendering::EnvironmentMap>> m_environment;  ///< set by the user

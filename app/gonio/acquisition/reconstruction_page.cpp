@@ -137,6 +137,10 @@ void ReconstructionPage::showResult() {
     if (std::isfinite(made.leaveOneOutError))
       facts << tr("leave-one-out error of a mapped value: %1").arg(widgets::formatNumber(made.leaveOneOutError));
   }
+  m_numbers->setToolTip(m_session.result() ? tr("Assumed: %1")
+                                                 .arg(QString::fromUtf8(acquisition::assumedOrders.data(),
+                                                                        qsizetype(acquisition::assumedOrders.size())))
+                                           : QString());
   m_numbers->setText(facts.join(QStringLiteral(" · ")));
   m_view->setContent(content);
 }

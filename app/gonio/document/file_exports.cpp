@@ -12,6 +12,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/materials/encode.h"
+#include "core/rendering/plan_check.h"
 #include "core/support/error.h"
 
 namespace gonio::app {
@@ -30,19 +31,20 @@ rendering::Scene PictureExport::shownScene() const {
   return shown;
 }
 
-PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited) {
+PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
+                        const TaskControl& control) {
   PicturePlan planned{.scene = request.shownScene()};
   const auto material = std::make_shared<const rendering::RenderMaterial>(edited);
   planned.materials = rendering::bindMaterials(
       planned.scene, rendering::materialsInSlots(planned.scene, material, request.otherSlotMaterials));
-  planned.plan = rendering::planEffects(planned.scene, planned.materials, request.overrides);
+  planned.plan = rendering::checkedPlan(planned.scene, planned.materials, request.overrides, {}, {control.stop, {}});
   return planned;
 }
 
 void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
                           const std::string& name, const TaskControl& control, const Pause& pause) {
   constexpr std::uint64_t seed = 1;
-  const PicturePlan planned = planPicture(request, edited);
+  const PicturePlan planned = planPicture(request, edited, control);
   const rendering::PathTracer tracer(planned.scene, planned.materials, planned.plan, seed);
   rendering::Film film(request.width, request.height);
   rendering::refinePicture(tracer, film, request.limits, control, &pause);

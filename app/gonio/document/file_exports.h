@@ -54,7 +54,8 @@ struct PicturePlan {
   rendering::RenderMaterials materials;
   rendering::EffectPlan plan;
 };
-PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited);
+PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
+                        const TaskControl& control);
 
 /// Renders a picture and writes it atomically. Not for the GUI thread.
 /// @param edited the document's material with its edits, named `name`. @throws Error that names the file; Cancelled.

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
@@ -101,21 +102,24 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
   code.density = std::make_shared<const TabulatedDensity>(*code.table);
-  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->base, *code.table);
-  code.snr = metrics::brdfSignalToNoiseRatio(*material->base, *code.table);
-  code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;
+  code.quality = study::measureQuality(*material->base, *dictionary::makeCodeBrdf(*ensemble, code.stored->code),
+                                       code.table.get(), rendering::smallComparisonPicture(), control);
   return code;
 }
 
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->bytes());
-  const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
-                                              : MaterialCodeText::tr("BRDF SNR ∞ (identical values)");
+  const auto snrText = [](double snr) {
+    return std::isfinite(snr) ? MaterialCodeText::tr("%1 dB").arg(snr, 0, 'f', 1) : QStringLiteral("∞");
+  };
   return {
-      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("log error %1, %2").arg(errorText(code.logError), snr),
-       MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
-                            "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
-                            "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},
+      {MaterialCodeText::tr("Error"),
+       MaterialCodeText::tr("rendered SNR %1, BRDF SNR %2, log error %3")
+           .arg(snrText(code.quality.renderedSnr), snrText(code.quality.brdfSnr),
+                errorText(code.quality.errors[std::size_t(metrics::BrdfMetric::log)])),
+       MaterialCodeText::tr("Error of the code against the measurement: signal-to-noise ratio of rendered spheres, and "
+                            "of ρ cos θi cos θo over the cells;\nroot mean square difference of ln(1 + ρ cos θi) over "
+                            "solid angle.")},
       {MaterialCodeText::tr("Size"),
        MaterialCodeText::tr("%1 kB; table: %2 MB")
            .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
@@ -123,11 +127,10 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
        MaterialCodeText::tr("Size of the code's file. The dictionary comes with "
                             "Gonio and is not counted.")},
       {MaterialCodeText::tr("Time"),
-       MaterialCodeText::tr("%1 ns per evaluation, %2 ms to decode, %3 s to encode")
-           .arg(code.nanoseconds, 0, 'f', 0)
-           .arg(1000 * code.decodeSeconds, 0, 'f', 0)
-           .arg(code.encoded.seconds, 0, 'f', 1),
-       MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, decoding "
+       MaterialCodeText::tr("%1, %2 to decode, %3 to encode")
+           .arg(timesText(code.quality.cost), secondsText(code.decodeSeconds), secondsText(code.encoded.seconds)),
+       MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, a frame of "
+                            "the path tracer\n(sphere, 128 × 128 pixels, 32 samples per pixel) on all cores, decoding "
                             "of all cells, and the encoding")},
       {MaterialCodeText::tr("Transform"),
        MaterialCodeText::tr("%1: y = %2")

@@ -8,6 +8,7 @@
 #include "core/brdf/data_transform.h"
 #include "core/dictionary/encode.h"
 #include "core/materials/dictionary_file.h"
+#include "core/study/accuracy_study.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/preview/gl/code_decoder.h"
 
@@ -27,9 +28,7 @@ struct MaterialCode {
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
   std::shared_ptr<const TabulatedDensity> density;      ///< sampling density of the decoded table
   std::size_t bytes = 0;                                ///< of the file
-  double logError = 0;                                  ///< metrics::BrdfMetric::log compared with the measurement
-  double snr = 0;                                       ///< BRDF SNR of `table` compared with the measurement, dB
-  double nanoseconds = 0;                               ///< per evaluation directly from the code, on one core
+  study::MaterialQuality quality;                       ///< of `stored` against the measurement
   double decodeSeconds = 0;
 };
 

@@ -82,8 +82,10 @@ void ExportController::tryOut(const materials::EditedMaterial& material, const e
         trial->made = exports::makeExport(target, material, options, control.between(0, madeFraction));
         trial->original =
             spherePicture(*material.shown.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
-        if (trial->made.brdf)
-          trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 1));
+        if (trial->made.brdf) {
+          trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 0.95));
+          trial->cost = study::measureUse(*trial->made.brdf, control.between(0.95, 1));
+        }
         return trial;
       },
       std::move(done), failed, [failed] { failed(tr("The export was cancelled.")); });

@@ -10,6 +10,7 @@
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "core/export/export_target.h"
+#include "core/study/accuracy_study.h"
 
 class QDoubleSpinBox;
 class QLabel;
@@ -31,6 +32,7 @@ QLabel* exportText();
 struct ExportTrial {
   exports::ExportResult made;
   QImage original, exported;
+  std::optional<study::UseCost> cost;  ///< of ExportResult::brdf
 };
 using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
 

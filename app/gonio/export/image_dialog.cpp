@@ -225,7 +225,7 @@ void ImageDialog::startEstimate() {
   m_parts.tasks.run<rendering::PictureEstimate>(
       {.title = tr("Estimating the rendering time"), .key = estimateKey, .live = true},
       [picture = request(), base = document.base(), edits = document.edits()](const TaskControl& control) {
-        const PicturePlan planned = planPicture(picture, editing::applyEdits(base, edits));
+        const PicturePlan planned = planPicture(picture, editing::applyEdits(base, edits), control);
         return rendering::estimatePicture(planned.scene, planned.materials, planned.plan, picture.width, picture.height,
                                           control);
       },

@@ -80,6 +80,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_tasks(tasks),
       m_source(new widgets::FactList),
       m_tableError(new TableErrorMonitor(document, tasks, this)),
+      m_costs(new CostMonitor(document, tasks, this)),
       m_wavelength(new WavelengthPanel(document, tasks)),
       m_representation(new RepresentationPanel(document, tasks)),
       m_model(new widgets::ModelPanel),
@@ -150,6 +151,7 @@ bool Inspector::isSettled() const {
 void Inspector::connectDocument() {
   connect(&m_document, &Document::materialChanged, this, &Inspector::showSource);
   connect(m_tableError, &TableErrorMonitor::measured, this, &Inspector::showSource);
+  connect(m_costs, &CostMonitor::changed, this, &Inspector::showCosts);
   connect(&m_document, &Document::stateChanged, this, &Inspector::showModel);
   connect(&m_document, &Document::selectionChanged, this, &Inspector::showModel);
   connect(&m_document, &Document::editChanged, this, &Inspector::showValues);
@@ -210,8 +212,8 @@ void Inspector::showSource() {
 void Inspector::showModel() {
   const auto* edit = m_document.active<DifferentialEdit>();
   const models::Model* model = edit ? edit->model : nullptr;
-  const fitting::FitResult* fit = edit ? m_document.fitOf(*edit) : nullptr;
-  m_model->setModel(model, fit ? fitSummary(*fit) : edit ? tr("Fitted parameters read from the document.") : QString());
+  m_model->setModel(model);
+  showCosts();
   m_model->setEnabled(m_document.material() != nullptr);
   if (!model || model != m_shownModel) {
     m_noSliders = noSlidersText();
@@ -219,6 +221,13 @@ void Inspector::showModel() {
     m_shownModel = model;
   }
   showValues();
+}
+
+void Inspector::showCosts() {
+  if (!m_document.material()) return m_model->setCosts({}, {});
+  const auto* edit = m_document.active<DifferentialEdit>();
+  m_model->setCosts(costLine(m_costs->costs()),
+                    costDetails(m_costs->costs(), edit ? m_document.fitOf(*edit) : nullptr));
 }
 
 QString Inspector::noSlidersText() const {

@@ -25,6 +25,7 @@ namespace gonio::app {
 /// --compose lobes". Numbers are exact, with a decimal point in every locale.
 QString editArguments(const editing::DifferentialEdit& edit);
 
+class CostMonitor;
 class PlausibilityMonitor;
 class RepresentationPanel;
 class TableErrorMonitor;
@@ -68,6 +69,7 @@ class Inspector : public QScrollArea {
   void offerArguments(QWidget& panel);
   void showSource();
   void showModel();
+  void showCosts();
   QString noSlidersText() const;
   void showValues();
   void connectEdits();
@@ -80,6 +82,7 @@ class Inspector : public QScrollArea {
   BackgroundTasks& m_tasks;
   widgets::FactList* m_source;
   TableErrorMonitor* m_tableError;
+  CostMonitor* m_costs;
   WavelengthPanel* m_wavelength;
   RepresentationPanel* m_representation;
   widgets::ModelPanel* m_model;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/editing/edit_plausibility.h"
+#include "core/fitting/fit_parameters.h"
 #include "core/rendering/render_picture.h"
 #include "widgets/panels/plausibility_badges.h"
 
@@ -88,6 +89,69 @@ void TableErrorMonitor::finish(std::optional<double> snr) {
   m_snr = snr;
   m_measuring = false;
   Q_EMIT measured();
+}
+
+namespace {
+const QString costKey = QStringLiteral("costs");
+/// Longer than for checks: frames take all cores.
+constexpr int costDelayMilliseconds = 700;
+}  // namespace
+
+CostMonitor::CostMonitor(Document& document, BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks) {
+  m_delay.setSingleShot(true);
+  m_delay.setInterval(costDelayMilliseconds);
+  connect(&m_delay, &QTimer::timeout, this, &CostMonitor::measure);
+  connect(&document, &Document::materialChanged, this, &CostMonitor::materialChanged);
+  for (const auto signal : {&Document::stateChanged, &Document::selectionChanged, &Document::editChanged})
+    connect(&document, signal, this, &CostMonitor::editsChanged);
+}
+
+void CostMonitor::materialChanged() {
+  m_costs = {};
+  m_fitted.reset();
+  editsChanged();
+}
+
+void CostMonitor::editsChanged() {
+  m_tasks.drop(costKey);
+  m_costs.edited.reset();
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  if (!edit || edit->model != m_fittedModel || edit->fitted != m_fitted) {
+    m_fittedModel = edit ? edit->model : nullptr;
+    m_fitted = edit ? std::optional(edit->fitted) : std::nullopt;
+    m_costs.fitSnr.reset();
+    const auto symmetry = m_document.material() && !m_document.base()->isIsotropic()
+                              ? fitting::DataSymmetry::anisotropic
+                              : fitting::DataSymmetry::isotropic;
+    m_costs.fitBytes = edit ? fitting::fittedParameterCount(edit->model->spec(), symmetry) * sizeof(float) : 0;
+  }
+  if (m_document.material())
+    m_delay.start();
+  else
+    m_delay.stop();
+  Q_EMIT changed();
+}
+
+void CostMonitor::measure() {
+  std::shared_ptr<const Brdf> fit;
+  if (m_fitted && !m_costs.fitSnr) fit = m_fittedModel->instantiate(*m_fitted);
+  m_tasks.run<Costs>(
+      {tr("Measuring times"), costKey, false, true},
+      [base = m_document.base(), edits = m_document.edits(), fit, costs = m_costs](const TaskControl& control) mutable {
+        if (fit) {
+          const rendering::RenderedComparison comparison(*base, rendering::smallComparisonPicture(), control);
+          costs.fitSnr = comparison.signalToNoiseRatio(comparison.render(*fit, control));
+        }
+        if (!costs.measured) costs.measured = study::measureUse(*base, control);
+        const auto edited = editing::applyEdits(base, edits);
+        costs.edited = edited == base ? costs.measured : study::measureUse(*edited, control);
+        return costs;
+      },
+      [this](const Costs& costs) {
+        m_costs = costs;
+        Q_EMIT changed();
+      });
 }
 
 }  // namespace gonio::app

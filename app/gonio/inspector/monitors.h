@@ -10,6 +10,7 @@
 #include "app/gonio/document/document.h"
 #include "core/editing/edit_plausibility.h"
 #include "core/rendering/render_picture.h"
+#include "core/study/accuracy_study.h"
 
 namespace gonio::widgets {
 class PlausibilityBadges;
@@ -73,6 +74,39 @@ class TableErrorMonitor : public QObject {
   rendering::RenderOptions m_picture;
   std::optional<double> m_snr;
   bool m_measuring = false;
+};
+
+/// What the accuracy of the fit and of the edits costs: error, bytes, time of an evaluation and of a frame, as in a
+/// study. Measured in the background when the edits rest.
+class CostMonitor : public QObject {
+  Q_OBJECT
+
+ public:
+  /// What belongs to the state of the document; numbers that are not measured yet are empty.
+  struct Costs {
+    std::optional<double> fitSnr;                    ///< rendered SNR of the fit of the active edit, dB
+    std::size_t fitBytes = 0;                        ///< its parameters; 0: there is no fit
+    std::optional<study::UseCost> measured, edited;  ///< of the measurement, and with the edits
+  };
+
+  CostMonitor(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
+  const Costs& costs() const { return m_costs; }
+
+ Q_SIGNALS:
+  /// Numbers were measured or became outdated.
+  void changed();
+
+ private:
+  void materialChanged();
+  void editsChanged();
+  void measure();
+
+  Document& m_document;
+  BackgroundTasks& m_tasks;
+  QTimer m_delay;
+  Costs m_costs;
+  std::optional<models::ParameterValues> m_fitted;  ///< the fit that Costs::fitSnr belongs to
+  const models::Model* m_fittedModel = nullptr;
 };
 
 }  // namespace gonio::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/gonio/document/loaded_material.h"
+#include "app/gonio/inspector/monitors.h"
 #include "core/fitting/fit.h"
 #include "widgets/panels/fact_list.h"
 
@@ -15,7 +16,10 @@ namespace gonio::app {
 /// @param tableSnr rendered SNR of the table against the native form if the table is sampled, dB. @param measuring
 /// whether it is being measured.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);
-/// Up to two errors of a fit, its time and its number of cells, in one line.
-QString fitSummary(const fitting::FitResult& fit);
+/// One line: how close the fit is and what a frame costs, "Fit: close (31.2 dB), 84 bytes. Frame: 5.2 ms". Empty
+/// without a material.
+QString costLine(const CostMonitor::Costs& costs);
+/// All numbers of the line, one per line. @param fit of the active edit; null: read from a document, or none.
+QString costDetails(const CostMonitor::Costs& costs, const fitting::FitResult* fit);
 
 }  // namespace gonio::app

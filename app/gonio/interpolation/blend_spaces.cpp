@@ -3,6 +3,7 @@
 #include "app/gonio/interpolation/blend_spaces.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "app/gonio/library/thumbnail.h"
@@ -167,14 +168,43 @@ void BlendSpaces::prepare(Space space) {
       [this, space](const QString& error) { fail(space, error); }, [this] { cancelAll(); });
 }
 
+namespace {
+
+BlendCost costOf(const interpolation::Interpolation& blend, const TaskControl& control) {
+  const std::size_t count = blend.ends().size();
+  BlendCost cost{.lowestEndSnr = std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto material = blend.ends()[i].material();
+    std::vector<double> weights(count, 0.0);
+    weights[i] = 1;
+    const auto end = blend.brdf(weights);
+    if (end == material) continue;
+    const rendering::RenderedComparison comparison(*material, rendering::smallComparisonPicture(), {control.stop, {}});
+    cost.lowestEndSnr =
+        std::min(cost.lowestEndSnr, comparison.signalToNoiseRatio(comparison.render(*end, {control.stop, {}})));
+    control.report(double(i + 1) / double(count + 1));
+  }
+  cost.middle = study::measureUse(*blend.brdf(std::vector<double>(count, 1.0 / double(count))), {control.stop, {}});
+  return cost;
+}
+
+}  // namespace
+
 void BlendSpaces::draw(Space space) {
-  m_tasks.run<std::vector<QImage>>(
+  struct Drawn {
+    std::vector<QImage> pictures;
+    BlendCost cost;
+  };
+  m_tasks.run<Drawn>(
       {tr("Rendering interpolation: %1").arg(widgets::spaceName(space)), blendKey},
       [prepared = entry(space).prepared, order = m_order, strip = m_stripPictures](const TaskControl& control) {
-        return drawStrip(*prepared, order, strip, control);
+        constexpr double drawn = 0.6;
+        return Drawn{drawStrip(*prepared, order, strip, control.between(0, drawn)),
+                     costOf(*prepared->interpolation, control.between(drawn, 1))};
       },
-      [this, space](const std::vector<QImage>& pictures) {
-        entry(space).pictures = pictures;
+      [this, space](const Drawn& drawn) {
+        entry(space).pictures = drawn.pictures;
+        entry(space).cost = drawn.cost;
         entry(space).state = State::ready;
         Q_EMIT changed(space);
         next();

@@ -6,9 +6,11 @@
 #include <QObject>
 #include <QPointF>
 #include <array>
+#include <optional>
 
 #include "app/gonio/document/background_task.h"
 #include "core/models/registry.h"
+#include "core/study/accuracy_study.h"
 #include "widgets/interpolation/prepared_blend.h"
 
 namespace gonio::app {
@@ -16,6 +18,12 @@ namespace gonio::app {
 /// Size and samples of the small spheres.
 struct StripPictures {
   int side = 112, samples = 16;
+};
+
+/// What a space costs: at equal weights, and how far its ends are from the materials.
+struct BlendCost {
+  study::UseCost middle;
+  double lowestEndSnr = 0;  ///< rendered SNR of a weight of 1 against the material, the lowest of all, dB
 };
 
 /// Prepares the blends of materials in all interpolation spaces, one space after the other in the background, and
@@ -61,6 +69,8 @@ class BlendSpaces : public QObject {
   widgets::PreparedBlendPtr prepared(Space space) const { return entry(space).prepared; }
   /// Empty until they are rendered.
   const std::vector<QImage>& pictures(Space space) const { return entry(space).pictures; }
+  /// Empty until the pictures are rendered.
+  const std::optional<BlendCost>& cost(Space space) const { return entry(space).cost; }
   /// Whether no work is running or waiting.
   bool isSettled() const;
 
@@ -73,6 +83,7 @@ class BlendSpaces : public QObject {
     State state = State::waiting;
     widgets::PreparedBlendPtr prepared;
     std::vector<QImage> pictures;
+    std::optional<BlendCost> cost;
     QString failure;
   };
   const Entry& entry(Space space) const {

@@ -7,11 +7,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "app/gonio/document/material_files.h"
 #include "core/io/mesh_file.h"
 #include "core/metrics/image_metrics.h"
+#include "core/rendering/plan_check.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/dialogs.h"
 #include "widgets/interpolation/material_slot_widget.h"
@@ -140,7 +142,11 @@ namespace {
 
 constexpr int costSide = 128, costSamples = 16;
 constexpr int referenceSamples = 1024;
-const auto costsKey = QStringLiteral("effect costs"), renderReferenceKey = QStringLiteral("scene reference");
+const auto costsKey = QStringLiteral("effect costs"), renderReferenceKey = QStringLiteral("scene reference"),
+           planCheckKey = QStringLiteral("plan check");
+constexpr int planCheckDelayMilliseconds = 600;
+/// As many as the GPU simulates.
+constexpr int shownReflections = 8;
 
 /// What the objects of the preview's scene are made of.
 rendering::RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
@@ -165,6 +171,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_result(new QLabel),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
       m_compare(new QPushButton(tr("&Compare with Reference"))),
+      m_reflections(new QSpinBox),
       m_otherSlots(new SceneMaterialSlots(document, tasks)),
       m_effects(new widgets::EffectList) {
   auto* layout = new QVBoxLayout(this);
@@ -182,6 +189,11 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview.content(),
           &widgets::PreviewContent::setOverrides);
   connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::refresh);
+  m_checkDelay.setSingleShot(true);
+  m_checkDelay.setInterval(planCheckDelayMilliseconds);
+  connect(&m_checkDelay, &QTimer::timeout, this, &ScenePanel::checkPlan);
+  connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::planMayChange);
+  connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, &ScenePanel::planMayChange);
   connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, [this](const rendering::Scene& scene) {
     m_result->clear();
     showScene(scene);
@@ -225,9 +237,19 @@ QWidget* ScenePanel::buildBottom() {
       tr("Measures the signal-to-noise ratio of the preview against the reference renderer with %1 samples per pixel")
           .arg(referenceSamples));
   m_result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_reflections->setRange(0, shownReflections);
+  m_reflections->setSpecialValueText(tr("All"));
+  m_reflections->setToolTip(
+      tr("Number of reflections that the preview shows. 1: direct light alone; the difference from 2 is the light that "
+         "was reflected twice. All: as many as the plan simulates"));
+  auto* label = new QLabel(tr("&Reflections"));
+  label->setBuddy(m_reflections);
+  layout->addWidget(label);
+  layout->addWidget(m_reflections);
   layout->addWidget(m_measure);
   layout->addWidget(m_compare);
   layout->addWidget(m_result, 1);
+  connect(m_reflections, &QSpinBox::valueChanged, &m_preview.content(), &widgets::PreviewContent::setReflectionLimit);
   connect(m_measure, &QPushButton::clicked, this, &ScenePanel::measureCosts);
   connect(m_compare, &QPushButton::clicked, this, &ScenePanel::compareWithReference);
   return bottom;
@@ -303,16 +325,36 @@ void ScenePanel::measureCosts() {
       [this](const QString& error) { Q_EMIT failed(tr("Cannot measure the effects"), error); });
 }
 
+void ScenePanel::planMayChange() {
+  m_tasks.drop(planCheckKey);
+  m_checkDelay.start();
+}
+
+/// At rest, renders a small picture with all effects and extends the plan where something that shows is missing.
+void ScenePanel::checkPlan() {
+  if (!m_preview.content().first().material()) return;
+  m_tasks.run<rendering::EffectPlan>(
+      {tr("Checking the effect plan"), planCheckKey, false, true},
+      [scene = m_preview.content().scene(), overrides = m_preview.content().overrides(),
+       thresholds = m_preview.content().thresholds(),
+       materials = materialsOf(m_preview.content())](const TaskControl& control) {
+        return rendering::checkedPlan(scene, materials, overrides, thresholds, control);
+      },
+      [this](const rendering::EffectPlan& plan) { m_preview.content().setCheckedPlan(plan); });
+}
+
 void ScenePanel::compareWithReference() {
   const Image picture = m_preview.linearPicture();
   const rendering::Scene scene = m_preview.content().scene();
   const rendering::EffectOverrides overrides = m_preview.content().overrides();
+  const rendering::EffectThresholds thresholds = m_preview.content().thresholds();
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), renderReferenceKey},
-      [scene, overrides, picture, materials = materialsOf(m_preview.content())](const TaskControl& control) {
+      [scene, overrides, thresholds, picture,
+       materials = materialsOf(m_preview.content())](const TaskControl& control) {
         rendering::Film film(picture.width, picture.height);
-        rendering::PathTracer(scene, materials, rendering::planEffects(scene, materials, overrides), 2)
+        rendering::PathTracer(scene, materials, rendering::checkedPlan(scene, materials, overrides, thresholds), 2)
             .accumulate(film, referenceSamples, control);
         return metrics::signalToNoiseRatio(film.image(), picture);
       },

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <vector>
 
@@ -13,6 +14,7 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSpinBox;
 namespace gonio::widgets {
 class MaterialSlotWidget;
 }
@@ -97,15 +99,19 @@ class ScenePanel : public QWidget {
   void refresh();
   void measureCosts();
   void compareWithReference();
+  void planMayChange();
+  void checkPlan();
 
   widgets::PreviewWidget& m_preview;
   BackgroundTasks& m_tasks;
   QComboBox* m_scenes;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
+  QSpinBox* m_reflections;
   SceneMaterialSlots* m_otherSlots;
   widgets::EffectList* m_effects;
   std::optional<rendering::EffectCosts> m_costs;
+  QTimer m_checkDelay;
 };
 
 }  // namespace gonio::app

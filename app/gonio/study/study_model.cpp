@@ -27,9 +27,6 @@ constexpr double sortedLast = std::numeric_limits<double>::infinity();
 /// "1.2k", as in the plot.
 QString shortText(double value) { return QString::fromStdString(study::shortNumber(value)); }
 
-/// "1.2 ms".
-QString secondsText(double seconds) { return QString::fromStdString(study::shortQuantity(seconds, "s")); }
-
 QString asHtmlImage(const QImage& image) {
   QByteArray bytes;
   QBuffer buffer(&bytes);

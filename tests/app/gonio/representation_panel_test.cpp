@@ -24,6 +24,8 @@ using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 
+double logErrorOf(const MaterialCode& code) { return code.quality.errors[std::size_t(metrics::BrdfMetric::log)]; }
+
 class RepresentationPanelTest : public QObject {
   Q_OBJECT
  private:
@@ -64,9 +66,11 @@ class RepresentationPanelTest : public QObject {
     QCOMPARE(code->bytes, file.size());
     QVERIFY(std::ranges::equal(code->table->values(), table->values()));
     QCOMPARE(code->encoded.code.transform, expected.code.transform);
-    QCOMPARE(code->logError, metrics::brdfError(metrics::BrdfMetric::log, *m_document.material()->table(), *table));
+    QCOMPARE(logErrorOf(*code), metrics::brdfError(metrics::BrdfMetric::log, *m_document.material()->table(), *table));
     const QString reported = texts();
-    QVERIFY(reported.contains(QString::number(code->logError, 'g', 3)));
+    QVERIFY(reported.contains(QString::number(logErrorOf(*code), 'g', 3)));
+    QVERIFY(reported.contains(QString::number(code->quality.renderedSnr, 'f', 1) + " dB"));
+    QVERIFY(reported.contains(" per evaluation, ") && reported.contains(" per frame, "));
     QVERIFY(reported.contains(QString::number(double(file.size()) * 1e-3, 'f', 1) + " kB"));
     for (const auto& candidate : expected.candidates)
       QVERIFY2(reported.contains(QString::number(candidate.gammaError, 'g', 3)), qPrintable(reported));
@@ -101,7 +105,7 @@ class RepresentationPanelTest : public QObject {
     settle();
     const auto more = m_panel->code();
     QCOMPARE(more->coefficients, m_panel->coefficients());
-    QVERIFY(more->logError < few->logError && more->bytes > few->bytes);
+    QVERIFY(logErrorOf(*more) < logErrorOf(*few) && more->bytes > few->bytes);
     QVERIFY(m_document.history().count() == 0);
   }
 

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 
@@ -104,6 +105,37 @@ class ScenePanelTest : public QObject {
     choose("torus");
     QTRY_VERIFY(!panel_->costs());
     QCOMPARE(rowsWithCost(), 0);
+  }
+
+  /// At rest the plan is checked against a picture with everything on: what it wrongly leaves out comes back.
+  void aPlanThatLeavesOutTooMuchIsExtended() {
+    content().setSubject(widgets::measuredSubject(
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
+    choose("bowl");
+    QTRY_VERIFY(content().first().material() && content().plan().reflections > 1);
+    const EffectPlan right = content().plan();
+    EffectPlan wrong = right;
+    wrong.reflections = 1;
+    content().setCheckedPlan(wrong);
+    QCOMPARE(content().plan().reflections, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(content().plan() == right, 60000);
+  }
+
+  /// The picture after one, two... reflections: the plan has no more, and all again with "All".
+  void reflectionsAreShownOneAfterTheOther() {
+    content().setSubject(widgets::measuredSubject(
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
+    choose("bowl");
+    QTRY_VERIFY(content().first().material() && content().plan().reflections > 2);
+    const int all = content().plan().reflections;
+    auto* reflections = panel_->findChild<QSpinBox*>();
+    for (const int limit : {1, 2}) {
+      reflections->setValue(limit);
+      QCOMPARE(content().plan().reflections, limit);
+    }
+    reflections->setValue(0);
+    QCOMPARE(reflections->text(), QString("All"));
+    QCOMPARE(content().plan().reflections, all);
   }
 
   /// A scene of several places has a well for each but the first; what is put there is traced, and measured, with it.

@@ -5,8 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/source_facts.h"
 #include "core/rendering/render_picture.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -77,6 +79,34 @@ class TableErrorMonitorTest : public QObject {
     QCOMPARE(measured.count(), 1);
     document.setMaterial(glossy(0.2, true));
     QVERIFY(!monitor.snr() && !monitor.isSettled());
+  }
+
+  /// The line below the model: the rendered SNR of the fit as in a comparison, the times of the measurement and of the
+  /// edited material. An edit outdates what it changes, and only that.
+  void whatTheFitAndTheEditsCost() {
+    Document document;
+    BackgroundTasks tasks;
+    const CostMonitor monitor(document, tasks);
+    const LoadedMaterialPtr material = glossy(0.3, false);
+    document.setMaterial(material);
+    QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);
+    QVERIFY(!monitor.costs().fitSnr && monitor.costs().fitBytes == 0);
+    QCOMPARE(monitor.costs().edited->frameMilliseconds, monitor.costs().measured->frameMilliseconds);
+    QVERIFY(costLine(monitor.costs()).startsWith("Frame: "));
+    test_support::adoptDefaultFit(document);
+    QVERIFY(!monitor.costs().edited && monitor.costs().measured && monitor.costs().fitBytes > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);
+    const auto fit = defaultModel().instantiate(models::defaultParameters(defaultModel().spec()));
+    const RenderedComparison comparison(*material->base, smallComparisonPicture());
+    const double snr = comparison.signalToNoiseRatio(comparison.render(*fit));
+    QCOMPARE(*monitor.costs().fitSnr, snr);
+    QVERIFY(costLine(monitor.costs()).contains(QString::number(snr, 'f', 1) + " dB"));
+    setParameter(document, int(*defaultModel().spec().find("roughness")), Rgb(0.6));
+    QVERIFY(!monitor.costs().edited && monitor.costs().fitSnr == snr);
+    QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);
+    QVERIFY(costDetails(monitor.costs(), nullptr).contains("With edits: "));
+    document.setMaterial(glossy(0.1, false));
+    QVERIFY(!monitor.costs().measured && !monitor.costs().fitSnr);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
 #include "core/metrics/brdf_metrics.h"
@@ -57,6 +58,7 @@ class GoniotoolAcquisitionTest : public QObject {
         runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "40"});
     VERIFY_SUCCESS(plain);
     QCOMPARE(plain.json["ridge"].get<double>(), 40.0);
+    QCOMPARE(plain.json["assumption"].get<std::string>(), std::string(acquisition::assumedOrders));
     const auto errorOf = [&] { return metrics::brdfErrors(*readTable(material), *readTable(out))[0]; };
     const double published = errorOf();
     QVERIFY(!plain.json["equalNoise"].get<bool>());

@@ -60,6 +60,49 @@ class GoniotoolStudyTest : public QObject {
     }
   }
 
+  /// The same number for the same thing, whichever command states it: a measured file that is not reciprocal, its fit
+  /// and its code.
+  void oneDefinitionOfEachNumber() {
+    const QString material = "library:rgl/paper_blue", code = folder_.path("paper.code"),
+                  fit = folder_.path("fit.gonio");
+    const QString out = folder_.path("numbers");
+    const ToolResult study =
+        runJson({"study", material, "--out", out, "--representations", "ggx,code", "--coefficients", "64"});
+    VERIFY_SUCCESS(study);
+    const auto recordOf = [&](const std::string& id) {
+      for (const auto& record : study.json["records"])
+        if (record["representation"] == id) return record;
+      return nlohmann::json();
+    };
+    const auto agrees = [](const nlohmann::json& a, const nlohmann::json& b, const char* key) {
+      return std::abs(a[key].get<double>() - b[key].get<double>()) < 1e-3;
+    };
+    const ToolResult encoded = runJson({"encode", material, "--coefficients", "64", "--out", code});
+    VERIFY_SUCCESS(encoded);
+    const ToolResult compared = runJson({"compare", material, code});
+    VERIFY_SUCCESS(compared);
+    for (const auto& other : {compared.json, nlohmann::json(recordOf("code"))}) {
+      QVERIFY(agrees(encoded.json, other, "renderedSnr"));
+      QVERIFY(agrees(encoded.json["errors"], other["errors"], "log"));
+    }
+    QVERIFY(agrees(encoded.json, compared.json, "brdfSnr"));
+    QCOMPARE(encoded.json["bytes"].get<int>(), recordOf("code")["bytes"].get<int>());
+    const ToolResult fitted = runJson({"fit", material, "--model", "ggx"});
+    VERIFY_SUCCESS(fitted);
+    QVERIFY(agrees(fitted.json, recordOf("ggx"), "renderedSnr"));
+    const ToolResult figure =
+        runJson({"figure", "--materials", material, "--representations", "ggx", "code:64", "--size", "64", "--csv",
+                 folder_.path("figure.csv"), "--numbers", "rendered-snr"});
+    VERIFY_SUCCESS(figure);
+    const QStringList rows = QString(bytesOf(folder_.path("figure.csv"))).trimmed().split('\n').last(2);
+    QVERIFY(std::abs(rows[0].split(',').last().toDouble() - recordOf("ggx")["renderedSnr"].get<double>()) < 1e-2);
+    QVERIFY(std::abs(rows[1].split(',').last().toDouble() - recordOf("code")["renderedSnr"].get<double>()) < 1e-2);
+    for (const ToolResult* one : {&encoded, &fitted})
+      QVERIFY(one->json["evaluationNs"].get<double>() > 0 && one->json["frameMs"].get<double>() > 0);
+    QVERIFY(compared.json["costOfB"]["evaluationNs"].get<double>() > 0);
+    VERIFY_SUCCESS(runTool({"edit", material, "--model", "ggx", "--control", "roughness=2", "--out", fit}));
+  }
+
   void textForPeople() {
     const QString out = folder_.path("text");
     const ToolResult result = runTool(QStringList{"study", plastic_, "--out", out, "--max-frame-ms", "0"} + tiny);

@@ -55,7 +55,8 @@ class PlanFileTest : public QObject {
     const std::string text = planCsv(plan, {"learned from 3 materials"});
     QVERIFY(
         text.starts_with("# method: somp\n# basis, SHA-256: 0123456789abcdef\n# learned from 3 "
-                         "materials\nindex,theta_i,phi_i,theta_o,phi_o,theta_h,"));
+                         "materials\n# theta_i, phi_i: direction of the light; theta_o, phi_o: direction of the "
+                         "viewer\nindex,theta_i,phi_i,theta_o,phi_o,theta_h,"));
     QVERIFY(test::contains(text, ",1.111111,20,30,"));
     const SamplingPlan found = parsePlan(text);
     QCOMPARE(found.method, plan.method);

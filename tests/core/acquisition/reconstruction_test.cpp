@@ -219,6 +219,15 @@ class ReconstructionTest : public QObject {
     QVERIFY(difference(still, *mean.table, *greyTable()) < 1e-5);
   }
 
+  /// The assumption that is stated (assumedOrders): light and viewer exchanged, the readings give the same material.
+  void bothOrdersAreOne() {
+    SamplingPlan exchanged = plan_;
+    for (auto& sample : exchanged.samples) std::swap(sample.directions.wi, sample.directions.wo);
+    const Reconstruction one = reconstruct(basis_, plan_, values_), other = reconstruct(basis_, exchanged, values_);
+    QVERIFY(one.table->isReciprocal());
+    QVERIFY(std::ranges::equal(one.table->values(), other.table->values()));
+  }
+
   void hardCase50SameBitsForAnyThreads() {
     const Reconstruction many = reconstruct(basis_, plan_, values_);
     const ThreadLimit limit(1);

@@ -32,7 +32,7 @@ struct Studied {
   Encoder encoder{ensemble};
 
   PictureEncoding encoded(double snr, EncodeOptions options) const {
-    return encodeForPictures(encoder, *table, snr, options, {}, picture);
+    return encodeForPictures(encoder, *table, *table, snr, options, {}, picture);
   }
   /// By hand: of one transform and count.
   double snrOf(DataTransform transform, std::size_t coefficients) const {
@@ -56,7 +56,7 @@ class PictureEncodingTest : public QObject {
   void fewestCoefficientsThatAreEnough() {
     std::vector<double> progress;
     const PictureEncoding found =
-        encodeForPictures(studied().encoder, *studied().table, target, {.coefficients = 1000},
+        encodeForPictures(studied().encoder, *studied().table, *studied().table, target, {.coefficients = 1000},
                           {.stop = {}, .progress = [&](double fraction) { progress.push_back(fraction); }}, picture);
     const SparseCode& code = found.encoded.code;
     QVERIFY(found.renderedSnr >= target);

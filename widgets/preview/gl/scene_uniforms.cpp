@@ -155,10 +155,11 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
 rendering::EffectPlan previewPlan(const rendering::Scene& scene,
                                   const std::shared_ptr<const rendering::RenderMaterial>& material,
                                   const rendering::EffectOverrides& overrides,
-                                  const rendering::RenderMaterials& otherSlotMaterials) {
+                                  const rendering::RenderMaterials& otherSlotMaterials,
+                                  const rendering::EffectThresholds& thresholds) {
   return rendering::planEffects(
       scene, rendering::bindMaterials(scene, rendering::materialsInSlots(scene, material, otherSlotMaterials)),
-      overrides);
+      overrides, thresholds);
 }
 
 }  // namespace gonio::widgets

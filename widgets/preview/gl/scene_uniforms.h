@@ -52,6 +52,7 @@ class SceneUniforms {
 rendering::EffectPlan previewPlan(const rendering::Scene& scene,
                                   const std::shared_ptr<const rendering::RenderMaterial>& material,
                                   const rendering::EffectOverrides& overrides = {},
-                                  const rendering::RenderMaterials& otherSlotMaterials = {});
+                                  const rendering::RenderMaterials& otherSlotMaterials = {},
+                                  const rendering::EffectThresholds& thresholds = {});
 
 }  // namespace gonio::widgets
