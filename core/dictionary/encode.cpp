@@ -234,6 +234,18 @@ std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signa
   return common[std::size_t(shared)] <= acceptedLoss * separateError ? std::array{shared, shared, shared} : separate;
 }
 
+namespace {
+
+/// The largest absolute value of the valid cells of a channel.
+float largestValue(const TabulatedBrdf& table, int channel) {
+  float largest = 0;
+  for (std::size_t cell = 0; cell < table.values().size(); ++cell)
+    if (table.valid()[cell] != 0) largest = std::max(largest, std::abs(table.values()[cell][channel]));
+  return largest;
+}
+
+}  // namespace
+
 /// A transform, its signals, and what its trial chose.
 struct Encoder::Trial {
   DataTransform transform = DataTransform::logPlus;
@@ -254,6 +266,8 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
                       const SignalRange range = rangeOf(trial.signals[c], table, *geometry, isScaled(options));
                       trial.channels[c].highest = range.highest;
                       trial.channels[c].lowest = range.lowest;
+                      if (transform == DataTransform::cosineLog)
+                        trial.channels[c].largestValue = largestValue(table, int(c));
                     },
                     {.stop = control.stop, .progress = {}});
   const std::array<int, 3> chosen = chooseDictionaries(signals, options.coefficients, control);
@@ -289,8 +303,11 @@ EncodedCandidate Encoder::refined(const Trial& trial, const TabulatedBrdf& table
 EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficients& coefficients,
                                     const TabulatedBrdf& table, const EncodeOptions& options) const {
   EncodedCandidate candidate;
-  candidate.code = {
-      .grid = ensemble_.grid, .transform = trial.transform, .scaled = isScaled(options), .channels = trial.channels};
+  candidate.code = {.grid = ensemble_.grid,
+                    .transform = trial.transform,
+                    .scaled = isScaled(options),
+                    .hasLargestValues = trial.transform == DataTransform::cosineLog,
+                    .channels = trial.channels};
   for (std::size_t c = 0; c < 3; ++c) candidate.code.channels[c].coefficients = coefficients[c];
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
   if (options.quantised) candidate.code = quantised(std::move(candidate.code));

@@ -84,6 +84,43 @@ class EncodeHardCasesTest : public QObject {
       for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
   }
 
+  /// One cell near the horizon in a black table: the inverse of cosine-log divides by weights down to 1e-3, but no
+  /// decoded value exceeds the measured one, also in a file and in a blend.
+  void hardCase55CosineLogStaysBelowTheMeasurement() {
+    const Ensemble ensemble = randomEnsemble(1);
+    const auto geometry = GridGeometry::of(smallGrid);
+    std::size_t brightest = 0;  // of the valid cells the one that faces both directions most
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
+      if (geometry->weights[Eigen::Index(cell)] > geometry->weights[Eigen::Index(brightest)]) brightest = cell;
+    std::vector<TabulatedBrdf::Value> values(smallGrid.size(), TabulatedBrdf::Value(0));
+    values[brightest] = TabulatedBrdf::Value(0.3f, 0.2f, 0);
+    const TabulatedBrdf table(smallGrid, values, geometry->aboveHorizon);
+    const EncodeOptions options{.coefficients = 20, .transforms = {DataTransform::cosineLog}};
+    const SparseCode code = Encoder(ensemble).encode(table, options).code;
+    QVERIFY(code.hasLargestValues);
+    SparseCode unbounded = code,
+               read{.grid = code.grid, .transform = code.transform, .hasLargestValues = true, .channels = {}};
+    for (ChannelCode& channel : unbounded.channels) channel.largestValue = ChannelCode().largestValue;
+    const auto largest = [&](const SparseCode& one) {
+      glm::vec3 most(0);
+      for (const TabulatedBrdf::Value& value : decode(ensemble, one)->values()) most = glm::max(most, value);
+      return most;
+    };
+    QVERIFY2(largest(unbounded).x > 3, qPrintable(QString::number(largest(unbounded).x)));
+    for (const CodePrecision precision : {CodePrecision::single, CodePrecision::half, CodePrecision::quantised}) {
+      unpackChannels(packChannels(code, precision), precision, read);
+      QVERIFY(largest(read).x <= 0.3f && largest(read).y <= 0.2f && largest(read).z == 0);
+    }
+    const auto brdf = makeCodeBrdf(ensemble, code);
+    for (std::size_t cell = 0; cell < smallGrid.size(); cell += 7) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      QVERIFY(brdf->evaluate(pair.wi, pair.wo).x <= 0.3 * (1 + 1e-6));
+    }
+    const std::vector<SparseCode> codes{code, code.truncated(5)};
+    const std::vector<double> weights{0.5, 0.5};
+    QVERIFY(largest(interpolateCodes(ensemble, codes, weights, 50)).x <= 0.3f);
+  }
+
   /// With all coefficients a code is the material, in any dictionary and both transforms.
   void hardCase26ExactWithAllCoefficients() {
     const Ensemble ensemble = randomEnsemble(2);

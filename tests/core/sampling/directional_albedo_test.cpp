@@ -75,17 +75,16 @@ class DirectionalAlbedoTest : public QObject {
     QTest::newRow("at the normal, between the nodes") << 0 << 0 << -1 << 0.4;
     QTest::newRow("mirror pairs at 20 degrees") << 0 << 20 << -1 << 20.0;
     QTest::newRow("mirror pairs at 70 degrees, one azimuth") << 0 << 70 << 90 << 70.2;
-    QTest::newRow("one cell off the highlight") << 40 << 30 << 45 << 35.0;
-    QTest::newRow("retroreflection, one azimuth") << 40 << 0 << 90 << 17.8;
+    QTest::newRow("one cell off the highlight") << 40 << 30 << 45 << 44.2;
+    QTest::newRow("retroreflection") << 40 << 0 << -1 << 17.8;
   }
   void hardCase53SpikeOfOneCell() {
     QFETCH(int, thetaH);
     QFETCH(int, thetaD);
     QFETCH(int, phiD);
     QFETCH(double, viewer);
-    const auto table = test::spikyTable(thetaH, thetaD, phiD, 1e6f);
-    const double expected =
-        test::albedoOfSpike(*table, radians(viewer), std::max(0, thetaH - 1), thetaH + 1);
+    const auto table = test::spikyTable(thetaH, thetaD, phiD, phiD < 0 ? 1e6f : 1e8f);
+    const double expected = test::albedoOfSpike(*table, radians(viewer), std::max(0, thetaH - 1), thetaH + 1);
     const double found = directionalAlbedo(*table, radians(viewer)).x;
     QVERIFY2(expected > 1e-3, qPrintable(QString::number(expected)));
     QVERIFY2(std::abs(found / expected - 1) < 0.02, qPrintable(QString("%1, expected %2").arg(found).arg(expected)));
@@ -100,7 +99,8 @@ class DirectionalAlbedoTest : public QObject {
 
   /// Without peaks the bounds change no bit of the result.
   void boundsChangeNothingWithoutPeaks() {
-    const auto table = bakeTable(*test::ggx(Rgb(0.2), Rgb(0.5), 0.2, 0.5), {.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 36});
+    const auto table =
+        bakeTable(*test::ggx(Rgb(0.2), Rgb(0.5), 0.2, 0.5), {.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 36});
     const test::FunctionBrdf unbounded(
         [&](const Direction& wi, const Direction& wo) { return table->evaluate(wi, wo); });
     for (const double theta : {0.0, 0.7, 1.3})
