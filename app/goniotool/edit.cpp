@@ -116,8 +116,8 @@ struct EditedFile {
   WrittenMaterial written;
 };
 
-void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
-               const EditedFile& file, const EditArguments& options, const Tool& tool) {
+void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted, const EditedFile& file,
+               const EditArguments& options, const Tool& tool) {
   const auto& change = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = change.model->spec();
   const models::ParameterValues after = change.target();

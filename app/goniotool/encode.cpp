@@ -198,6 +198,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
             {"bytes", bytes.size()},     {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
             {"candidates", candidates},  {"errors", errorsJson(errors)},  {"brdfSnr", decibelsJson(snr)},
             {"seconds", encoded.seconds}};
+  const std::vector<std::string> warnings = lostPeaks(*table, *decoded);
+  if (!warnings.empty()) json["warnings"] = warnings;
+  for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
   if (!options.out.empty()) json["out"] = options.out;

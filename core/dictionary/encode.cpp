@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "core/brdf/weighted_sum.h"
@@ -313,6 +314,28 @@ EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficient
   if (options.quantised) candidate.code = quantised(std::move(candidate.code));
   measure(candidate, table, *decode(ensemble_, candidate.code), options);
   return candidate;
+}
+
+std::vector<std::string> lostPeaks(const TabulatedBrdf& table, const TabulatedBrdf& decoded) {
+  constexpr std::array channelNames{"red", "green", "blue"};
+  constexpr float keptFraction = 0.1f;
+  std::vector<std::string> sentences;
+  for (int channel = 0; channel < 3; ++channel) {
+    std::size_t brightest = 0;
+    for (std::size_t cell = 0; cell < table.values().size(); ++cell)
+      if (table.values()[cell][channel] > table.values()[brightest][channel]) brightest = cell;
+    const float value = table.values()[brightest][channel], kept = decoded.values()[brightest][channel];
+    if (!(value > 0) || kept >= keptFraction * value) continue;
+    const HalfDifference at = table.grid().node(brightest);
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the brightest cell in %s (theta_h %.4g, theta_d %.4g, phi_d %.4g degrees), %.3g 1/sr, is lost: the "
+                  "code has %.3g 1/sr there",
+                  channelNames[std::size_t(channel)], degrees(at.thetaH), degrees(at.thetaD), degrees(at.phiD),
+                  double(value), double(kept));
+    sentences.emplace_back(text);
+  }
+  return sentences;
 }
 
 EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options,

@@ -45,7 +45,7 @@ class PeakIndex {
 
 /// The integral over the sets, each by points in proportion to the light that it may reflect.
 Rgb integralOfPeaks(const Brdf& brdf, const std::vector<NarrowPeak>& peaks) {
-  constexpr double points = 1 << 15;
+  constexpr double points = 1 << 17;
   constexpr std::uint32_t fewest = 16;
   double total = 0;
   for (const NarrowPeak& peak : peaks) total += peak.most;

@@ -228,6 +228,29 @@ SliceStack<float> densities(const Brdf& brdf, bool& hasNarrowPeaks, bool& isBlac
   return std::move(energies.stack);
 }
 
+/// Whether samples of a closed form find everything that the tabulated one knows, for each viewer: probes at fixed
+/// angles of the viewer miss peaks of others.
+bool coversAllViewers(const SamplingDensity& closedForm, const MarginalWarp& warp) {
+  constexpr double mostMoment = 32, cells = nodesPerArea;
+  for (std::size_t viewer = 0; viewer < TabulatedDensity::viewerCount; ++viewer) {
+    const Direction wo = fromSpherical(viewerAngle(double(viewer) / (TabulatedDensity::viewerCount - 1)), 0);
+    double moment = 0;
+    for (std::size_t i = 0; i < nodesPerSlice; ++i) {
+      const double density = warp.cellDensity().values[viewer * nodesPerSlice + i] * cells;
+      if (!(density > 0)) continue;
+      const glm::dvec2 square(double(i % TabulatedDensity::columns) / (TabulatedDensity::columns - 1),
+                              double(i / TabulatedDensity::columns) / (TabulatedDensity::rows - 1));
+      const Direction half = fromDensitySquare(square, {1, 0});
+      const Direction wi = reflected(wo, half);
+      if (!(wi.z > 0)) continue;
+      moment +=
+          density * density / cells * densitySquarePerSolidAngle(square.x, glm::dot(half, wo)) / closedForm.pdf(wi, wo);
+    }
+    if (moment > mostMoment) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 TabulatedDensity::TabulatedDensity(const Brdf& brdf)
@@ -239,7 +262,8 @@ TabulatedDensity::TabulatedDensity(const Brdf& brdf)
   if (isBlack_ || hasNarrowPeaks_) return;
   const std::vector<MomentProbe> probes = momentProbes(brdf);
   const SamplingDensity symmetric = estimateSamplingDensity(brdf);
-  if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost)
+  if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost &&
+      coversAllViewers(symmetric, warp_))
     symmetricDensity_ = symmetric;
 }
 

@@ -31,9 +31,9 @@ PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& pr
 }
 
 /// Parameters are JSON text.
-PyMaterialPtr edit(const PyMaterial& material, const std::string& id, const std::string& fitted, const std::string& changed,
-               const std::string& controls, const std::string& composition, double strength, bool keepsAlbedo,
-               const py::object& progress) {
+PyMaterialPtr edit(const PyMaterial& material, const std::string& id, const std::string& fitted,
+                   const std::string& changed, const std::string& controls, const std::string& composition,
+                   double strength, bool keepsAlbedo, const py::object& progress) {
   const models::Model& model = models::findModel(id);
   const auto parameters = [&](const std::string& text, const models::ModelSpec& spec) {
     return models::parametersFromJson(spec, nlohmann::json::parse(text), std::string(spec.id));
