@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string_view>
 
 #include "core/support/error.h"
 #include "core/support/json_object.h"
-#include "core/support/text.h"
 
 namespace gonio::models {
 
@@ -61,6 +61,11 @@ ParameterValues parametersFromJson(const ModelSpec& spec, const nlohmann::json& 
 }
 
 void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters) {
+  const auto text = [](double number) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%g", number);
+    return std::string(digits);
+  };
   constexpr std::array channelNames{"red", "green", "blue"};
   ParameterValues checked = parameters;
   std::string sentence;
@@ -74,8 +79,8 @@ void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters) {
     last = one.id;
     sentence += (sentence.empty() ? "" : "; ") + std::string(one.id) +
                 (isGrey ? "" : std::string(" (") + channelNames[std::size_t(one.channel)] + ")") + " is " +
-                numberText(one.given) + ", expected " + numberText(parameter.hardMin) + " to " +
-                numberText(parameter.hardMax) + (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
+                text(one.given) + ", expected " + text(parameter.hardMin) + " to " + text(parameter.hardMax) +
+                (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
   }
   if (!sentence.empty()) throw Error(sentence);
 }

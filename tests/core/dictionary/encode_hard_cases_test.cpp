@@ -109,7 +109,9 @@ class EncodeHardCasesTest : public QObject {
     QVERIFY2(largest(unbounded).x > 0.35f, qPrintable(QString::number(largest(unbounded).x)));
     for (const CodePrecision precision : {CodePrecision::single, CodePrecision::half, CodePrecision::quantised}) {
       unpackChannels(packChannels(code, precision), precision, read);
-      QVERIFY(largest(read).x <= 0.3f && largest(read).y <= 0.2f && largest(read).z == 0);
+      const glm::vec3 most = largest(read);
+      QVERIFY2(most.x <= 0.3f && most.y <= 0.2f && most.z == 0,
+               qPrintable(QString("%1 %2 %3").arg(most.x).arg(most.y).arg(most.z)));
     }
     const auto brdf = makeCodeBrdf(ensemble, code);
     for (std::size_t cell = 0; cell < smallGrid.size(); cell += 7) {
@@ -119,6 +121,26 @@ class EncodeHardCasesTest : public QObject {
     const std::vector<SparseCode> codes{code, code.truncated(5)};
     const std::vector<double> weights{0.5, 0.5};
     QVERIFY(largest(interpolateCodes(ensemble, codes, weights, 50)).x <= 0.3f);
+  }
+
+  /// A hot pixel that the code loses is named with its value; a code with all coefficients loses nothing.
+  void hardCase60LostPeak() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(1).load(0);
+    std::vector<TabulatedBrdf::Value> values(table->values().begin(), table->values().end());
+    const std::size_t hot = smallGrid.index(2, 1, 0);
+    QVERIFY(table->valid()[hot] != 0);
+    values[hot].y = 1e8f;
+    const TabulatedBrdf spiked(smallGrid, values, {table->valid().begin(), table->valid().end()});
+    const Encoder encoder(ensemble);
+    const auto lost = lostPeaks(spiked, *decode(ensemble, encoder.encode(spiked, {.coefficients = 3}).code));
+    QVERIFY(std::ranges::any_of(lost, [](const std::string& text) {
+      return text.starts_with("the brightest cell in green") &&
+             text.find(", 1e+08 1/sr, is lost: the code has ") != text.npos;
+    }));
+    const EncodeOptions all{.coefficients = smallGrid.size(), .transforms = {DataTransform::logPlus}};
+    QVERIFY(lostPeaks(spiked, *decode(ensemble, encoder.encode(spiked, all).code)).empty());
+    QVERIFY(lostPeaks(*table, *table).empty());
   }
 
   /// With all coefficients a code is the material, in any dictionary and both transforms.
