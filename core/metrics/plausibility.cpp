@@ -154,6 +154,7 @@ PlausibilityCheck nonFinite(const std::vector<DirectionPair>& pairs, const std::
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control) {
   const std::vector<DirectionPair> pairs = probePairs();
   std::vector<DirectionPair> exchanged;
+  exchanged.reserve(pairs.size());
   for (const auto& [wi, wo] : pairs) exchanged.push_back({wo, wi});
   std::vector<Rgb> forth(pairs.size()), back(pairs.size());
   brdf.evaluate(pairs, forth);

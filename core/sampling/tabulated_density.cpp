@@ -238,8 +238,9 @@ bool coversAllViewers(const SamplingDensity& closedForm, const MarginalWarp& war
     for (std::size_t i = 0; i < nodesPerSlice; ++i) {
       const double density = warp.cellDensity().values[viewer * nodesPerSlice + i] * cells;
       if (!(density > 0)) continue;
-      const glm::dvec2 square(double(i % TabulatedDensity::columns) / (TabulatedDensity::columns - 1),
-                              double(i / TabulatedDensity::columns) / (TabulatedDensity::rows - 1));
+      const std::size_t column = i % TabulatedDensity::columns, row = i / TabulatedDensity::columns;
+      const glm::dvec2 square(double(column) / (TabulatedDensity::columns - 1),
+                              double(row) / (TabulatedDensity::rows - 1));
       const Direction half = fromDensitySquare(square, {1, 0});
       const Direction wi = reflected(wo, half);
       if (!(wi.z > 0)) continue;

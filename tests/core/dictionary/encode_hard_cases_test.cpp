@@ -103,7 +103,8 @@ class EncodeHardCasesTest : public QObject {
     for (ChannelCode& channel : unbounded.channels) channel.largestValue = ChannelCode().largestValue;
     const auto largest = [&](const SparseCode& one) {
       glm::vec3 most(0);
-      for (const TabulatedBrdf::Value& value : decode(ensemble, one)->values()) most = glm::max(most, value);
+      const auto decoded = decode(ensemble, one);
+      for (const TabulatedBrdf::Value& value : decoded->values()) most = glm::max(most, value);
       return most;
     };
     QVERIFY2(largest(unbounded).x > 0.35f, qPrintable(QString::number(largest(unbounded).x)));
