@@ -9,6 +9,8 @@
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
 #include "core/documents/edit_document.h"
+#include "core/models/parameters_json.h"
+#include "core/support/error.h"
 
 namespace gonio::tool {
 
@@ -76,11 +78,12 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
   values.values[*index] = value;
 }
 
-Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
-  Json json = Json::array();
-  for (const models::ClampedParameter& one : clamped)
-    json.push_back({{"name", one.id}, {"channel", one.channel}, {"given", one.given}, {"used", one.used}});
-  return json;
+void checkRange(const models::ModelSpec& spec, const models::ParameterValues& values) {
+  try {
+    models::checkHardRange(spec, values);
+  } catch (const Error& error) {
+    throw UsageError(std::string("edit: ") + error.what());
+  }
 }
 
 documents::EditDocument documentOf(const materials::Material& material, const editing::Edit& edit) {
@@ -117,17 +120,13 @@ struct EditedFile {
   WrittenMaterial written;
 };
 
-void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
-               const std::vector<models::ClampedParameter>& clamped, const EditedFile& file,
+void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted, const EditedFile& file,
                const EditArguments& options, const Tool& tool) {
   const auto& change = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = change.model->spec();
   const models::ParameterValues after = change.target();
   std::string text =
       options.out + ": " + std::string(spec.name) + ", " + costText(file.cost) + "\n" + parametersText(spec, after);
-  for (const models::ClampedParameter& one : clamped)
-    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range; using " +
-            number(one.used) + "\n";
   Json json{{"model", spec.id},
             {"fitted", parametersJson(spec, change.fitted)},
             {"edited", parametersJson(spec, after)},
@@ -135,8 +134,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
             {"strength", edit.strength},
             {"composition", editing::compositionIds[std::size_t(change.composition)]},
             {"keepAlbedo", change.keepsAlbedo},
-            {"controls", parametersJson(editing::artistControls(), change.controls)},
-            {"clamped", clampedJson(clamped)}};
+            {"controls", parametersJson(editing::artistControls(), change.controls)}};
   json["cappedValues"] = file.capped;
   json["averagedAzimuths"] = file.averaged;
   if (file.written.bytes > 0) json.update(file.written.json());
@@ -160,6 +158,7 @@ editing::Composition compositionOf(const EditArguments& options, const models::M
 void probeControl(const std::string& assignment, const models::Model& model) {
   models::ParameterValues values = models::defaultParameters(editing::artistControls());
   assign(editing::artistControls(), assignment, values);
+  checkRange(editing::artistControls(), values);
   const std::string name = assignment.substr(0, assignment.find('='));
   if (!editing::actsOn(editing::ArtistControl(*editing::artistControls().find(name)), model.spec()))
     throw UsageError("edit: " + std::string(model.spec().id) + " has no parameter that --control " + name + " changes");
@@ -177,6 +176,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   // Wrong assignments are reported before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
+  checkRange(model.spec(), probe);
   for (const std::string& assignment : options.controls) probeControl(assignment, model);
   compositionOf(options, model);
 
@@ -188,9 +188,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   change.composition = compositionOf(options, model);
   change.keepsAlbedo = !options.changesAlbedo;
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
-  auto clamped = models::clampToHardRange(model.spec(), change.edited);
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
-  std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
   EditedFile file;
   materials::EditedMaterial edited = materials::unedited(material);
@@ -204,7 +202,7 @@ int edit(const EditArguments& options, const Tool& tool) {
     file.averaged = averagedAzimuths(*edited.shown.brdf, options.out);
     file.written = writeMaterial(edited, options.out, tool);
   }
-  printEdit(edit, fitted, clamped, file, options, tool);
+  printEdit(edit, fitted, file, options, tool);
   return 0;
 }
 

@@ -181,8 +181,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   const std::vector<std::byte> bytes = formats::encodeCode(encoded.code, dictionary->id, precision);
   // Of what the file holds: with the values as they are rounded.
   const SparseCode stored = formats::readCode(io::MemorySource(bytes)).code;
+  const auto decoded = decode(dictionary->ensemble, stored);
   const study::MaterialQuality quality =
-      codeQuality(material, *makeCodeBrdf(dictionary->ensemble, stored), *decode(dictionary->ensemble, stored), tool);
+      codeQuality(material, *makeCodeBrdf(dictionary->ensemble, stored), *decoded, tool);
   if (!options.out.empty()) formats::writeCode(encoded.code, dictionary->id, options.out, precision);
   Json candidates = Json::array(), dictionaries = Json::array();
   std::string text;
@@ -201,6 +202,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
             {"bytes", bytes.size()},    {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
             {"candidates", candidates}, {"seconds", encoded.seconds}};
   addQuality(json, quality);
+  const std::vector<std::string> warnings = lostPeaks(*table, *decoded);
+  if (!warnings.empty()) json["warnings"] = warnings;
+  for (const std::string& warning : warnings) text += "warning: " + warning + "\n";
   const std::string tableText = addTableQuality(json, *material.brdf, *table);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,

@@ -18,8 +18,8 @@ constexpr int albedoDegrees[] = {0, 30, 60, 80};
 Json describe(const materials::Material& material, const TableStatistics& statistics) {
   Json channels = Json::array(), albedo = Json::object();
   for (const ChannelRange& range : statistics.channels) channels.push_back({{"min", range.min}, {"max", range.max}});
-  for (const int angle : albedoDegrees)
-    albedo[std::to_string(angle)] = rgbJson(directionalAlbedo(*material.brdf, radians(angle)));
+  const DirectionalAlbedo albedoAt(*material.brdf);
+  for (const int angle : albedoDegrees) albedo[std::to_string(angle)] = rgbJson(albedoAt(radians(angle)));
   return {{"name", material.name},
           {"format", material.source.format},
           {"grid", material.source.grid},

@@ -176,6 +176,8 @@ void report(const ReconstructArguments& options, bool equalNoise, const Reconstr
     json["medianDeviation"] = median;
     text += "median uncertainty of a mapped value " + number(median) + "\n";
   }
+  if (!found.warnings.empty()) json["warnings"] = found.warnings;
+  for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
   if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
   if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
   print(tool, json, text + assumptionText() + written.text);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/acquisition/sample_rows.h"
@@ -245,6 +246,23 @@ struct ScaledSamples {
   Eigen::VectorXd variances;                       ///< of these, mean of the channels; 0 where no noise is known
 };
 
+/// The mean of the readings of each node, which count as one, as in SampleRows.
+ScaledSamples withoutRepetitions(const ScaledSamples& samples) {
+  std::map<std::array<Eigen::Index, 3>, std::vector<Eigen::Index>> groups;
+  for (std::size_t s = 0; s < samples.nodes.size(); ++s) groups[samples.nodes[s]].push_back(Eigen::Index(s));
+  if (groups.size() == samples.nodes.size()) return samples;
+  ScaledSamples result{.nodes = {},
+                       .values = Eigen::MatrixX3d(Eigen::Index(groups.size()), 3),
+                       .variances = Eigen::VectorXd(Eigen::Index(groups.size()))};
+  for (const auto& [node, group] : groups) {
+    const auto place = Eigen::Index(result.nodes.size());
+    result.nodes.push_back(node);
+    result.values.row(place) = samples.values(group, Eigen::all).colwise().mean();
+    result.variances[place] = samples.variances(group).mean() / double(group.size());
+  }
+  return result;
+}
+
 ScaledSamples scaledSamples(const DictionaryPrior& prior, const SamplingPlan& plan, const MeasuredValues& values) {
   checkMeasured(plan, values);
   const auto geometry = GridGeometry::of(prior.grid);
@@ -269,7 +287,7 @@ ScaledSamples scaledSamples(const DictionaryPrior& prior, const SamplingPlan& pl
       result.variances[s] += deviation * deviation / 3;
     }
   }
-  return result;
+  return withoutRepetitions(result);
 }
 
 /// The atoms of a prior at the samples: samples x atoms.

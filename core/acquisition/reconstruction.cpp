@@ -128,7 +128,7 @@ Eigen::Array3i bestCounts(const SampleRows& samples, int most, const TaskControl
 
 }  // namespace
 
-Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control) {
+Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control, double largest) {
   const int most = std::max(1, int(samples.rows.rows()) / 2);
   Eigen::Array3i counts = Eigen::Array3i::Constant(atoms > 0 ? atoms : 1);
   if (atoms == 0 && most > 1) counts = bestCounts(samples, most, control);
@@ -136,7 +136,10 @@ Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const T
   Eigen::MatrixXd coefficients(samples.rows.cols(), 3);
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
     control.throwIfStopped();
-    coefficients.col(channel) = pursue(all, samples.values.col(channel), counts[channel]);
+    for (int count = counts[channel];; --count) {
+      coefficients.col(channel) = pursue(all, samples.values.col(channel), count);
+      if (count <= 1 || coefficients.col(channel).cwiseAbs().maxCoeff() <= largest) break;
+    }
   }
   return coefficients;
 }
@@ -237,6 +240,24 @@ Eigen::MatrixXd solveLocalRidge(const PrincipalComponents& basis, const SampleRo
   return local.coefficients;
 }
 
+/// A coefficient of a material may exceed those of the training set by this factor.
+constexpr double mostOfTraining = 10;
+
+void warnAbout(const SampleRows& samples, Reconstruction& result) {
+  const auto count = std::size_t(samples.rows.rows());
+  if (count < samples.readings)
+    result.warnings.push_back(std::to_string(samples.readings) + " readings are at only " + std::to_string(count) +
+                              (count == 1 ? " direction" : " directions") +
+                              " that differ; readings of one direction count as one, their mean.");
+  const Eigen::Index components = std::min(samples.rows.rows(), samples.rows.cols());
+  if (components < 2) return;
+  const Eigen::VectorXd values = thinSvd(samples.rows.leftCols(components)).singularValues;
+  if (const double condition = values[0] / values[components - 1]; !(condition <= maxReliableCondition))
+    result.warnings.push_back("The directions of the samples are nearly dependent (condition number " +
+                              (std::isfinite(condition) ? numberText(float(condition)) : std::string("infinite")) +
+                              "): errors of the readings may be amplified. Choose directions that are farther apart.");
+}
+
 }  // namespace
 
 ReconstructionOptions publishedReconstruction() {
@@ -263,7 +284,9 @@ Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan&
   else if (options.method != ReconstructionMethod::sparse)
     coefficients = solveRidge(basis, samples, options, result, control.between(0, 0.5));
   else
-    coefficients = sparseCoefficients(samples, options.atoms, control.between(0, 0.5));
+    coefficients = sparseCoefficients(samples, options.atoms, control.between(0, 0.5),
+                                      mostOfTraining * basis.svd.v.cwiseAbs().maxCoeff());
+  warnAbout(samples, result);
   result.code = codeOf(basis, coefficients);
   result.table = dictionary::decode(basis, result.code, control.between(0.5, 1), &result.cappedCount);
   return result;

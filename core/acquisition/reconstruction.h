@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -53,7 +55,10 @@ double leaveOneOutRidge(const SampleRows& samples, const Eigen::VectorXd& noise,
 /// sample best from all others. @return components x channels. Cost: O(samples components) per atom and channel; with
 /// atoms = 0 a pursuit of half the samples for each sample and channel, O(samples^3 components). @throws Cancelled
 /// between two pursuits.
-Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control = {});
+/// @param largest absolute value of a coefficient; of nearly dependent samples, fewer atoms are used until no
+/// coefficient exceeds it.
+Eigen::MatrixXd sparseCoefficients(const SampleRows& samples, int atoms, const TaskControl& control = {},
+                                   double largest = std::numeric_limits<double>::infinity());
 
 // Reconstruction of a whole material from a few measured values and the principal components of other materials
 // (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition"; Tongbuasirilai 2023,
@@ -67,6 +72,10 @@ enum class ReconstructionMethod {
 };
 /// Names in JSON and on the command line, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 3> reconstructionMethodNames{"ridge", "sparse", "local-ridge"};
+
+/// Condition number of the rows of D at the samples above which plans and reconstructions state a warning: noise of a
+/// reading may be amplified by this factor.
+inline constexpr double maxReliableCondition = 1e4;
 
 /// eta of Nielsen et al. 2015 and Tongbuasirilai 2023. It is absolute: with a training set of t columns the
 /// coefficients have variance 1/t, so it assumes that a mapped value has noise of standard deviation sqrt(40 / t) (0.31
@@ -119,6 +128,9 @@ struct Reconstruction {
   /// known; if known noise dominates, v is therefore 1/t. In this model, what the components that are not used add
   /// is independent from cell to cell, so samples carry no information about it.
   std::vector<float> standardDeviation;
+  /// For the user, usually empty: readings that repeat each other (SampleRows), samples whose rows have a condition
+  /// number above maxReliableCondition.
+  std::vector<std::string> warnings;
 };
 
 /// Each sample is read at the nearest node of the basis (nearestNode()), which both orders of its directions share: the

@@ -24,8 +24,9 @@ std::size_t positionOf(const dictionary::MappedCells& mapping, const PlannedSamp
 }
 
 void checkValue(double value, const PlannedSample& sample, const char* what) {
-  if (std::isfinite(value) && value >= 0) return;
-  throw Error(nameOf(sample) + ": found " + what + " of " + numberText(value) + ", expected a number, 0 or more");
+  if (value >= 0 && value <= maxBrdfValue) return;
+  throw Error(nameOf(sample) + ": found " + what + " of " + numberText(value) + ", expected a number from 0 to " +
+              numberText(float(maxBrdfValue)) + ", the largest BRDF value");
 }
 
 /// @throws Error where a value is so large that its mapped value is infinite.
@@ -35,6 +36,55 @@ double mappedValue(double value, const dictionary::MappedCells& mapping, std::si
   if (std::isfinite(mapped)) return mapped;
   throw Error(nameOf(sample) + ": found the value " + numberText(value) +
               ", expected a BRDF value with a finite logarithm (neither negative nor too large)");
+}
+
+/// Whether two cells are the same or next to each other.
+bool areNeighbours(const HalfDifferenceGrid& grid, std::size_t a, std::size_t b) {
+  const auto phiCount = std::size_t(grid.phiDCount), thetaDCount = std::size_t(grid.thetaDCount);
+  const auto apart = [](std::size_t x, std::size_t y) { return x > y ? x - y : y - x; };
+  const std::size_t phi = apart(a % phiCount, b % phiCount);
+  return std::min(phi, phiCount - phi) <= 1 && apart(a / phiCount % thetaDCount, b / phiCount % thetaDCount) <= 1 &&
+         apart(a / (phiCount * thetaDCount), b / (phiCount * thetaDCount)) <= 1;
+}
+
+/// The means of readings that repeat each other (SampleRows).
+SampleRows withoutRepetitions(const SampleRows& samples, const HalfDifferenceGrid& grid,
+                              const std::vector<std::uint32_t>& cells) {
+  constexpr double sameRow = 0.01;
+  const auto cellOf = [&](Eigen::Index sample) { return std::size_t(cells[samples.positions[std::size_t(sample)]]); };
+  std::vector<std::vector<Eigen::Index>> groups;
+  for (Eigen::Index s = 0; s < samples.rows.rows(); ++s) {
+    const auto repeated = std::ranges::find_if(groups, [&](const std::vector<Eigen::Index>& group) {
+      const Eigen::Index first = group.front();
+      return cellOf(s) == cellOf(first) ||
+             (areNeighbours(grid, cellOf(s), cellOf(first)) &&
+              (samples.rows.row(s) - samples.rows.row(first)).norm() <= sameRow * samples.rows.row(first).norm());
+    });
+    if (repeated == groups.end())
+      groups.push_back({s});
+    else
+      repeated->push_back(s);
+  }
+  SampleRows result = samples;
+  result.readings = std::size_t(samples.rows.rows());
+  if (groups.size() == result.readings) return result;
+  const auto count = Eigen::Index(groups.size());
+  result.positions.clear();
+  result.rows.resize(count, samples.rows.cols());
+  result.values.resize(count, 3);
+  result.variances.resize(count);
+  result.knownNoise.resize(count);
+  for (Eigen::Index g = 0; g < count; ++g) {
+    const std::vector<Eigen::Index>& group = groups[std::size_t(g)];
+    const double number = double(group.size());
+    result.positions.push_back(samples.positions[std::size_t(group.front())]);
+    result.rows.row(g) = samples.rows(group, Eigen::all).colwise().mean();
+    result.values.row(g) = samples.values(group, Eigen::all).colwise().mean();
+    // Noise of readings is independent, but the components leave out the same in all of them.
+    result.knownNoise[g] = samples.knownNoise(group).mean() / number;
+    result.variances[g] = (samples.variances(group) - samples.knownNoise(group)).mean() + result.knownNoise[g];
+  }
+  return result;
 }
 
 }  // namespace
@@ -90,7 +140,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
     }
     result.variances[s] += result.knownNoise[s];
   }
-  return result;
+  return withoutRepetitions(result, m.grid, m.cells);
 }
 
 }  // namespace gonio::acquisition

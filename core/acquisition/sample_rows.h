@@ -11,8 +11,12 @@
 /// Linear equations for the coefficients of a basis, one per sample.
 namespace gonio::acquisition {
 
+/// Readings of one direction, or of neighbouring cells whose rows differ by at most 1 %, say the same about the
+/// material. They count as one sample, their mean: otherwise, each would predict the others, and the errors and the
+/// uncertainty that are estimated from the samples would be far too small.
 struct SampleRows {
-  std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells
+  std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells, the first of each mean
+  std::size_t readings = 0;            ///< number of readings, at least that of the samples
   Eigen::MatrixXd rows;                ///< of D = U Sigma: samples x components
   Eigen::MatrixX3d values;             ///< mapped values minus the mean: samples x channels
   /// Variance of a sample's mapped values around the values that the components can represent, mean of the channels:

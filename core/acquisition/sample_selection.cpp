@@ -8,6 +8,7 @@
 
 #include "core/acquisition/a_optimal_selection.h"
 #include "core/acquisition/condition_search.h"
+#include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/acquisition/simultaneous_pursuit.h"
 #include "core/acquisition/unguided_selection.h"
@@ -15,6 +16,7 @@
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
+#include "core/support/text.h"
 
 namespace gonio::acquisition {
 
@@ -164,9 +166,14 @@ SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionO
   const Rows rows = measurableRows(basis, options.measurable);
   if (rows.empty())
     throw Error("no direction pair can be measured: the limits of the rig exclude all cells of the materials");
-  if (options.method == SelectionMethod::aOptimal) return selectAOptimal(basis, options, rows, control, chosen);
-  return isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
-                                   : selectOtherwise(basis, options, rows, control, chosen);
+  SampleSelection result = options.method == SelectionMethod::aOptimal
+                               ? selectAOptimal(basis, options, rows, control, chosen)
+                           : isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
+                                                       : selectOtherwise(basis, options, rows, control, chosen);
+  if (result.warning.empty() && result.conditionNumber > maxReliableCondition)
+    result.warning = "the chosen directions are nearly dependent (condition number " +
+                     numberText(float(result.conditionNumber)) + "): errors of the readings may be amplified";
+  return result;
 }
 
 }  // namespace gonio::acquisition

@@ -57,7 +57,8 @@ struct SampleSelection {
   /// method uses (pursuits and aOptimal: p, others: min(m, count())). Infinite if the rows are dependent, 0 without
   /// rows or components.
   double conditionNumber = 0;
-  std::string warning;  ///< why there are fewer cells than requested; empty otherwise
+  /// Why there are fewer cells than requested, or that conditionNumber exceeds maxReliableCondition; empty otherwise.
+  std::string warning;
 };
 
 /// Chooses cells of the basis' grid among the measurable ones of its mapping; where several cells have the same pair of

@@ -17,13 +17,29 @@ namespace {
 
 using Eigen::Index;
 
+/// Factors of the channels by which they become comparable: 1 unless a channel is less than a thousandth as bright as
+/// the brightest one, whose errors would otherwise hide it.
+Rgb channelScales(const factorization::HalfDifferenceSamples& s) {
+  constexpr double darkest = 1e-3;
+  Rgb largest(0), scales(1);
+  for (std::size_t i = 0; i < s.values.size(); ++i)
+    if (s.valid[i]) largest = glm::max(largest, s.values[i]);
+  for (int channel = 0; channel < 3; ++channel)
+    if (largest[channel] > 0 && largest[channel] < darkest * maxChannel(largest))
+      scales[channel] = maxChannel(largest) / largest[channel];
+  return scales;
+}
+
 /// Roots of the weights of rows (theta_h, channel) and columns (theta_d, phi_d): their product is the projected measure
 /// of the cell, with cos theta_i cos theta_o taken at phi_d = pi / 2, where it is a product.
-Eigen::VectorXd rowScales(const factorization::HalfDifferenceAxes& axes) {
+Eigen::VectorXd rowScales(const factorization::HalfDifferenceSamples& samples) {
+  const factorization::HalfDifferenceAxes& axes = samples.axes;
+  const Rgb channels = channelScales(samples);
   Eigen::VectorXd scales(Index(3 * axes.thetaH.size()));
   for (Index row = 0; row < scales.size(); ++row) {
     const std::size_t h = std::size_t(row) / 3;
-    scales[row] = std::sqrt(factorization::solidAngle(axes.thetaH, h)) * std::cos(axes.thetaH[h]);
+    scales[row] =
+        std::sqrt(factorization::solidAngle(axes.thetaH, h)) * std::cos(axes.thetaH[h]) * channels[int(row % 3)];
   }
   return scales;
 }
@@ -96,7 +112,7 @@ int kautzMcCoolTerms(const factorization::HalfDifferenceAxes& axes, std::size_t 
 KautzMcCoolFactors factorizeKautzMcCool(const factorization::HalfDifferenceSamples& samples, int terms,
                                         const TaskControl& control) {
   control.throwIfStopped();
-  const Eigen::VectorXd rows = rowScales(samples.axes), columns = columnScales(samples.axes);
+  const Eigen::VectorXd rows = rowScales(samples), columns = columnScales(samples.axes);
   const ThinSvd svd = thinSvd(rows.asDiagonal() * filled(samples) * columns.asDiagonal());
   const Eigen::VectorXd& strengths = svd.singularValues;
   const Index count = std::clamp(Index(terms), Index(1), strengths.size());
@@ -111,7 +127,7 @@ KautzMcCoolFactors factorizeKautzMcCool(const factorization::HalfDifferenceSampl
 
 KautzMcCoolFactors factorizeNonnegativeHalfDifference(const factorization::HalfDifferenceSamples& samples, int terms,
                                                       const TaskControl& control) {
-  const Eigen::VectorXd rows = rowScales(samples.axes), columns = columnScales(samples.axes);
+  const Eigen::VectorXd rows = rowScales(samples), columns = columnScales(samples.axes);
   const Eigen::MatrixXd matrix = rows.asDiagonal() * filled(samples) * columns.asDiagonal();
   const factorization::NonnegativeFactors found =
       factorization::factorizeNonnegative(matrix, terms, {.maxIterations = 1000, .tolerance = 1e-7}, control);

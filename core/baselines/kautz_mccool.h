@@ -18,7 +18,8 @@ namespace gonio::baselines {
 /// Differences from the paper: isotropic materials only, so u has no azimuth, and phi_d is folded to [0, pi/2]; u
 /// contains the colours (the channels are separate rows of one matrix); a cell with a direction below the horizon takes
 /// the value of the nearest theta_h where both are above, because a dense matrix needs a value in every cell; rows and
-/// columns are weighted by their solid angles and by the cosines at phi_d = pi/2 (docs/results/factors.md).
+/// columns are weighted by their solid angles and by the cosines at phi_d = pi/2 (docs/results/factors.md); channels
+/// that are less than a thousandth as bright as the brightest one count as if they were as bright.
 struct KautzMcCoolFactors {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   factorization::HalfDifferenceAxes axes;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -70,14 +71,16 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
                                std::span<const double> weights, std::size_t channel, std::size_t coefficients) {
   ChannelCode result;
   result.dictionary = codes.front().channels[channel].dictionary;
-  double lowest = 0, highest = 0;
+  double lowest = 0, highest = 0, largestValue = 0;
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (!(weights[i] > 0)) continue;
     lowest += weights[i] * double(codes[i].channels[channel].lowest);
     highest += weights[i] * double(codes[i].channels[channel].highest);
+    largestValue += weights[i] * double(codes[i].channels[channel].largestValue);
   }
   result.lowest = float(lowest);
   result.highest = float(highest);
+  result.largestValue = float(std::min(largestValue, double(std::numeric_limits<float>::max())));
   const bool fraction = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
     return code.channels[channel].dictionary == result.dictionary;
   });
@@ -118,6 +121,7 @@ SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode
     return interpolateCodes(ensemble, both, weights, coefficients);
   }
   SparseCode result = codes.front();
+  result.hasLargestValues = std::ranges::any_of(codes, &SparseCode::hasLargestValues);
   parallelForBlocks(3, 1, [&](std::size_t channel, std::size_t) {
     result.channels[channel] = interpolateChannel(ensemble, codes, weights, channel, coefficients);
   });

@@ -280,6 +280,7 @@ std::vector<std::byte> compressChannels(const SparseCode& exact) {
     writer.write(channel.step);
     writer.write(channel.highest);
     if (code.hasBothOrders()) writer.write(channel.lowest);
+    if (code.hasLargestValues) writer.write(channel.largestValue);
     levels.push_back(levelsOf(channel, sizes));
   }
   for (std::size_t c = 0; c < levels.size(); ++c) {
@@ -299,6 +300,7 @@ void expandChannels(std::span<const std::byte> bytes, SparseCode& code, bool has
     channel.step = reader.readNonNegative("a step");
     channel.highest = reader.readNonNegative("a maximum");
     if (hasLowest) channel.lowest = reader.readMinimum();
+    if (code.hasLargestValues) channel.largestValue = reader.readNonNegative("a largest value");
   }
   RangeDecoder coder(reader.rest());
   Contexts contexts;
@@ -325,8 +327,8 @@ float largestSize(const ChannelCode& channel) {
   return largest;
 }
 
-void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecision precision, ByteWriter& writer) {
-  checkLimits(channel, grid);
+void pack(const ChannelCode& channel, const SparseCode& code, CodePrecision precision, ByteWriter& writer) {
+  checkLimits(channel, code.grid);
   std::vector<Coefficient<float>> sorted = channel.coefficients;
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   const float scale = largestSize(channel);
@@ -334,7 +336,8 @@ void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecis
   writer.write(std::uint16_t(sorted.size()));
   writer.write(scale);
   writer.write(channel.highest);
-  if (!grid.reciprocal) writer.write(channel.lowest);
+  if (code.hasBothOrders()) writer.write(channel.lowest);
+  if (code.hasLargestValues) writer.write(channel.largestValue);
   std::uint32_t before = 0;
   for (const Coefficient<float>& c : sorted) {
     writer.writeVariable(c.index - before);
@@ -347,13 +350,15 @@ void pack(const ChannelCode& channel, const HalfDifferenceGrid& grid, CodePrecis
       writer.write(Eigen::half(scale > 0 ? c.value / scale : 0.0f));
 }
 
-ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cells, bool hasLowest) {
+ChannelCode unpack(ByteReader& reader, CodePrecision precision, const SparseCode& code, bool hasLowest) {
+  const std::size_t cells = code.grid.size();
   ChannelCode channel;
   channel.dictionary = reader.read<std::uint8_t>();
   const std::size_t count = reader.read<std::uint16_t>();
   const float scale = reader.readNonNegative("a scale");
   channel.highest = reader.readNonNegative("a maximum");
   if (hasLowest) channel.lowest = reader.readMinimum();
+  if (code.hasLargestValues) channel.largestValue = reader.readNonNegative("a largest value");
   if (count > reader.left()) throw Error("the code is truncated: it ends before its last index");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;
@@ -378,14 +383,14 @@ ChannelCode unpack(ByteReader& reader, CodePrecision precision, std::size_t cell
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision) {
   if (precision == CodePrecision::quantised) return compressChannels(code);
   ByteWriter writer;
-  for (const ChannelCode& channel : code.channels) pack(channel, code.grid, precision, writer);
+  for (const ChannelCode& channel : code.channels) pack(channel, code, precision, writer);
   return std::move(writer.bytes);
 }
 
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code, bool hasLowest) {
   if (precision == CodePrecision::quantised) return expandChannels(bytes, code, hasLowest);
   ByteReader reader(bytes);
-  for (ChannelCode& channel : code.channels) channel = unpack(reader, precision, code.grid.size(), hasLowest);
+  for (ChannelCode& channel : code.channels) channel = unpack(reader, precision, code, hasLowest);
   if (reader.left() > 0) throw Error("the code has " + std::to_string(reader.left()) + " extra bytes at the end");
 }
 

@@ -30,26 +30,27 @@ SparseCode quantised(SparseCode code);
 /// The bytes of a quantised code, compressed by range coding: coefficients concentrate at low indices, and the channels
 /// of a material resemble each other, so that a coefficient, index and value together, needs about 6 bits. (zstd at its
 /// highest level needs 40 to 85 % more bytes for the indices and values.) Per channel: uint8 dictionary, float32 step,
-/// float32 ChannelCode::highest, for both orders of the directions float32 ChannelCode::lowest, little-endian; then the
-/// range coder's bytes (docs/formats.md). @throws Error for more than 256 dictionaries or 65535 coefficients, or an
-/// index outside the grid.
+/// float32 ChannelCode::highest, for both orders of the directions float32 ChannelCode::lowest, with
+/// SparseCode::hasLargestValues float32 ChannelCode::largestValue, little-endian; then the range coder's bytes
+/// (docs/formats.md). @throws Error for more than 256 dictionaries or 65535 coefficients, or an index outside the grid.
 std::vector<std::byte> compressChannels(const SparseCode& code);
-/// Inverse of compressChannels(): sets the channels of `code`; set its grid before the call. @param hasLowest whether
-/// the bytes contain ChannelCode::lowest. @throws Error if there are too few or too many bytes, or a value is not
-/// finite or too large.
+/// Inverse of compressChannels(): sets the channels of `code`; set its grid and hasLargestValues before the call.
+/// @param hasLowest whether the bytes contain ChannelCode::lowest. @throws Error if there are too few or too many
+/// bytes, or a value is not finite or too large.
 void expandChannels(std::span<const std::byte> bytes, SparseCode& code, bool hasLowest);
 inline void expandChannels(std::span<const std::byte> bytes, SparseCode& code) {
   expandChannels(bytes, code, code.hasBothOrders());
 }
 
 /// Per channel: uint8 dictionary, uint16 number of coefficients, float32 scale (largest absolute coefficient), float32
-/// ChannelCode::highest, for both orders of the directions float32 ChannelCode::lowest, the indices, the values.
+/// ChannelCode::highest, for both orders of the directions float32 ChannelCode::lowest, with
+/// SparseCode::hasLargestValues float32 ChannelCode::largestValue, the indices, the values.
 /// Little-endian. Quantised: compressChannels(). @throws Error for more than 65535 coefficients or 256 dictionaries, or
 /// an index outside the grid.
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision);
-/// Inverse of packChannels(): sets the channels of `code`; set its grid before the call. @param hasLowest whether the
-/// bytes contain ChannelCode::lowest. @throws Error if there are too few or too many bytes, an index is repeated or
-/// outside the grid, or a value is not finite.
+/// Inverse of packChannels(): sets the channels of `code`; set its grid and hasLargestValues before the call. @param
+/// hasLowest whether the bytes contain ChannelCode::lowest. @throws Error if there are too few or too many bytes, an
+/// index is repeated or outside the grid, or a value is not finite.
 void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code, bool hasLowest);
 inline void unpackChannels(std::span<const std::byte> bytes, CodePrecision precision, SparseCode& code) {
   unpackChannels(bytes, precision, code, code.hasBothOrders());

@@ -138,6 +138,7 @@ class CodeBrdf final : public Brdf {
       channels[code.channels[std::size_t(c)].dictionary].push_back(c);
       highest_[c] = code.channels[std::size_t(c)].highest;
       lowest_[c] = code.channels[std::size_t(c)].lowest;
+      largest_[c] = code.channels[std::size_t(c)].largestValue;
     }
     for (const auto& [dictionary, list] : channels)
       sums_.emplace_back(
@@ -197,6 +198,7 @@ class CodeBrdf final : public Brdf {
       for (int corner = 0; corner < 8; ++corner)
         cosines.col(corner).setConstant(geometry_->weights[Eigen::Index(at.cell(corner))]);
     invertTransform(values.reshaped(), transform_, cosines.reshaped(), lowest_.minCoeff());
+    values = values.min(largest_.replicate<1, 8>()).max(-largest_.replicate<1, 8>());
     Rgb sum(0);
     double weightSum = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -210,7 +212,7 @@ class CodeBrdf final : public Brdf {
   HalfDifferenceGrid grid_;
   DataTransform transform_;
   std::shared_ptr<const GridGeometry> geometry_;
-  Eigen::Array<float, 4, 1> highest_ = Eigen::Array<float, 4, 1>::Zero(), lowest_ = highest_;
+  Eigen::Array<float, 4, 1> highest_ = Eigen::Array<float, 4, 1>::Zero(), lowest_ = highest_, largest_ = highest_;
   std::vector<DictionarySum> sums_;
   mutable std::once_flag boundOnce_;
   mutable std::shared_ptr<const ValueBound> bound_;
@@ -325,6 +327,8 @@ std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const Spar
       auto part = signals[std::size_t(c)].segment(first, length);
       invertTransform(part, code.transform, geometry->weights.segment(first, length),
                       code.channels[std::size_t(c)].lowest);
+      const double largest = code.channels[std::size_t(c)].largestValue;
+      part = part.min(largest).max(-largest);
       for (Eigen::Index i = 0; i < length; ++i) values[begin + std::size_t(i)][c] = float(part[i]);
     }
   });

@@ -41,7 +41,8 @@ std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const
 /// The transformed values of a code in every cell, one array per channel. @throws as checkCode().
 std::array<Eigen::ArrayXd, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
 
-/// The table of a code; cells below the horizon are invalid, values below ChannelCode::lowest become equal to it. Under
+/// The table of a code; cells below the horizon are invalid, values below ChannelCode::lowest become equal to it,
+/// those above ChannelCode::largestValue too. Under
 /// 50 ms on two cores for a MERL grid. @throws as checkCode().
 std::shared_ptr<const TabulatedBrdf> decode(const Ensemble& ensemble, const SparseCode& code);
 

@@ -67,6 +67,10 @@ struct ChannelCode {
   /// few atoms overshoots in cells with a small factor of cell scaling, and the inverse of the logarithm would amplify
   /// that.
   float highest = std::numeric_limits<float>::max(), lowest = 0;
+  /// Bound of the absolute BRDF values, 1/sr: the largest of the measurement if SparseCode::hasLargestValues. The
+  /// inverse of the cosine-weighted logarithm divides by a weight of down to 1e-3, so that values up to 1000 times the
+  /// measured ones are within the bounds of the transformed values.
+  float largestValue = std::numeric_limits<float>::max();
   float step = 0;  ///< of which all values are multiples (quantised()); 0: not quantised
 };
 
@@ -74,7 +78,9 @@ struct ChannelCode {
 struct SparseCode {
   HalfDifferenceGrid grid;  ///< of the ensemble, or its wholeCircle(): then over inBothOrders() of the dictionaries
   DataTransform transform = DataTransform::logPlus;
-  bool scaled = true;  ///< whether it represents signals with cell scaling (GridGeometry::cellScaling)
+  bool scaled = true;             ///< whether it represents signals with cell scaling (GridGeometry::cellScaling)
+  bool hasLargestValues = false;  ///< whether ChannelCode::largestValue is part of the code; of all cosine-log codes
+                                  ///< since November 2026
   std::array<ChannelCode, 3> channels;
 
   /// The largest number of coefficients of a channel.

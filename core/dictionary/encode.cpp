@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "core/brdf/weighted_sum.h"
@@ -234,6 +235,18 @@ std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signa
   return common[std::size_t(shared)] <= acceptedLoss * separateError ? std::array{shared, shared, shared} : separate;
 }
 
+namespace {
+
+/// The largest absolute value of the valid cells of a channel.
+float largestValue(const TabulatedBrdf& table, int channel) {
+  float largest = 0;
+  for (std::size_t cell = 0; cell < table.values().size(); ++cell)
+    if (table.valid()[cell] != 0) largest = std::max(largest, std::abs(table.values()[cell][channel]));
+  return largest;
+}
+
+}  // namespace
+
 /// A transform, its signals, and what its trial chose.
 struct Encoder::Trial {
   DataTransform transform = DataTransform::logPlus;
@@ -254,6 +267,8 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
                       const SignalRange range = rangeOf(trial.signals[c], table, *geometry, isScaled(options));
                       trial.channels[c].highest = range.highest;
                       trial.channels[c].lowest = range.lowest;
+                      if (transform == DataTransform::cosineLog)
+                        trial.channels[c].largestValue = largestValue(table, int(c));
                     },
                     {.stop = control.stop, .progress = {}});
   const std::array<int, 3> chosen = chooseDictionaries(signals, options.coefficients, control);
@@ -289,13 +304,38 @@ EncodedCandidate Encoder::refined(const Trial& trial, const TabulatedBrdf& table
 EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficients& coefficients,
                                     const TabulatedBrdf& table, const EncodeOptions& options) const {
   EncodedCandidate candidate;
-  candidate.code = {
-      .grid = ensemble_.grid, .transform = trial.transform, .scaled = isScaled(options), .channels = trial.channels};
+  candidate.code = {.grid = ensemble_.grid,
+                    .transform = trial.transform,
+                    .scaled = isScaled(options),
+                    .hasLargestValues = trial.transform == DataTransform::cosineLog,
+                    .channels = trial.channels};
   for (std::size_t c = 0; c < 3; ++c) candidate.code.channels[c].coefficients = coefficients[c];
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
   if (options.quantised) candidate.code = quantised(std::move(candidate.code));
   measure(candidate, table, *decode(ensemble_, candidate.code), options);
   return candidate;
+}
+
+std::vector<std::string> lostPeaks(const TabulatedBrdf& table, const TabulatedBrdf& decoded) {
+  constexpr std::array channelNames{"red", "green", "blue"};
+  constexpr float keptFraction = 0.1f;
+  std::vector<std::string> sentences;
+  for (int channel = 0; channel < 3; ++channel) {
+    std::size_t brightest = 0;
+    for (std::size_t cell = 0; cell < table.values().size(); ++cell)
+      if (table.values()[cell][channel] > table.values()[brightest][channel]) brightest = cell;
+    const float value = table.values()[brightest][channel], kept = decoded.values()[brightest][channel];
+    if (!(value > 0) || kept >= keptFraction * value) continue;
+    const HalfDifference at = table.grid().node(brightest);
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the brightest cell in %s (theta_h %.4g, theta_d %.4g, phi_d %.4g degrees), %.3g 1/sr, is lost: the "
+                  "code has %.3g 1/sr there",
+                  channelNames[std::size_t(channel)], degrees(at.thetaH), degrees(at.thetaD), degrees(at.phiD),
+                  double(value), double(kept));
+    sentences.emplace_back(text);
+  }
+  return sentences;
 }
 
 EncodeResult Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options,

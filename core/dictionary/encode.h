@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct EncodedCandidate {
   /// Mean of (rho - rho')^2, 1/sr^2, over the same cells with the same weights; for information only.
   double squaredError = 0;
 };
+
+/// A sentence for each channel in which the code loses the brightest cell: it decodes to less than a tenth.
+std::vector<std::string> lostPeaks(const TabulatedBrdf& table, const TabulatedBrdf& decoded);
 
 struct EncodeResult {
   SparseCode code;                           ///< of the candidate with the smallest gamma error; the first among equals

@@ -11,9 +11,8 @@ namespace {
 constexpr std::uint32_t sampleCount = 1 << 13;
 
 Energy energyOf(const Brdf& brdf) {
-  const SamplingDensity lobe = estimateSamplingDensity(brdf);
-  return {luminance(directionalAlbedo(brdf, 0, lobe, sampleCount)),
-          luminance(directionalAlbedo(brdf, grazingView, lobe, sampleCount))};
+  const DirectionalAlbedo albedo(brdf, sampleCount);
+  return {luminance(albedo(0)), luminance(albedo(grazingView))};
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ namespace {
 std::vector<std::string> exportWarnings(const Brdf& material) {
   constexpr double allowed = 1.001;  // the error of the quadrature
   double worst = 0, where = 0;
+  const DirectionalAlbedo albedoAt(material);
   for (const double theta : {0.0, 30.0, 60.0, 80.0})
-    if (const double albedo = maxChannel(directionalAlbedo(material, radians(theta))); albedo > worst) {
+    if (const double albedo = maxChannel(albedoAt(radians(theta))); albedo > worst) {
       worst = albedo;
       where = theta;
     }

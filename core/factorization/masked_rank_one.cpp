@@ -198,6 +198,17 @@ void gatherStrength(RankOne& term) {
   }
 }
 
+/// A power of two that brings values of a size at which single precision loses their products to about 1; 1 for all
+/// others.
+double scaleToOne(const MaskedTensor& tensor) {
+  constexpr int mostExponent = 50;
+  float largest = 0;
+  for (std::size_t i = 0; i < tensor.values.size(); ++i)
+    if (tensor.weights[i] > 0) largest = std::max(largest, std::abs(tensor.values[i]));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  return std::abs(exponent) > mostExponent ? std::ldexp(1.0, -exponent) : 1;
+}
+
 }  // namespace
 
 double MaskedTensor::squaredNorm() const {
@@ -210,6 +221,14 @@ double MaskedTensor::squaredNorm() const {
 }
 
 RankOne bestRankOne(const MaskedTensor& tensor, const RankOneOptions& options) {
+  if (const double scale = scaleToOne(tensor); scale != 1) {
+    MaskedTensor scaled = tensor;
+    for (float& value : scaled.values) value = float(double(value) * scale);
+    RankOne term = bestRankOne(scaled, options);
+    for (double& entry : term.a) entry /= scale;
+    for (double& residual : term.residuals) residual /= scale * scale;
+    return term;
+  }
   RankOne term = options.nonnegative ? marginalMeans(tensor) : crossOfLargest(tensor);
   const double squaredNorm = tensor.squaredNorm();
   term.residuals.push_back(squaredNorm);

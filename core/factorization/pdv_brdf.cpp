@@ -250,6 +250,15 @@ void invertTransform(DataTransform transform, std::span<double> sums, double hig
   }
 }
 
+/// Edited curves may have any values. In single precision, products of three that are limited to 1e30 and 1 are finite,
+/// and so are the values between nodes with limited slopes; beyond 1e30 the bound of y decides (PdvFactors::highest).
+constexpr double mostOfCurves = 1e30, mostSlope = 1e37;
+std::vector<double> limitedCurve(std::span<const double> values) {
+  std::vector<double> limited(values.begin(), values.end());
+  for (double& value : limited) value = std::clamp(value, -mostOfCurves, mostOfCurves);
+  return limited;
+}
+
 /// All curves of one axis side by side, so that one place between two nodes serves all of them in vector code.
 class CurveBundle {
  public:
@@ -261,10 +270,10 @@ class CurveBundle {
         slopes_(nodes_.size() * width) {}
 
   void set(std::size_t curve, std::span<const double> values) {
-    const std::vector<double> slopes = monotoneSlopes(nodes_, values);
+    const std::vector<double> limited = limitedCurve(values), slopes = monotoneSlopes(nodes_, limited);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      values_[i * width_ + curve] = float(values[i]);
-      slopes_[i * width_ + curve] = float(slopes[i]);
+      values_[i * width_ + curve] = float(limited[i]);
+      slopes_[i * width_ + curve] = float(std::clamp(slopes[i], -mostSlope, mostSlope));
     }
   }
 
@@ -297,10 +306,10 @@ class CurveExtrema {
       : nodes_(std::move(nodes)), width_(width), values_(nodes_.size() * width), slopes_(values_.size()) {}
 
   void set(std::size_t curve, std::span<const double> values) {
-    const std::vector<double> slopes = monotoneSlopes(nodes_, values);
+    const std::vector<double> limited = limitedCurve(values), slopes = monotoneSlopes(nodes_, limited);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      values_[i * width_ + curve] = float(values[i]);
-      slopes_[i * width_ + curve] = float(slopes[i]);
+      values_[i * width_ + curve] = float(limited[i]);
+      slopes_[i * width_ + curve] = float(std::clamp(slopes[i], -mostSlope, mostSlope));
     }
   }
 

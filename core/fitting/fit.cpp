@@ -3,12 +3,17 @@
 #include "core/fitting/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
+#include <limits>
+#include <string>
 
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/fitting/group_fit.h"
 #include "core/math/parallel.h"
+#include "core/math/sampling.h"
 
 namespace gonio::fitting {
 
@@ -64,6 +69,60 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
   return parameters;
 }
 
+constexpr std::array colourNames{"red", "green", "blue"};
+
+/// To three digits.
+std::string threeDigits(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  return digits;
+}
+
+/// What the fit made of channels with the same value in all cells: its own values at directions spread over those that
+/// count. Models without a constant term cannot reproduce them.
+void describeConstants(const FitData& data, const Brdf& fitted, std::vector<std::string>& warnings) {
+  if (std::ranges::none_of(data.constants(), [](const auto& constant) { return constant.has_value(); })) return;
+  constexpr std::uint32_t count = 4096;
+  std::vector<DirectionPair> pairs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const glm::dvec2 u = scrambledSobol(i, 41), v = scrambledSobol(i, 42);
+    const double most = data.options().maxPolarAngle;
+    pairs.push_back({fromSpherical(most * u.x, 2 * pi * u.y), fromSpherical(most * v.x, 2 * pi * v.y)});
+  }
+  std::vector<Rgb> values(pairs.size());
+  fitted.evaluate(pairs, values);
+  for (int channel = 0; channel < 3; ++channel) {
+    const std::optional<double>& constant = data.constants()[std::size_t(channel)];
+    if (!constant) continue;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Rgb& value : values) {
+      least = std::min(least, value[channel]);
+      most = std::max(most, value[channel]);
+    }
+    const std::string low = threeDigits(least), high = threeDigits(most), given = threeDigits(*constant);
+    warnings.push_back(
+        "All cells have the same value in " + std::string(colourNames[std::size_t(channel)]) + ", " + given +
+        " 1/sr; the fit has " +
+        (low == high ? (low == given ? "the same value" : low + " 1/sr") : low + " to " + high + " 1/sr") + ".");
+  }
+}
+
+/// Linear parameters at the upper limit of their range: the measurement is probably brighter than the model can be.
+void describeLimits(const models::ModelSpec& spec, const models::ParameterValues& values,
+                    std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const models::ParameterSpec& parameter = spec.parameters[i];
+    if (!parameter.linear || maxChannel(values.values[i]) < parameter.hardMax) continue;
+    std::string names;
+    for (int channel = 0; channel < 3; ++channel)
+      if (values.values[i][channel] >= parameter.hardMax)
+        names += (names.empty() ? "" : ", ") + std::string(colourNames[std::size_t(channel)]);
+    warnings.push_back("The parameter " + std::string(parameter.id) + " is at its maximum, " +
+                       threeDigits(parameter.hardMax) + ", in " + names +
+                       ": the measurement is brighter than the model.");
+  }
+}
+
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -83,7 +142,10 @@ FitResult fitWithChoices(const FitData& data, const models::Model& model, const 
   result.parameters =
       model.canonical(fitParameters(data, model, baseParameters(model.spec(), choices), control.stop, progress));
   result.cancelled = control.stop.stop_requested();
-  result.errors = data.errors(*model.instantiate(result.parameters));
+  const auto fitted = model.instantiate(result.parameters);
+  describeConstants(data, *fitted, result.warnings);
+  describeLimits(model.spec(), result.parameters, result.warnings);
+  result.errors = data.errors(*fitted);
   progress.add(1);
   result.seconds = secondsSince(start);
   return result;

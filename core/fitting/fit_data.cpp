@@ -19,6 +19,7 @@ namespace {
 constexpr std::array<const char*, 3> channelNames{"red", "green", "blue"};
 
 constexpr double noticeableFraction = 0.01;
+constexpr std::size_t fewCells = 10;
 
 /// One channel over the cells that count.
 struct ChannelCensus {
@@ -68,6 +69,8 @@ std::string namesOf(const Channels& channels, Predicate matches) {
   return names;
 }
 
+/// Messages for the user about problems that make a fit to these cells doubtful: no cells or few, black channels, many
+/// negative values, one cell that outweighs all others. Usually empty.
 /// @param used cells; @param negative channels below 0, of `valid` cells.
 std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, std::size_t negative,
                                     std::size_t valid) {
@@ -80,10 +83,9 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   if (double(negative) > noticeableFraction * 3 * double(valid))
     warnings.push_back(std::to_string(std::lround(100 * double(negative) / double(3 * valid))) +
                        " % of the measured values are below 0; the fit treats them as 0.");
-  const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
-  if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
-    warnings.push_back("All cells have the same value in " + names +
-                       ": explained by a diffuse term alone; the highlight parameters remain at their defaults.");
+  if (used < fewCells)
+    warnings.push_back("Only " + std::to_string(used) + (used == 1 ? " cell is" : " cells are") +
+                       " valid within the maximum polar angle: other parameters explain the measurement as well.");
   // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
   const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
   if (const std::string names = namesOf(channels, isSpike); !names.empty())
@@ -92,23 +94,20 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   return warnings;
 }
 
-/// Messages for the user about problems that make a fit to these cells doubtful: no cells, black channels, many
-/// negative values, the same value everywhere, one cell that outweighs all others. Usually empty. One pass over the
-/// used cells.
-std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellSelection& selection) {
-  std::size_t negative = table.clampedCount();
-  for (const TabulatedBrdf::Value& value : table.values())
-    for (int c = 0; c < 3; ++c) negative += value[c] < 0;
-  return warningsOf(takeChannelCensus(table, selection), selection.used, negative, table.validCount());
-}
-
-/// The same for cells without a table. @param negative number of channel values that were below 0.
-std::vector<std::string> measurementWarnings(const FitCells& cells, std::size_t negative) {
+Channels takeChannelCensus(const FitCells& cells) {
   Channels channels;
   for (std::size_t c = 0; c < channels.size(); ++c)
     for (std::size_t i = 0; i < cells.size(); ++i)
       channels[c].add(cells.values[c][i], cells.rootWeight[i] * cells.rootWeight[i]);
-  return warningsOf(channels, cells.size(), negative, cells.size());
+  return channels;
+}
+
+/// Number of channel values of a table that were below 0.
+std::size_t negativeValues(const TabulatedBrdf& table) {
+  std::size_t negative = table.clampedCount();
+  for (const TabulatedBrdf::Value& value : table.values())
+    for (int c = 0; c < 3; ++c) negative += value[c] < 0;
+  return negative;
 }
 
 /// Patches of a theta_h row.
@@ -135,13 +134,19 @@ FitData::FitData(const Brdf& base, const Brdf& measurement, const FitOptions& op
       options_(options),
       baked_(tableOf(base)),
       table_(baked_ ? baked_.get() : formOf<TabulatedBrdf>(base)) {
+  Channels channels;
   if (table_) {
     selection_ = selectCells(*table_, options.maxPolarAngle);
-    warnings_ = measurementWarnings(*table_, selection_);
+    channels = takeChannelCensus(*table_, selection_);
+    warnings_ = warningsOf(channels, selection_.used, negativeValues(*table_), table_->validCount());
   } else {
     const FitCells cells = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
-    warnings_ = measurementWarnings(cells, azimuths_.negative);
+    channels = takeChannelCensus(cells);
+    warnings_ = warningsOf(channels, cells.size(), azimuths_.negative, cells.size());
   }
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (usedCells() > 1 && channels[c].largest > 0 && channels[c].smallest == channels[c].largest)
+      constants_[c] = channels[c].largest;
 }
 
 std::vector<double> FitData::errors(const Brdf& fitted) const {

@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/fitting/fit.h"
 #include "core/fitting/fit_cells.h"
@@ -32,6 +35,8 @@ class FitData {
   std::vector<double> errors(const Brdf& fitted) const;
   /// Problems of the measurement, for the user; usually empty.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The value of each channel, 1/sr, if all used cells (two or more) have the same, above 0.
+  const std::array<std::optional<double>, 3>& constants() const { return constants_; }
 
   /// Subsets of the cells: search() to find the minimum (about 3,000 cells of a MERL table), polish() to refine it:
   /// about 20,000 cells for models with few non-linear parameters, 10,000 for others, which need more evaluations. Made
@@ -52,6 +57,7 @@ class FitData {
   CellSelection selection_;                     ///< for a table
   AzimuthCellCounts azimuths_;                  ///< for anisotropic data
   std::vector<std::string> warnings_;
+  std::array<std::optional<double>, 3> constants_;
   mutable std::optional<FitTarget> search_, fine_, coarse_;
 };
 

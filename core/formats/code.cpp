@@ -30,7 +30,8 @@ constexpr io::ContainerFormat containerOf(bool hasBothOrders) {
 }
 constexpr io::ContainerFormat codeContainer = containerOf(true);
 constexpr int maxCodeNodes = 1024;
-constexpr std::uint8_t withoutScale = 128;  ///< flag beside the transform
+// Flags beside the transform.
+constexpr std::uint8_t withoutScale = 128, withLargestValues = 64, codeFlags = withoutScale | withLargestValues;
 
 /// A number of the header. @param what for the error.
 template <typename Number>
@@ -55,7 +56,8 @@ HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
 std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
   const HalfDifferenceGrid& grid = code.grid;
   io::ContainerWriter file(containerOf(code.hasBothOrders()));
-  file.number(std::uint8_t(std::uint8_t(code.transform) | (code.scaled ? 0 : withoutScale)));
+  file.number(std::uint8_t(std::uint8_t(code.transform) | (code.scaled ? 0 : withoutScale) |
+                           (code.hasLargestValues ? withLargestValues : 0)));
   file.number(std::uint8_t(precision));
   for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
     file.number(std::uint16_t(number));
@@ -73,9 +75,10 @@ CodeFile readCode(const io::ByteSource& source) {
   io::ContainerReader file(codeContainer, source);
   CodeFile result;
   const auto transform = file.number<std::uint8_t>();
-  if ((transform & ~withoutScale) > 1)
-    file.fail("the transform is " + std::to_string(transform) + ", expected 0, 1, 128 or 129");
-  result.code.transform = DataTransform(transform & ~withoutScale);
+  if ((transform & ~codeFlags) > 1)
+    file.fail("the transform is " + std::to_string(transform) + ", expected 0 or 1, plus 64, 128 or 192 for its flags");
+  result.code.transform = DataTransform(transform & ~codeFlags);
+  result.code.hasLargestValues = (transform & withLargestValues) != 0;
   result.code.scaled = (transform & withoutScale) == 0;
   result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 2));
   result.code.grid = takeGrid(file);

@@ -9,10 +9,10 @@
 
 /// A file of a sparse code, `.code`: a container (core/io/container.h) "GONIOCOD", uint16 version 1, or 2 for a code of
 /// both orders of the directions (dictionary::inBothOrders()); uint8 transform
-/// (in the order of dataTransformNames; plus 128 for a code that is not SparseCode::scaled), uint8 precision (0 single,
-/// 1 half, 2 quantised), uint16 numbers of nodes of theta_h, theta_d, phi_d, uint16 whether phi_d is folded, uint64 id
-/// of the ensemble (materials::NamedEnsemble); then dictionary::packChannels(). Quantised, 0.6 to 0.8 kB for 262
-/// coefficients per channel, 2.0 to 2.8 kB for 1,024.
+/// (in the order of dataTransformNames; plus 128 for a code that is not SparseCode::scaled, plus 64 for
+/// SparseCode::hasLargestValues), uint8 precision (0 single, 1 half, 2 quantised), uint16 numbers of nodes of theta_h,
+/// theta_d, phi_d, uint16 whether phi_d is folded, uint64 id of the ensemble (materials::NamedEnsemble); then
+/// dictionary::packChannels(). Quantised, 0.6 to 0.8 kB for 262 coefficients per channel, 2.0 to 2.8 kB for 1,024.
 namespace gonio::formats {
 
 /// Size of the file before the packed channels.

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "core/brdf/rgl_brdf.h"
 #include "core/brdf/tabulated_brdf.h"
@@ -25,6 +28,7 @@ constexpr double smallFraction = 0.05;
 constexpr double roundingFraction = 1e-6;
 constexpr double steepest = radians(85);
 constexpr std::uint32_t pairCount = 1 << 14;
+constexpr int lastAlbedoDegrees = 85;
 constexpr std::array albedoDegrees{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0};
 
 std::string describe(const DirectionPair& pair) {
@@ -89,14 +93,42 @@ PlausibilityCheck reciprocity(const std::vector<DirectionPair>& pairs, const std
   return check;
 }
 
+/// Whole degrees of the viewer beside which narrow peaks may raise the albedo above that of other viewers, those with
+/// the largest peaks. Tables of Gonio and MERL have nodes at whole degrees of theta_d, which is the viewer's angle for
+/// half vectors at the normal.
+std::vector<double> anglesOfPeaks(const DirectionalAlbedo& albedo, double usual, double highest,
+                                  const TaskControl& control) {
+  constexpr std::size_t most = 8;
+  std::vector<std::pair<double, double>> candidates;
+  for (int angle = 0; angle < lastAlbedoDegrees; ++angle) {
+    control.throwIfStopped();
+    const double added = albedo.mostOfPeaks({radians(angle), radians(angle + 1)}, usual);
+    if (usual + added <= highest) continue;
+    candidates.emplace_back(-added, angle);
+    candidates.emplace_back(-added, angle + 1);
+  }
+  std::ranges::sort(candidates);
+  std::vector<double> angles;
+  for (const auto& [negated, angle] : candidates)
+    if (angles.size() < most && std::ranges::find(angles, angle) == angles.end()) angles.push_back(angle);
+  return angles;
+}
+
 PlausibilityCheck energy(const Brdf& brdf, const TaskControl& control) {
   PlausibilityCheck check{.name = "energy", .limit = 1 + energyTolerance};
-  for (const double angle : albedoDegrees) {
+  const DirectionalAlbedo albedoAt(brdf);
+  std::size_t tried = 0;
+  const auto include = [&](double angle) {
     control.throwIfStopped();
-    const double albedo = maxChannel(directionalAlbedo(brdf, radians(angle)));
+    ++tried;
+    const double albedo = maxChannel(albedoAt(radians(angle)));
     worsen(check, albedo, {{0, 0, 1}, fromSpherical(radians(angle), 0)});
-  }
-  conclude(check, albedoDegrees.size());
+    return albedo;
+  };
+  double darkest = std::numeric_limits<double>::infinity();
+  for (const double angle : albedoDegrees) darkest = std::min(darkest, include(angle));
+  for (const double angle : anglesOfPeaks(albedoAt, darkest, check.worst, control)) include(angle);
+  conclude(check, tried);
   if (check.at)
     check.where = "theta_o " + std::to_string(int(std::lround(degrees(polarAngle(check.at->wo))))) + " degrees";
   return check;
@@ -122,6 +154,7 @@ PlausibilityCheck nonFinite(const std::vector<DirectionPair>& pairs, const std::
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control) {
   const std::vector<DirectionPair> pairs = probePairs();
   std::vector<DirectionPair> exchanged;
+  exchanged.reserve(pairs.size());
   for (const auto& [wi, wo] : pairs) exchanged.push_back({wo, wi});
   std::vector<Rgb> forth(pairs.size()), back(pairs.size());
   brdf.evaluate(pairs, forth);

@@ -13,7 +13,9 @@ namespace gonio::metrics {
 /// One check of physical plausibility. `worst` is the largest violation; its meaning depends on `name`:
 ///   "reciprocity" largest channel of |f(i,o) - f(o,i)|, divided by the largest channel of f(i,o) and f(o,i), or by 5 %
 ///                 of the mean value if that is larger
-///   "energy" directional albedo, largest channel (also reported if the check passes)
+///   "energy" directional albedo, largest channel (also reported if the check passes), for viewers at 0, 15, 30, 45,
+///   60,
+///            75 and 85 degrees and at the whole degrees between with the largest narrow peaks (narrowPeaks())
 ///   "negative" -f, 1/sr
 ///   "non-finite" number of directions with such a value
 ///   "extrapolated" fraction of the tested direction pairs without data in the table, weighted by both cosines
@@ -29,8 +31,9 @@ struct PlausibilityCheck {
 };
 
 /// Checks reciprocity (relative difference at most 2 %), energy (albedo at most 1.01 for viewers at 0 to 85 degrees),
-/// negative and non-finite values, over a fixed set of directions. For an RGL file, which may contain colours outside
-/// the sRGB gamut, "negative" tests the luminance. Takes about 100 ms. @throws Cancelled.
+/// negative and non-finite values, over a fixed set of directions, to which "energy" adds those of narrow peaks. For an
+/// RGL file, which may contain colours outside the sRGB gamut, "negative" tests the luminance. Takes about 0.2 s.
+/// @throws Cancelled.
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control = {});
 
 /// The check "negative" for edits before clamping: counts values that are below 0 and below the base's value by more

@@ -157,12 +157,11 @@ Curve albedoCurve(const Brdf& brdf, int count, int samples, const TaskControl& c
   Curve curve{std::vector<double>(size), {std::vector<Rgb>(size), std::vector<PointState>(size, PointState::known)}};
   for (std::size_t i = 0; i < size; ++i)
     curve.angles[i] = last * (1 - std::pow(1 - double(i) / double(count - 1), 1.5));
-  const SamplingDensity lobe = estimateSamplingDensity(brdf);
+  const DirectionalAlbedo albedo(brdf, std::uint32_t(samples));
   parallelForBlocks(
       size, 1,
       [&](std::size_t begin, std::size_t finish) {
-        for (std::size_t i = begin; i < finish; ++i)
-          curve.points.values[i] = directionalAlbedo(brdf, curve.angles[i], lobe, std::uint32_t(samples));
+        for (std::size_t i = begin; i < finish; ++i) curve.points.values[i] = albedo(curve.angles[i]);
       },
       control);
   return curve;

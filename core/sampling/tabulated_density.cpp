@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/brdf/normal_square.h"
+#include "core/brdf/value_bound.h"
 #include "core/math/fast_functions.h"
+#include "core/math/parallel.h"
+#include "core/math/sampling.h"
 #include "core/math/types.h"
+#include "core/sampling/narrow_peaks.h"
 
 namespace gonio {
 
@@ -61,22 +68,29 @@ SliceBlend viewersAbout(double cosine) {
   return {2, {low, low + 1}, {1 - (place - low), place - low}};
 }
 
-double viewerAngle(std::size_t viewer) {
-  const double place = double(viewer) / (TabulatedDensity::viewerCount - 1);
+/// @param place 0: the first viewer, 1: the last one.
+double viewerAngle(double place) {
   const double root = 1 - place * place * (1 - std::sqrt(lastCosine));
   return std::acos(std::min(1.0, root * root));
 }
 
-SliceStack<float> densities(const Brdf& brdf) {
+/// Energies per unit area of the square at its nodes, before the slices are normalised.
+struct NodeEnergies {
+  SliceStack<float> stack;
+  /// Whether the BRDF is 0 at all nodes of a slice; its energies are then those of cosine-weighted directions.
+  std::vector<char> isDark = std::vector<char>(TabulatedDensity::viewerCount, 1);
+};
+
+NodeEnergies nodeEnergies(const Brdf& brdf) {
   constexpr std::size_t columns = TabulatedDensity::columns, rows = TabulatedDensity::rows,
                         viewers = TabulatedDensity::viewerCount;
-  SliceStack<float> stack{columns, rows, std::vector<float>(viewers * rows * columns)};
+  NodeEnergies result{.stack = {columns, rows, std::vector<float>(viewers * rows * columns)}};
   std::vector<DirectionPair> pairs(columns * rows), turned(pairs.size());
   std::vector<double> perSquare(pairs.size());
   std::vector<Rgb> values(pairs.size()), sums(pairs.size());
   const int azimuthCount = brdf.isIsotropic() ? 1 : anisotropicAzimuths;
   for (std::size_t viewer = 0; viewer < viewers; ++viewer) {
-    const Direction wo = fromSpherical(viewerAngle(viewer), 0);
+    const Direction wo = fromSpherical(viewerAngle(double(viewer) / (viewers - 1)), 0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const std::size_t column = i % columns, row = i / columns;
       const glm::dvec2 square(double(column) / (columns - 1), double(row) / (rows - 1));
@@ -92,23 +106,165 @@ SliceStack<float> densities(const Brdf& brdf) {
       brdf.evaluate(turned, values);
       for (std::size_t i = 0; i < pairs.size(); ++i) sums[i] += values[i];
     }
+    float* const slice = &result.stack.values[viewer * pairs.size()];
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const double density = perSquare[i] > 0 ? (sums[i].x + sums[i].y + sums[i].z) * perSquare[i] : 0;
-      stack.values[viewer * pairs.size() + i] = float(std::clamp(density, 0.0, 1e30));
+      const double density = perSquare[i] > 0 ? (sums[i].x + sums[i].y + sums[i].z) * perSquare[i] / azimuthCount : 0;
+      slice[i] = float(std::clamp(density, 0.0, 1e30));
+      if (slice[i] > 0) result.isDark[viewer] = 0;
+    }
+    // Uniform in the square, densities per solid angle would be up to 1e20, and many samples below the horizon.
+    if (result.isDark[viewer]) std::copy(perSquare.begin(), perSquare.end(), slice);
+  }
+  return result;
+}
+
+constexpr std::size_t nodesPerSlice = TabulatedDensity::columns * TabulatedDensity::rows;
+constexpr double nodesPerArea = double(TabulatedDensity::columns - 1) * double(TabulatedDensity::rows - 1);
+
+/// The energy of peaks between the nodes of one slice.
+class PeaksOfSlice {
+ public:
+  /// @param nodes the density without these peaks. @param total energy of the slice at its nodes; 0 if it is dark.
+  PeaksOfSlice(const Brdf& brdf, const ValueBound& bound, const MarginalWarp& nodes, std::size_t viewer, double total)
+      : brdf_(brdf), nodes_(nodes), blend_{1, {std::uint32_t(viewer)}, {1.0}}, total_(total), raised_(nodesPerSlice) {
+    // The viewers that are nearer to this slice than to the next ones.
+    const double last = double(TabulatedDensity::viewerCount - 1);
+    const auto angle = [&](double place) { return viewerAngle(std::clamp(place / last, 0.0, 1.0)); };
+    const PeakSearch search{.thetaO = {angle(double(viewer) - 0.5), angle(double(viewer) + 0.5)},
+                            .phiO = brdf.isIsotropic() ? Range(0) : Range(0, 2 * pi),
+                            .albedo = total / 3,
+                            .cells = 2,
+                            .steps = 400};
+    const std::vector<NarrowPeak> peaks =
+        narrowPeaks(bound, brdf.isIsotropic(), search, [this](const DirectionPair& pair) { return density(pair); });
+    double most = 0;
+    for (const NarrowPeak& peak : peaks) most += peak.most;
+    for (const NarrowPeak& peak : peaks) include(peak, peak.most / most);
+  }
+
+  double energy() const { return energy_; }
+  /// At the nodes, per unit area.
+  double at(std::size_t node) const { return raised_[node] * nodesPerArea; }
+
+ private:
+  double density(const DirectionPair& pair) const {
+    const Direction half = glm::normalize(pair.wi + pair.wo);
+    const glm::dvec2 square = toDensitySquare(half, densityAxis(pair.wo));
+    const double tabulated =
+        nodes_.density(blend_, square) * densitySquarePerSolidAngle(square.x, glm::dot(half, pair.wo));
+    return TabulatedDensity::cosineFraction * pair.wi.z / pi + (1 - TabulatedDensity::cosineFraction) * tabulated;
+  }
+
+  /// @param part of the points.
+  void include(const NarrowPeak& peak, double part) {
+    constexpr std::uint32_t points = 1 << 12, fewest = 32;
+    const std::uint32_t count = std::max(fewest, std::uint32_t(points * part));
+    const std::uint32_t halfSeed = ++seed_, viewerSeed = hashCombine(halfSeed, 1);
+    std::vector<DirectionPair> pairs;
+    std::vector<double> lights;
+    double expected = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const PeakPair point =
+          pairInPeak(peak, brdf_.isIsotropic(), scrambledSobol(i, halfSeed), scrambledSobol(i, viewerSeed));
+      if (!(point.weight > 0)) continue;
+      pairs.push_back(point.pair);
+      lights.push_back(point.weight / count);
+      expected += density(point.pair) * lights.back() / point.pair.wi.z;
+    }
+    std::vector<Rgb> values(pairs.size());
+    brdf_.evaluate(pairs, values);
+    double energy = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      energy += lights[i] *= std::max(0.0, values[i].x + values[i].y + values[i].z);
+    // The bound may be far above the values: only what the nodes do not show is added.
+    if (energy < 2 * expected * total_) return;
+    energy_ += energy;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Direction half = glm::normalize(pairs[i].wi + pairs[i].wo);
+      const GridCell cell =
+          gridCell(toDensitySquare(half, densityAxis(pairs[i].wo)), TabulatedDensity::columns, TabulatedDensity::rows);
+      double* const low = &raised_[cell.row * TabulatedDensity::columns + cell.column];
+      double* const high = low + TabulatedDensity::columns;
+      low[0] += (1 - cell.x) * (1 - cell.y) * lights[i];
+      low[1] += cell.x * (1 - cell.y) * lights[i];
+      high[0] += (1 - cell.x) * cell.y * lights[i];
+      high[1] += cell.x * cell.y * lights[i];
     }
   }
-  return stack;
+
+  const Brdf& brdf_;
+  const MarginalWarp& nodes_;
+  SliceBlend blend_;
+  double total_, energy_ = 0;
+  std::vector<double> raised_;
+  std::uint32_t seed_ = 31;
+};
+
+/// Adds the energy of peaks between the nodes. Returns whether some reflect a noticeable part of the light.
+bool addNarrowPeaks(const Brdf& brdf, NodeEnergies& energies) {
+  constexpr double noticeable = 0.01;
+  const std::shared_ptr<const ValueBound> bound = brdf.valueBound();
+  if (!bound) return false;
+  const MarginalWarp nodes(energies.stack, "density");
+  std::vector<char> found(TabulatedDensity::viewerCount, 0);
+  parallelForBlocks(found.size(), 1, [&](std::size_t viewer, std::size_t) {
+    const std::span<float> slice = std::span(energies.stack.values).subspan(viewer * nodesPerSlice, nodesPerSlice);
+    double total = 0;
+    if (!energies.isDark[viewer])
+      for (const float energy : slice) total += double(energy) / nodesPerArea;
+    const PeaksOfSlice peaks(brdf, *bound, nodes, viewer, total);
+    if (!(peaks.energy() > noticeable * total)) return;
+    found[viewer] = 1;
+    for (std::size_t i = 0; i < nodesPerSlice; ++i)
+      slice[i] = float(std::min(1e30, (energies.isDark[viewer] ? 0.0 : double(slice[i])) + peaks.at(i)));
+  });
+  return std::ranges::find(found, 1) != found.end();
+}
+
+SliceStack<float> densities(const Brdf& brdf, bool& hasNarrowPeaks, bool& isBlack) {
+  NodeEnergies energies = nodeEnergies(brdf);
+  hasNarrowPeaks = addNarrowPeaks(brdf, energies);
+  isBlack = !hasNarrowPeaks && std::ranges::find(energies.isDark, 0) == energies.isDark.end();
+  return std::move(energies.stack);
+}
+
+/// Whether samples of a closed form find everything that the tabulated one knows, for each viewer: probes at fixed
+/// angles of the viewer miss peaks of others.
+bool coversAllViewers(const SamplingDensity& closedForm, const MarginalWarp& warp) {
+  constexpr double mostMoment = 32, cells = nodesPerArea;
+  for (std::size_t viewer = 0; viewer < TabulatedDensity::viewerCount; ++viewer) {
+    const Direction wo = fromSpherical(viewerAngle(double(viewer) / (TabulatedDensity::viewerCount - 1)), 0);
+    double moment = 0;
+    for (std::size_t i = 0; i < nodesPerSlice; ++i) {
+      const double density = warp.cellDensity().values[viewer * nodesPerSlice + i] * cells;
+      if (!(density > 0)) continue;
+      const std::size_t column = i % TabulatedDensity::columns, row = i / TabulatedDensity::columns;
+      const glm::dvec2 square(double(column) / (TabulatedDensity::columns - 1),
+                              double(row) / (TabulatedDensity::rows - 1));
+      const Direction half = fromDensitySquare(square, {1, 0});
+      const Direction wi = reflected(wo, half);
+      if (!(wi.z > 0)) continue;
+      moment +=
+          density * density / cells * densitySquarePerSolidAngle(square.x, glm::dot(half, wo)) / closedForm.pdf(wi, wo);
+    }
+    if (moment > mostMoment) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 TabulatedDensity::TabulatedDensity(const Brdf& brdf)
-    : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform),
+    : warp_(densities(brdf, hasNarrowPeaks_, isBlack_), "density"),
       grain_(estimateGrainDensity(brdf, *this, cosineFraction)),
       alongGrain_(grain_.rotated()) {
+  if (isBlack_) symmetricDensity_ = SamplingDensity{.specularFraction = 0};
+  // The probes for the moments miss narrow peaks, as the closed form does.
+  if (isBlack_ || hasNarrowPeaks_) return;
   const std::vector<MomentProbe> probes = momentProbes(brdf);
   const SamplingDensity symmetric = estimateSamplingDensity(brdf);
-  if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost)
+  if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost &&
+      coversAllViewers(symmetric, warp_))
     symmetricDensity_ = symmetric;
 }
 

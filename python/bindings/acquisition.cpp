@@ -289,6 +289,7 @@ py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vecto
   row["deviation"] = result.standardDeviation.empty()
                          ? py::object(py::none())
                          : py::object(onGrid(basis.components->mapping, result.standardDeviation));
+  row["warnings"] = result.warnings;
   return row;
 }
 

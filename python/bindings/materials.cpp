@@ -230,9 +230,11 @@ py::dict statistics(const PyMaterial& material, const py::object& progress) {
 py::array_t<double> albedo(const PyMaterial& material, const std::vector<double>& angles) {
   const auto values = resultOf(py::none(), [&](const TaskControl& control) {
     std::vector<Rgb> result;
+    const auto brdf = material.brdf();
+    const DirectionalAlbedo albedoAt(*brdf);
     for (const double angle : angles) {
       control.throwIfStopped();
-      result.push_back(directionalAlbedo(*material.brdf(), angle));
+      result.push_back(albedoAt(angle));
     }
     return result;
   });

@@ -30,11 +30,10 @@ PyMaterialPtr edited(const PyMaterial& material, Edit edit, const py::object& pr
   return std::make_shared<PyMaterial>(std::move(result));
 }
 
-/// Parameters are JSON text. The second result lists the ids of the parameters and controls that were clamped to their
-/// hard ranges.
-py::tuple edit(const PyMaterial& material, const std::string& id, const std::string& fitted, const std::string& changed,
-               const std::string& controls, const std::string& composition, double strength, bool keepsAlbedo,
-               const py::object& progress) {
+/// Parameters are JSON text.
+PyMaterialPtr edit(const PyMaterial& material, const std::string& id, const std::string& fitted,
+                   const std::string& changed, const std::string& controls, const std::string& composition,
+                   double strength, bool keepsAlbedo, const py::object& progress) {
   const models::Model& model = models::findModel(id);
   const auto parameters = [&](const std::string& text, const models::ModelSpec& spec) {
     return models::parametersFromJson(spec, nlohmann::json::parse(text), std::string(spec.id));
@@ -53,11 +52,9 @@ py::tuple edit(const PyMaterial& material, const std::string& id, const std::str
                   "), found " + id);
   }
   if (!(strength >= 0 && strength <= 1)) throw Error("strength: expected a number from 0 to 1");
-  auto clamped = models::clampToHardRange(model.spec(), change.edited);
-  std::ranges::copy(models::clampToHardRange(artistControls(), change.controls), std::back_inserter(clamped));
-  std::vector<std::string> cut;
-  for (const models::ClampedParameter& one : clamped) cut.emplace_back(one.id);
-  return py::make_tuple(edited(material, {.content = change, .strength = strength}, progress), cut);
+  models::checkHardRange(model.spec(), change.edited);
+  models::checkHardRange(artistControls(), change.controls);
+  return edited(material, {.content = change, .strength = strength}, progress);
 }
 
 PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original, const PyFactors& changed,
@@ -187,9 +184,9 @@ py::list allModels() {
 /// @param parameters JSON text.
 PyMaterialPtr instantiate(const std::string& id, const std::string& parameters, const std::string& name) {
   const models::Model& model = models::findModel(id);
-  return newMaterial(
-      name, std::string(model.spec().name),
-      model.instantiate(models::parametersFromJson(model.spec(), nlohmann::json::parse(parameters), id)));
+  const auto values = models::parametersFromJson(model.spec(), nlohmann::json::parse(parameters), id);
+  models::checkHardRange(model.spec(), values);
+  return newMaterial(name, std::string(model.spec().name), model.instantiate(values));
 }
 
 py::dict describe(const fitting::FitResult& fit) {

@@ -368,6 +368,9 @@ class Reconstruction:
     deviation: Optional[NDArray[np.float32]] = field(repr=False)
     """Uncertainty: standard deviation of the mapped value (see Basis) of each cell, shape (n_h, n_d, n_phi); NaN in invalid
     cells; None for "sparse"."""
+    warnings: list[str] = field(repr=False)
+    """Problems of the readings, one sentence each: several readings of one direction, nearly dependent directions; usually
+    empty."""
 
 
 def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, method: Optional[str] = None,
@@ -394,8 +397,9 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: The numbers of directions and values differ, a value is negative or not finite, a sample lies where a training
-            material has no value (the message states its number, from 1), or an argument is out of its range.
+        Error: The numbers of directions and values differ, a value is negative, not finite or above the largest float, a sample
+            lies where a training material has no value (the message states its number, from 1), or an argument is out of its
+            range.
     """
     known = basis or bundled_basis(progress)
     if method is None:

@@ -32,7 +32,7 @@ class Parameter:
     soft_range: tuple[float, float]
     """Range (low, high) that the editor's slider covers."""
     hard_range: tuple[float, float]
-    """Range (low, high) of valid values. Model.material() clamps values to it; gonio.edit() rejects values outside."""
+    """Range (low, high) of valid values. Model.material() and gonio.edit() reject values outside."""
     default: float
     """Value that is used if none is given."""
     scale: str
@@ -85,7 +85,8 @@ class Model:
                 is not given has its default.
 
         Raises:
-            Error: The model has no parameter of this name, or a value is not finite or not an option of the choice.
+            Error: The model has no parameter of this name, or a value is not finite, outside its range, or not an option of
+                the choice.
         """
         return Material(_core.instantiate(self.id, _text(self, parameters), name or self.name))
 
@@ -252,11 +253,8 @@ def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, 
     fitted = model if isinstance(model, Fit) else fit(material, model, progress=progress)
     spec = _described(_core.artist_controls())
     texts = [_text(fitted.model, {**fitted.parameters, **(change or {})}) for change in (None, set)]
-    handle, cut = _core.edit(material._handle, fitted.model.id, *texts, _text(spec, controls or {}), composition, strength,
-                             keep_albedo, progress)
-    if cut:
-        raise _core.Error(f"outside the hard range: {', '.join(cut)}")
-    return Material(handle)
+    return Material(_core.edit(material._handle, fitted.model.id, *texts, _text(spec, controls or {}), composition, strength,
+                               keep_albedo, progress))
 
 
 def edit_factors(material: Material, original: Factors, edited: Factors, keep_detail: bool = True, strength: float = 1.0,

@@ -9,6 +9,7 @@ uniform sampler2D slabs;
 uniform sampler2D thetaHAtoms;  // x the slab; two rows are eight nodes of a channel
 uniform sampler3D weights;      // of the cosines; 0 in invalid cells
 uniform vec3 highest, lowest;   // bounds of the transformed values
+uniform vec3 largestValue;      // bounds of the absolute values, 1/sr
 uniform int block;              // of eight nodes
 
 layout(location = 0) out vec4 layers[8];
@@ -17,7 +18,7 @@ vec4 texelOf(vec3 y, ivec3 cell) {
   float weight = texelFetch(weights, cell, 0).r;
   if (weight <= 0.0) return vec4(0.0);
   vec3 bounded = max(min(y, highest), lowest);
-  return vec4(sign(bounded) * inverseTransformed(TRANSFORM, abs(bounded), weight), 1.0);
+  return vec4(sign(bounded) * min(inverseTransformed(TRANSFORM, abs(bounded), weight), largestValue), 1.0);
 }
 
 void main() {

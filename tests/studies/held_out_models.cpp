@@ -16,7 +16,8 @@ namespace {
 
 baselines::ComparedModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
   const std::vector<std::byte> packed = packChannels(code, CodePrecision::quantised);
-  SparseCode read{.grid = code.grid, .transform = code.transform, .channels = {}};
+  SparseCode read{
+      .grid = code.grid, .transform = code.transform, .hasLargestValues = code.hasLargestValues, .channels = {}};
   unpackChannels(packed, CodePrecision::quantised, read);
   return {decode(ensemble, read), packed.size()};
 }

@@ -53,9 +53,10 @@ LoadedMaterialPtr loadInMemory(materials::Material material, std::shared_ptr<con
   loaded->statistics = tableStatistics(loaded->isTable() ? *formOf<TabulatedBrdf>(*loaded->base)
                                                          : *bakeTable(*loaded->base, coarseGrid));
   const double each = (1 - tabulatedFraction) / double(loaded->albedo.size());
+  const DirectionalAlbedo albedo(*loaded->base);
   for (std::size_t i = 0; i < loaded->albedo.size(); ++i) {
     control.throwIfStopped();
-    loaded->albedo[i] = directionalAlbedo(*loaded->base, radians(LoadedMaterial::albedoDegrees[i]));
+    loaded->albedo[i] = albedo(radians(LoadedMaterial::albedoDegrees[i]));
     control.report(tabulatedFraction + each * double(i + 1));
   }
   return loaded;

@@ -267,10 +267,9 @@ class GoniotoolTest : public QObject {
   void editIsTheDifferentialEdit() {
     const QString out = folder_.path("shiny.binary");
     const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "specular=1,2,0.5",
-                                       "roughness=2", "--strength", "0.5", "--compose", "additive", "--out", out});
+                                       "roughness=1", "--strength", "0.5", "--compose", "additive", "--out", out});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["edited"]["f0"].get<double>(), 0.5);
-    QCOMPARE(result.json["clamped"][0]["name"].get<std::string>(), "roughness");
     QCOMPARE(result.json["edited"]["roughness"].get<double>(), 1.0);
     QVERIFY(result.json["edited"]["diffuse"] == result.json["fitted"]["diffuse"]);
     const models::Model& ggx = models::findModel("ggx");
@@ -282,6 +281,21 @@ class GoniotoolTest : public QObject {
     test::writeTable(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
     QCOMPARE(result.json["composition"].get<std::string>(), "additive");
+  }
+
+  /// Nothing is clamped: the sentence states value and limits, before anything is read.
+  void hardCase54ParametersOutsideTheirRange() {
+    const QString out = folder_.path("outside.binary");
+    const auto sentence = [&](const QStringList& change) {
+      const ToolResult result = runTool(QStringList{"edit", plastic_, "--model", "ggx", "--out", out} + change);
+      return result.code == 2 && !QFile::exists(out) ? result.error : QString("exit code %1").arg(result.code);
+    };
+    QVERIFY2(sentence({"--set", "roughness=2"}).contains("edit: roughness is 2, expected 0.0001 to 1"),
+             qPrintable(sentence({"--set", "roughness=2"})));
+    const QString colour = sentence({"--set", "specular=1,-2,0.5", "f0=3"});
+    QVERIFY2(colour.contains("specular (green) is -2, expected 0 to ") && colour.contains("; f0 is 3, expected "),
+             qPrintable(colour));
+    QVERIFY(sentence({"--control", "roughness=1e9"}).contains("edit: roughness is 1e+09, expected "));
   }
 
   /// Each composition is written as it is evaluated, and read again from a document.

@@ -53,6 +53,74 @@ class ReconstructionTest : public QObject {
     }
   }
 
+  /// 20 readings of one direction count as one: nothing is left to predict it from, and the result, its uncertainty and
+  /// the ridge are those of one reading; a few other directions beside them are not outvoted.
+  void hardCase58RepeatedReadings() {
+    const auto repeated = [](const SamplingPlan& plan, int times) {
+      SamplingPlan result = plan;
+      for (int n = 1; n < times; ++n) {
+        result.samples.push_back(plan.samples.front());
+        result.samples.back().index = int(result.samples.size());
+      }
+      return result;
+    };
+    SamplingPlan one = plan_, few = everyCell(basis_, 97);
+    one.samples.resize(1);
+    for (const SamplingPlan& plan : {one, few})
+      for (const auto method : {ReconstructionMethod::ridge, ReconstructionMethod::localRidge}) {
+        const SamplingPlan copies = repeated(plan, 20);
+        const auto material = test::smoothMaterial(77);
+        const Reconstruction expected = reconstruct(basis_, plan, measure(*material, plan), {.method = method}),
+                             found = reconstruct(basis_, copies, measure(*material, copies), {.method = method});
+        QVERIFY((coefficients(basis_, found) - coefficients(basis_, expected)).norm() < 1e-9);
+        QCOMPARE(std::isnan(found.leaveOneOutError), plan.samples.size() == 1);
+        if (plan.samples.size() > 1) QVERIFY(std::abs(found.leaveOneOutError / expected.leaveOneOutError - 1) < 1e-9);
+        QCOMPARE(found.standardDeviation.size(), expected.standardDeviation.size());
+        for (std::size_t i = 0; i < found.standardDeviation.size(); ++i)
+          QVERIFY(std::abs(found.standardDeviation[i] - expected.standardDeviation[i]) < 1e-5f);
+        QVERIFY(!found.warnings.empty() && found.warnings[0].find("count as one") != std::string::npos);
+      }
+  }
+
+  /// More readings of one direction lower their noise, as a mean does.
+  void hardCase58NoiseOfRepeatedReadings() {
+    SamplingPlan one = plan_, four = plan_;
+    one.samples.resize(1), four.samples.resize(1);
+    for (int n = 1; n < 4; ++n) four.samples.push_back(plan_.samples[0]), four.samples.back().index = 100 + n;
+    const MeasuredValues reading{.rgb = {Rgb(0.4)}, .noise = {Rgb(0.05)}};
+    const MeasuredValues readings{.rgb = std::vector<Rgb>(4, Rgb(0.4)), .noise = std::vector<Rgb>(4, Rgb(0.1))};
+    const Reconstruction expected = reconstruct(basis_, one, reading, ridgeOf(1.0)),
+                         found = reconstruct(basis_, four, readings, ridgeOf(1.0));
+    QVERIFY((coefficients(basis_, found) - coefficients(basis_, expected)).norm() < 1e-6);
+  }
+
+  /// Nearly dependent directions: no value explodes with the method `sparse`, and a warning states the condition
+  /// number.
+  void hardCase58NearlyDependentDirections() {
+    const auto material = test::smoothMaterial(77);
+    for (const int atoms : {0, 5, 30}) {
+      MeasuredValues values = values_;
+      for (std::size_t i = 0; i < values.rgb.size(); ++i) values.rgb[i] *= i % 2 == 0 ? 1.3 : 0.7;
+      const Reconstruction found =
+          reconstruct(basis_, plan_, values, {.method = ReconstructionMethod::sparse, .atoms = atoms});
+      for (const TabulatedBrdf::Value& value : found.table->values())
+        QVERIFY2(value.x < 1e4f, qPrintable(QString("%1 with %2 atoms").arg(value.x).arg(atoms)));
+    }
+  }
+
+  /// A reading beyond the range of a BRDF value is refused with its sample.
+  void hardCase58ReadingTooLarge() {
+    MeasuredValues values = values_;
+    values.rgb[3].y = 1e300;
+    try {
+      reconstruct(basis_, plan_, values);
+      QFAIL("no error");
+    } catch (const Error& error) {
+      const QString message = error.what();
+      QVERIFY2(message.contains("found a value of 1e+300, expected a number from 0 to 3.4"), error.what());
+    }
+  }
+
   void equalsNormalEquations() {
     for (const int components : {4, 12}) {
       const MatrixXd q = rowsAt(basis_, plan_, components), y = mappedAt(basis_, plan_, values_);

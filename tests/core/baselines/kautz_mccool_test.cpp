@@ -48,6 +48,33 @@ class KautzMcCoolTest : public QObject {
     QVERIFY(worstAtNodes(two, *makeKautzMcCoolBrdf(factorizeKautzMcCool(two, 2))) < 1e-9);
   }
 
+  /// Channels that differ by 16 orders of magnitude are as accurate as equal ones: the largest does not hide the
+  /// others.
+  void hardCase59ChannelsOfDifferentSize() {
+    const Rgb sizes(1e-8, 1, 1e8);
+    const auto values = [](const HalfDifference& at) { return Rgb(manyProducts(at).x) + secondProduct(at) * 0.1; };
+    const auto equal =
+        halfDifferenceSamples(axesWithoutHoles(), [&](const auto& at, const auto&) { return values(at); });
+    const auto apart =
+        halfDifferenceSamples(axesWithoutHoles(), [&](const auto& at, const auto&) { return values(at) * sizes; });
+    const auto worst = [](const HalfDifferenceSamples& s, const Brdf& brdf, const Rgb& of) {
+      double most = 0;
+      factorization::test_support::visitNodes(
+          s.axes, [&](std::size_t, std::size_t, std::size_t, std::size_t i, const DirectionPair& pair) {
+            most = std::max(most, maxChannel(glm::abs(brdf.evaluate(pair.wi, pair.wo) - s.values[i]) / of));
+          });
+      return most;
+    };
+    for (const int terms : {2, 6}) {
+      const double expected = worst(equal, *makeKautzMcCoolBrdf(factorizeKautzMcCool(equal, terms)), Rgb(1)),
+                   found = worst(apart, *makeKautzMcCoolBrdf(factorizeKautzMcCool(apart, terms)), sizes);
+      QVERIFY2(found < 2 * expected + 1e-9, qPrintable(QString("%1, equal channels %2").arg(found).arg(expected)));
+      const double nonnegative =
+          worst(apart, *makeKautzMcCoolBrdf(factorizeNonnegativeHalfDifference(apart, terms)), sizes);
+      QVERIFY2(nonnegative < 1, qPrintable(QString::number(nonnegative)));
+    }
+  }
+
   /// All terms rebuild any data, holes or not: those of a hole are made up.
   void allTermsAreExact() {
     const auto s = halfDifferenceSamples(makeHalfDifferenceAxes(8, 6, 3),

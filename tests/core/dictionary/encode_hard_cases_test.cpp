@@ -84,6 +84,66 @@ class EncodeHardCasesTest : public QObject {
       for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
   }
 
+  /// One cell near the horizon in a black table: the inverse of cosine-log divides by weights down to 1e-3, but no
+  /// decoded value exceeds the measured one, also in a file and in a blend.
+  void hardCase55CosineLogStaysBelowTheMeasurement() {
+    const Ensemble ensemble = randomEnsemble(1);
+    const auto geometry = GridGeometry::of(smallGrid);
+    std::size_t brightest = 0;  // of the valid cells the one that faces both directions most
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
+      if (geometry->weights[Eigen::Index(cell)] > geometry->weights[Eigen::Index(brightest)]) brightest = cell;
+    std::vector<TabulatedBrdf::Value> values(smallGrid.size(), TabulatedBrdf::Value(0));
+    values[brightest] = TabulatedBrdf::Value(0.3f, 0.2f, 0);
+    const TabulatedBrdf table(smallGrid, values, geometry->aboveHorizon);
+    const EncodeOptions options{.coefficients = 20, .transforms = {DataTransform::cosineLog}};
+    const SparseCode code = Encoder(ensemble).encode(table, options).code;
+    QVERIFY(code.hasLargestValues);
+    SparseCode unbounded = code,
+               read{.grid = code.grid, .transform = code.transform, .hasLargestValues = true, .channels = {}};
+    for (ChannelCode& channel : unbounded.channels) channel.largestValue = ChannelCode().largestValue;
+    const auto largest = [&](const SparseCode& one) {
+      glm::vec3 most(0);
+      const auto decoded = decode(ensemble, one);
+      for (const TabulatedBrdf::Value& value : decoded->values()) most = glm::max(most, value);
+      return most;
+    };
+    QVERIFY2(largest(unbounded).x > 0.35f, qPrintable(QString::number(largest(unbounded).x)));
+    for (const CodePrecision precision : {CodePrecision::single, CodePrecision::half, CodePrecision::quantised}) {
+      unpackChannels(packChannels(code, precision), precision, read);
+      const glm::vec3 most = largest(read);
+      QVERIFY2(most.x <= 0.3f && most.y <= 0.2f && most.z == 0,
+               qPrintable(QString("%1 %2 %3").arg(most.x).arg(most.y).arg(most.z)));
+    }
+    const auto brdf = makeCodeBrdf(ensemble, code);
+    for (std::size_t cell = 0; cell < smallGrid.size(); cell += 7) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      QVERIFY(brdf->evaluate(pair.wi, pair.wo).x <= 0.3 * (1 + 1e-6));
+    }
+    const std::vector<SparseCode> codes{code, code.truncated(5)};
+    const std::vector<double> weights{0.5, 0.5};
+    QVERIFY(largest(interpolateCodes(ensemble, codes, weights, 50)).x <= 0.3f);
+  }
+
+  /// A hot pixel that the code loses is named with its value; a code with all coefficients loses nothing.
+  void hardCase60LostPeak() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(1).load(0);
+    std::vector<TabulatedBrdf::Value> values(table->values().begin(), table->values().end());
+    const std::size_t hot = smallGrid.index(2, 1, 0);
+    QVERIFY(table->valid()[hot] != 0);
+    values[hot].y = 1e8f;
+    const TabulatedBrdf spiked(smallGrid, values, {table->valid().begin(), table->valid().end()});
+    const Encoder encoder(ensemble);
+    const auto lost = lostPeaks(spiked, *decode(ensemble, encoder.encode(spiked, {.coefficients = 3}).code));
+    QVERIFY(std::ranges::any_of(lost, [](const std::string& text) {
+      return text.starts_with("the brightest cell in green") &&
+             text.find(", 1e+08 1/sr, is lost: the code has ") != text.npos;
+    }));
+    const EncodeOptions all{.coefficients = smallGrid.size(), .transforms = {DataTransform::logPlus}};
+    QVERIFY(lostPeaks(spiked, *decode(ensemble, encoder.encode(spiked, all).code)).empty());
+    QVERIFY(lostPeaks(*table, *table).empty());
+  }
+
   /// With all coefficients a code is the material, in any dictionary and both transforms.
   void hardCase26ExactWithAllCoefficients() {
     const Ensemble ensemble = randomEnsemble(2);

@@ -297,7 +297,11 @@ class EncodeTest : public QObject {
   void packsAndUnpacks() {
     const Ensemble ensemble = randomEnsemble(2);
     const EncodeResult encoded = Encoder(ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 300});
-    SparseCode single{.grid = smallGrid, .transform = encoded.code.transform, .channels = {}}, half = single;
+    SparseCode single{.grid = smallGrid,
+                      .transform = encoded.code.transform,
+                      .hasLargestValues = encoded.code.hasLargestValues,
+                      .channels = {}},
+        half = single;
     unpackChannels(packChannels(encoded.code, CodePrecision::single), CodePrecision::single, single);
     QVERIFY(sameBits(single, encoded.code));
     const std::vector<std::byte> packed = packChannels(encoded.code, CodePrecision::half);

@@ -43,6 +43,21 @@ double squaredDistance(const MaskedTensor& t, const RankOne& term) {
 class MaskedRankOneTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// Values of 1e-30 and 1e30, whose products underflow and overflow in single precision: the same factors.
+  void hardCase56TinyAndHugeValues() {
+    const MaskedTensor t = randomTensor(7, 9, 11, true, 0.6, 3);
+    for (const int exponent : {-100, 100})
+      for (const bool positive : {true, false}) {
+        const RankOne expected = bestRankOne(t, {.nonnegative = positive});
+        MaskedTensor scaled = t;
+        for (float& value : scaled.values) value = std::ldexp(value, exponent);
+        const RankOne found = bestRankOne(scaled, {.nonnegative = positive});
+        QVERIFY(found.b == expected.b && found.c == expected.c);
+        for (std::size_t i = 0; i < found.a.size(); ++i) QCOMPARE(found.a[i], std::ldexp(expected.a[i], exponent));
+        QCOMPARE(found.residuals.back(), std::ldexp(expected.residuals.back(), 2 * exponent));
+      }
+  }
+
   /// The residual is reported correctly, never rises, and no small change of a factor makes it smaller.
   void residualFallsToAMinimum() {
     for (const bool positive : {true, false}) {

@@ -68,6 +68,25 @@ class PdvFactorsTest : public QObject {
     }
   }
 
+  /// An edited curve of 1e300: values reach the bound of the factors, and samples have finite densities.
+  void hardCase56HugeCurve() {
+    PdvFactors f = someFactors();
+    f.highest = 3;
+    for (auto& channel : f.channels) channel[0].f1[1] = 1e300;
+    const auto brdf = makePdvBrdf(f);
+    const auto at = fromProjectedDeviation({0.4, 0, 0});
+    QVERIFY(std::abs(brdf->evaluate(at.pair.wi, at.pair.wo).x / std::expm1(3.0) - 1) < 1e-6);
+    for (const double theta : {0.0, 0.2, 0.39, 0.41, 0.9, 1.4})
+      for (const double u : {0.05, 0.4, 0.95}) {
+        const Direction wo = fromSpherical(theta, 0.3);
+        const DirectionSample drawn = brdf->sample(wo, {u, u, 1 - u});
+        const Rgb value = brdf->evaluate(drawn.wi, wo);
+        QVERIFY(std::isfinite(drawn.pdf) && drawn.pdf > 0);
+        for (int channel = 0; channel < 3; ++channel)
+          QVERIFY(value[channel] >= 0 && value[channel] <= std::expm1(3.0) * (1 + 1e-6));
+      }
+  }
+
   void belowTheHorizonItIsZero() {
     const auto brdf = makePdvBrdf(someFactors());
     QCOMPARE(brdf->evaluate(fromSpherical(2, 0), {0, 0, 1}), Rgb(0));

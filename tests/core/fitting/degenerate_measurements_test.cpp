@@ -68,7 +68,7 @@ class DegenerateMeasurementsTest : public QObject {
       const FitResult result = fit(table, *model);
       verifyDefined(result, table);
       QVERIFY(warns(result, "green"));
-      QVERIFY(!warns(result, "red"));
+      QVERIFY(!warns(result, "above 0 in red"));
       for (std::size_t i = 0; i < result.parameters.values.size(); ++i)
         if (model->spec().parameters[i].linear) QCOMPARE(result.parameters.values[i].y, 0.0);
     }
@@ -81,6 +81,48 @@ class DegenerateMeasurementsTest : public QObject {
       verifyDefined(result, table);
       QVERIFY(warns(result, "same value"));
     }
+    QVERIFY(warns(fit(table, models::findModel("lambert")), "green, 0.2 1/sr; the fit has the same value."));
+  }
+
+  /// The message states the values of the fit, whatever the model made of the constant.
+  void hardCase14TheWarningStatesTheFit() {
+    const TabulatedBrdf table = tableOf([](std::size_t) { return TabulatedBrdf::Value(0.3f); });
+    for (const models::Model* model : models::allModels()) {
+      const FitResult result = fit(table, *model);
+      const auto brdf = model->instantiate(result.parameters);
+      double least = std::numeric_limits<double>::infinity(), most = 0;
+      for (const double theta : {0.0, 0.4, 0.8, 1.2, 1.4})
+        for (const double other : {0.0, 0.3, 0.9, 1.3})
+          for (const double phi : {0.0, 1.5, 3.1}) {
+            const double value = brdf->evaluate(fromSpherical(theta, phi), fromSpherical(other, 0)).x;
+            least = std::min(least, value), most = std::max(most, value);
+          }
+      const bool isConstant = least > 0.2995 && most < 0.3005;
+      if (isConstant) QVERIFY2(warns(result, "the fit has the same value."), model->spec().id.data());
+      if (most > 0.306 || least < 0.294)
+        QVERIFY2(!warns(result, "the fit has the same value."), model->spec().id.data());
+      QVERIFY(!warns(result, "diffuse term"));
+    }
+  }
+
+  /// Constants above the range of the model's parameters: finite, and the parameter at its limit is named.
+  void hardCase56BrighterThanTheModel() {
+    for (const float value : {50.0f, 3.4e38f}) {
+      const TabulatedBrdf table = tableOf([&](std::size_t) { return TabulatedBrdf::Value(value); });
+      for (const models::Model* model : models::allModels()) verifyDefined(fit(table, *model), table);
+      for (const char* id : {"lambert", "ggx"})
+        QVERIFY2(warns(fit(table, models::findModel(id)), "is at its maximum"), id);
+    }
+  }
+
+  /// One valid cell determines hardly any parameter.
+  void hardCase57OneValidCell() {
+    Values values(grid.size(), TabulatedBrdf::Value(0.5f));
+    std::vector<std::uint8_t> valid(grid.size(), 0);
+    valid[grid.index(1, 2, 0)] = 1;
+    const TabulatedBrdf table(grid, values, valid);
+    for (const models::Model* model : models::allModels())
+      QVERIFY2(warns(fit(table, *model), "Only 1 cell is valid"), model->spec().id.data());
   }
 
   void hardCase15OneSpike() {

@@ -7,6 +7,7 @@
 
 #include "core/brdf/tabulated_brdf.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/spiky_table.h"
 #include "tests/support/test_program.h"
 
 namespace plausibility_test {
@@ -53,6 +54,18 @@ class PlausibilityTest : public QObject {
     const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 + 0.002 * wi.z); });
     QCOMPARE(failures(brdf), Names{});
     QVERIFY(find(checkPlausibility(brdf), "reciprocity").worst > 0.005);
+  }
+
+  /// A spike of one cell for viewers between those that are always examined.
+  void hardCase53SpikeBetweenTheAngles() {
+    const auto table = test::spikyTable(0, 20, -1, 3e7f);
+    const double expected = test::albedoOfSpike(*table, radians(20), 0, 1);
+    QVERIFY(expected > 1.5);
+    const PlausibilityCheck check = find(checkPlausibility(*table), "energy");
+    QVERIFY(!check.passed);
+    QCOMPARE(check.where, std::string("theta_o 20 degrees"));
+    QVERIFY2(std::abs(check.worst / expected - 1) < 0.02,
+             qPrintable(QString("%1, expected %2").arg(check.worst).arg(expected)));
   }
 
   void gainOfEnergyIsFound() {

@@ -3,6 +3,7 @@
 #include "core/sampling/tabulated_density.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -10,6 +11,7 @@
 #include "core/models/model.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
+#include "tests/support/spiky_table.h"
 #include "tests/support/test_program.h"
 
 namespace tabulated_density_test {
@@ -97,6 +99,68 @@ class TabulatedDensityTest : public QObject {
     QVERIFY(!areSimilar(round, table) && !areSimilar(table, round));
     QVERIFY(areSimilar(round, TabulatedDensity(*test::ggx(Rgb(0.1), Rgb(0.95), 0.2, 0.5))));
     QVERIFY(!areSimilar(round, TabulatedDensity(*test::ggx(Rgb(0.1), Rgb(1), 0.05, 0.5))));
+  }
+
+  /// A spike of one cell: samples find it, and no sample weighs far more than the mean.
+  void hardCase53SpikeOfOneCell_data() {
+    QTest::addColumn<int>("thetaH");
+    QTest::addColumn<int>("thetaD");
+    QTest::addColumn<int>("phiD");
+    QTest::addColumn<double>("viewer");
+    QTest::newRow("at the normal") << 0 << 0 << -1 << 0.3;
+    QTest::newRow("mirror pairs at 20 degrees") << 0 << 20 << -1 << 20.0;
+    QTest::newRow("off the highlight") << 40 << 30 << -1 << 35.0;
+    QTest::newRow("off the highlight, one azimuth") << 40 << 30 << 45 << 44.2;
+  }
+  void hardCase53SpikeOfOneCell() {
+    QFETCH(int, thetaH);
+    QFETCH(int, thetaD);
+    QFETCH(int, phiD);
+    QFETCH(double, viewer);
+    const auto table = test::spikyTable(thetaH, thetaD, phiD, 1e6f);
+    const TabulatedDensity density(*table);
+    QVERIFY(!density.symmetricDensity());
+    const Direction wo = fromSpherical(radians(viewer), 0);
+    const double expected = test::albedoOfSpike(*table, radians(viewer), std::max(0, thetaH - 1), thetaH + 1);
+    constexpr int count = 1 << 18;
+    double sum = 0, squares = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const DirectionSample drawn =
+          tabulatedMixture(density).sample(wo, {scrambledVanDerCorput(i, 8), scrambledSobol(i, 7)});
+      const double estimate = drawn.pdf > 0 ? table->evaluate(drawn.wi, wo).x * drawn.wi.z / drawn.pdf : 0;
+      sum += estimate / count, squares += estimate * estimate / count;
+    }
+    const QByteArray found = QByteArray::number(sum) + ", expected " + QByteArray::number(expected) +
+                             ", second moment " + QByteArray::number(squares / (expected * expected));
+    QVERIFY2(std::abs(sum / expected - 1) < 0.1, found);
+    QVERIFY2(squares < 600 * expected * expected, found);
+  }
+
+  /// A table of zeros: cosine-weighted directions, for every viewer; one that is black for some viewers alone:
+  /// densities of the size of cos theta / pi, and few failures.
+  void hardCase40BlackIsCosine() {
+    const auto black = test::spikyTable(0, 0, -1, 0, 0);
+    const TabulatedDensity nothing(*black);
+    QVERIFY(nothing.symmetricDensity());
+    const test::FunctionBrdf grazing([](const Direction&, const Direction& wo) { return Rgb(wo.z < 0.3 ? 0.2 : 0.0); });
+    const TabulatedDensity some(grazing);
+    for (const double theta : {0.0, 0.5, 1.1, halfPi - 1e-9}) {
+      const Direction wo = fromSpherical(theta, 0.4);
+      int failures = 0;
+      constexpr int count = 4096;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::dvec3 u(scrambledVanDerCorput(i, 6), scrambledSobol(i, 5));
+        const DirectionSample drawn = nothing.symmetricDensity()->sample(wo, u);
+        QVERIFY(drawn.wi.z > 0 && std::abs(drawn.pdf - drawn.wi.z / pi) < 1e-12);
+        QCOMPARE(nothing.symmetricDensity()->pdf(drawn.wi, wo), drawn.pdf);
+        const DirectionSample other = tabulatedMixture(some).sample(wo, u);
+        if (!(other.pdf > 0))
+          ++failures;
+        else
+          QVERIFY2(other.pdf < 10, qPrintable(QString("%1 at %2").arg(other.pdf).arg(theta)));
+      }
+      QVERIFY2(failures < count / 50, qPrintable(QString::number(failures)));
+    }
   }
 
   /// Nothing reflected, or a single needle: still a density.

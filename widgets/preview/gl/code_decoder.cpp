@@ -65,6 +65,7 @@ CodeTexels codeTexels(const dictionary::Ensemble& ensemble, const dictionary::Sp
   for (std::size_t c = 0; c < 3; ++c) {
     texels.highest[c] = code.channels[c].highest;
     texels.lowest[c] = code.channels[c].lowest;
+    texels.largestValue[c] = code.channels[c].largestValue;
     ranges[c] = appendSorted(code.channels[c], sizes, texels.coefficients);
     texels.groups = std::max({texels.groups, int(ranges[c].groups.size()), 1});
     texels.slabs = std::max({texels.slabs, int(ranges[c].slabs.size()), 1});
@@ -285,6 +286,8 @@ void CodeDecoder::decode(Gl& gl, ProgramCache& programs, const CodeTexels& texel
                              {"weights", GL_TEXTURE_3D, weights_}});
   tableProgram.setUniformValue("highest", QVector3D(texels.highest[0], texels.highest[1], texels.highest[2]));
   tableProgram.setUniformValue("lowest", QVector3D(texels.lowest[0], texels.lowest[1], texels.lowest[2]));
+  tableProgram.setUniformValue("largestValue",
+                               QVector3D(texels.largestValue[0], texels.largestValue[1], texels.largestValue[2]));
   for (int block = 0; block < texels.blocks(); ++block) {
     passes.drawInto(texture, grid, block * CodeTexels::layersAtOnce);
     tableProgram.setUniformValue("block", block);

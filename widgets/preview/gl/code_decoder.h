@@ -30,6 +30,7 @@ struct CodeTexels {
   HalfDifferenceGrid grid;
   DataTransform transform = DataTransform::logPlus;
   std::array<float, 3> highest{}, lowest{};  ///< bounds of the transformed values per channel
+  std::array<float, 3> largestValue{};       ///< bounds of the absolute BRDF values, 1/sr
   int groups = 0, slabs = 0;                 ///< numbers per channel
   std::vector<glm::vec2> coefficients;       ///< atom of phi_d, value; at least one
   std::vector<glm::vec4> groupRanges;        ///< atom of theta_d, first coefficient, one past the last
