@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <tuple>
 
@@ -19,6 +20,11 @@ namespace {
 constexpr int maxPictureSize = 8192;
 
 std::string suffixOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+/// On standard error, a line each.
+void printNotes(const std::vector<std::string>& notes, const std::string& start) {
+  for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", oneLine(start + note).c_str());
+}
 
 }  // namespace
 
@@ -47,6 +53,7 @@ std::pair<int, int> pictureSize(const std::string& text) {
 }
 
 void PictureOptions::apply(rendering::Scene& scene) const {
+  printNotes(scene.notes, "");
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
     const double length = glm::length(direction);
@@ -59,6 +66,7 @@ void PictureOptions::apply(rendering::Scene& scene) const {
     return;
   }
   if (!environment.empty()) scene.environment = rendering::openEnvironment(environment);
+  if (scene.environment) printNotes(scene.environment->notes(), scene.environment->name() + ": ");
   scene.environmentRotation += radians(rotation);
   scene.showEnvironment = scene.showEnvironment || showEnvironment || blurBackground;
   scene.blurBackground = scene.blurBackground || blurBackground;

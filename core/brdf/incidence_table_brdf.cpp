@@ -36,6 +36,11 @@ struct Frame {
   double azimuth(const Direction& w) const { return std::atan2(glm::dot(w, quarter), glm::dot(w, zero)); }
 };
 
+/// The angle from the mirror direction at which the horizon is, at an azimuth about it; lower ones are above it.
+double horizonPolar(double thetaI, double azimuth) {
+  return std::atan2(std::cos(thetaI), -std::sin(thetaI) * std::cos(azimuth));
+}
+
 /// A place between two nodes.
 struct IncidenceBracket {
   std::size_t below, above;
@@ -141,7 +146,23 @@ IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, do
       result.sum += weightA * weightP * Rgb(table_.values[index]);
       result.weight += weightA * weightP;
     }
+  // Between azimuths far apart all four may be below the horizon: then those nearest to the axis that are not.
+  for (std::size_t step = p.below; !(result.weight > 0) && step-- > 0;)
+    for (const auto& [node, weight] : {std::pair(a.below, 1 - a.fraction), {a.above, a.fraction}}) {
+      const std::size_t index = (incident * table_.azimuths.size() + node) * table_.polars.size() + step;
+      if (!aboveHorizon_[index]) continue;
+      result.sum += weight * Rgb(table_.values[index]);
+      result.weight += weight;
+    }
   return result;
+}
+
+/// What is seen of the highlight under an angle of incidence, at angles about the mirror direction.
+IncidenceTableBrdf::Weighted IncidenceTableBrdf::seenAt(std::size_t incident, double polar, double turn) const {
+  if (table_.axis == Axis::mirror) return lookup(incident, polar, turn);
+  const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
+  const Frame normal(Axis::normal, 0);
+  return lookup(incident, normal.polar(seen), normal.azimuth(seen));
 }
 
 Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
@@ -154,12 +175,11 @@ Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
   for (const auto& [incident, fraction] :
        {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}}) {
     if (!(fraction > 0)) continue;
-    // The viewer that sees the same of the highlight under this angle of incidence.
-    const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
-    if (seen.z < -incidenceTolerance) continue;
-    const Frame normal(Axis::normal, 0);
-    const Weighted found = table_.axis == Axis::mirror ? lookup(incident, polar, turn)
-                                                       : lookup(incident, normal.polar(seen), normal.azimuth(seen));
+    const double horizon = horizonPolar(table_.incident[incident], turn);
+    // Between two angles of incidence one of them has the direction above its horizon.
+    const bool isBeyond = bracket.below == bracket.above;
+    if (!isBeyond && polar > horizon + incidenceTolerance) continue;
+    const Weighted found = seenAt(incident, std::min(polar, horizon), turn);
     if (!(found.weight > 0)) continue;
     result.sum += fraction * found.sum / found.weight;
     result.weight += fraction;
@@ -179,12 +199,13 @@ class IncidenceBound final : public ValueBound {
  public:
   explicit IncidenceBound(const IncidenceTableBrdf& brdf)
       : incident_(brdf.table().incident),
+        isSeamMarked_(!(brdf.table().azimuths.front() > 0) || !(brdf.table().azimuths.back() < 2 * pi)),
         polars_(brdf.table().axis == Axis::mirror ? brdf.table().polars : std::vector<double>{0}),
         extrema_(int(incident_.size()), int(polars_.size())) {
     const IncidenceTable& table = brdf.table();
     for (std::size_t node = 0; node < table.values.size(); ++node) {
       const std::size_t polar = node % table.polars.size();
-      // A node below the horizon counts for nothing, or, where all are, the value is 0.
+      // A node below the horizon counts for nothing.
       extrema_.include(int(node / table.polars.size() / table.azimuths.size()), polars_.size() > 1 ? int(polar) : 0,
                        brdf.isAboveHorizon(node) ? Rgb(table.values[node]) : Rgb(0));
     }
@@ -199,12 +220,21 @@ class IncidenceBound final : public ValueBound {
     // The mirror direction of the light is that of wi turned by half a turn: 2 sin(angle / 2) is the distance.
     const Range across = Range(2) * box.cosD * box.sinH, distance = sqrt(square(across) + square(box.rise));
     const auto angle = [](double chord) { return 2 * std::asin(std::clamp(chord / 2, 0.0, 1.0)); };
-    return extrema_.over(nodes(box.thetaI(), incident_), nodes(increasing(distance, angle), polars_));
+    const Range thetaI = box.thetaI();
+    Range polar = increasing(distance, angle);
+    // Beyond the first and last angle of incidence, directions below its horizon have values nearer to the axis.
+    if (thetaI.low < incident_.front()) polar.low = std::min(polar.low, halfPi - incident_.front());
+    if (thetaI.high > incident_.back()) polar.low = std::min(polar.low, halfPi - incident_.back());
+    // Without a node at azimuth 0, where the horizon is farthest, all nodes about a direction may be below it.
+    if (!isSeamMarked_) polar.low = 0;
+    return extrema_.over(nodes(thetaI, incident_), nodes(polar, polars_));
   }
 
  private:
   using Axis = IncidenceTable::Axis;
-  std::vector<double> incident_, polars_;
+  std::vector<double> incident_;
+  bool isSeamMarked_;  ///< whether a node is at azimuth 0
+  std::vector<double> polars_;
   GridExtrema extrema_;
 };
 

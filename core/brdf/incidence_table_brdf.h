@@ -30,8 +30,10 @@ struct IncidenceTable {
 /// between two angles of incidence linearly at equal angles about the mirror direction, so that a highlight moves with
 /// the light. Nodes below the horizon are dropped and the weights renormalised. All values at polar angle 0 belong to
 /// one direction and are replaced by their mean. Beyond the first and last angle of incidence or polar angle the value
-/// is constant and hasData() is false. Azimuths wrap around; in a symmetric table the value is constant beyond the
-/// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3 us per pair.
+/// is constant and hasData() is false; directions that are below the horizon at that angle of incidence have the value
+/// at its horizon, at the same azimuth about the mirror direction. Azimuths wrap around; in a symmetric table the value
+/// is constant beyond the first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3
+/// us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
   /// Negative values become 0 (clampedCount()). @throws Error if angles are out of range or not ascending, the number
@@ -54,6 +56,7 @@ class IncidenceTableBrdf final : public Brdf {
  private:
   struct Weighted;
   Weighted lookup(std::size_t incident, double polar, double azimuth) const;
+  Weighted seenAt(std::size_t incident, double polar, double turn) const;
   Rgb value(const DirectionPair& pair) const;
 
   IncidenceTable table_;

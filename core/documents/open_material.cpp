@@ -3,6 +3,7 @@
 #include "core/documents/open_material.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 #include "core/documents/blend_source.h"
@@ -12,19 +13,39 @@
 
 namespace gonio::documents {
 
-bool isDocument(const std::string& path) {
-  constexpr std::size_t maxStart = 4096;
-  std::vector<std::byte> start;
-  try {
-    const io::FileSource source(path);
-    start.resize(std::min<std::uint64_t>(source.size(), maxStart));
-    source.readAt(0, start);
-  } catch (const Error&) {  // reading the material reports the error
-    return false;
+namespace {
+
+/// Up to `count` bytes of a file as text; empty if it cannot be read, which reading the material reports.
+std::string beginningOf(const std::string& path, std::uint64_t count) try {
+  const io::FileSource source(path);
+  std::string text(std::size_t(std::min(source.size(), count)), '\0');
+  source.readAt(0, std::as_writable_bytes(std::span(text)));
+  return text;
+} catch (const Error&) {
+  return {};
+}
+
+/// Whether a JSON text has the member that documents have: "format": "gonio document".
+bool hasDocumentFormat(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n", member = "\"format\"";
+  for (std::size_t at = text.find(member); at != text.npos; at = text.find(member, at + 1)) {
+    const std::size_t colon = std::min(text.find_first_not_of(blanks, at + member.size()), text.size() - 1);
+    const std::size_t value = text.find_first_not_of(blanks, colon + 1);
+    if (text[colon] == ':' && value != text.npos && text.substr(value).starts_with("\"gonio document\"")) return true;
   }
-  const std::string_view text = io::withoutByteOrderMark({reinterpret_cast<const char*>(start.data()), start.size()});
+  return false;
+}
+
+}  // namespace
+
+bool isDocument(const std::string& path) {
+  constexpr std::uint64_t start = 4096, maxText = std::uint64_t(1) << 26;
+  const std::string beginning = beginningOf(path, start);
+  const std::string_view text = io::withoutByteOrderMark(beginning);
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");
-  return first != text.npos && text[first] == '{';
+  if (first == text.npos || text[first] != '{') return false;
+  // Other programs write JSON too (glTF, OpenMATERIAL); what is named a document is read as one, with its faults.
+  return isDocumentName(path) || hasDocumentFormat(beginningOf(path, maxText));
 }
 
 materials::EditedMaterial editedMaterial(const std::filesystem::path& path, const TaskControl& control) {

@@ -10,7 +10,8 @@
 
 namespace gonio::documents {
 
-/// Whether a file is a .gonio document: its first character other than white space is '{'. False if it cannot be read.
+/// Whether a file is a .gonio document: its first character other than white space is '{', and it has their suffix or
+/// the member "format" of documents. False if it cannot be read, and for JSON of other programs.
 bool isDocument(const std::string& path);
 
 /// Reads a .gonio file and applies its edits (materials::withEdits()). The material is named after the file if it has

@@ -15,11 +15,11 @@
 ///
 ///     theta phi theta phi R G B or theta phi theta phi value
 ///
-/// with light and viewer in either order, which are equivalent for a reciprocal material. Angles are radians if none
-/// exceeds 2 pi, else degrees. The database itself has one file per channel with the values of all 61 samples
-/// (rbrdf.dat, gbrdf.dat, bbrdf.dat: one row per sample, its number and 205 values), and the directions in another
-/// table. No single file of it is a material; such files are rejected with an explanation of what to combine. Lines
-/// that begin with # are comments.
+/// with light and viewer in either order, which are equivalent for a reciprocal material. The unit of the angles is
+/// AngleUnit::guessed(); numbers may have decimal commas (io::notationOf()). The database itself has one file per
+/// channel with the values of all 61 samples (rbrdf.dat, gbrdf.dat, bbrdf.dat: one row per sample, its number and 205
+/// values), and the directions in another table. No single file of it is a material; such files are rejected with an
+/// explanation of what to combine. Lines that begin with # are comments.
 namespace gonio::formats {
 
 namespace {
@@ -29,8 +29,6 @@ constexpr std::size_t measurements = 205, angles = 4;
 constexpr std::uint64_t maxCuretBytes = 1 << 17;
 /// Maximum size of the file of one channel: 61 rows of 206 numbers.
 constexpr std::uint64_t maxChannelBytes = 1 << 20;
-/// Radians end at a full turn; rounded to a few digits.
-constexpr double maxCuretRadians = 2 * pi + 0.01;
 
 const std::string expectedCuret =
     "205 rows of 5 or 7 numbers: two directions in polar angle and azimuth, then the values";
@@ -45,27 +43,37 @@ void refuseChannelFile(const io::TextLine& line) {
             "three columns to the table of directions");
 }
 
-std::vector<std::vector<double>> rowsOf(const io::ByteSource& source) {
-  const std::string head = io::textHead(source, expectedCuret);
+struct CuretRows {
   std::vector<std::vector<double>> rows;
+  io::NumberNotation notation;
+};
+
+CuretRows rowsOf(const io::ByteSource& source) {
+  const std::string head = io::textHead(source, expectedCuret);
   io::TextLines first(head);
   if (const auto line = first.next(); line && source.size() <= maxChannelBytes) refuseChannelFile(*line);
   if (source.size() > maxCuretBytes)
     throw io::FormatMismatch("text of " + std::to_string(source.size()) + " bytes", expectedCuret);
   const std::string text = io::allText(source, maxCuretBytes);
+  CuretRows result{{}, io::notationOf(text)};
+  auto& rows = result.rows;
+  const io::NumberNotation& notation = result.notation;
+  if (!notation.ambiguity.empty())
+    throw io::FormatMismatch("numbers in an unclear notation: " + notation.ambiguity, expectedCuret);
   io::TextLines lines(text);
   while (const auto line = lines.next()) {
-    if (line->text.starts_with('#')) continue;
-    const std::vector<std::string_view> fields = io::words(line->text);
+    const std::vector<std::string_view> fields = io::words(io::withoutComment(line->text), notation);
+    if (fields.empty()) continue;
     const std::size_t columns = rows.empty() ? fields.size() : rows[0].size();
     if (fields.size() != columns || (columns != angles + 1 && columns != angles + 3) ||
-        !std::ranges::all_of(fields, [](std::string_view field) { return io::finiteNumber(field).has_value(); }))
+        !std::ranges::all_of(fields,
+                             [&](std::string_view field) { return io::finiteNumber(field, notation).has_value(); }))
       throw io::FormatMismatch("line " + std::to_string(line->number) + ", which has another layout", expectedCuret);
-    rows.push_back(io::finiteNumbers(*line));
+    rows.push_back(io::finiteNumbers(*line, notation));
   }
   if (rows.size() != measurements)
     throw io::FormatMismatch(std::to_string(rows.size()) + " rows of numbers", expectedCuret);
-  return rows;
+  return result;
 }
 
 void sniffCuret(const io::ByteSource& source) { rowsOf(source); }
@@ -75,14 +83,17 @@ constexpr std::string_view curetSuffixes[] = {".dat"};
 }  // namespace
 
 ScatteredSamples readCuret(const io::ByteSource& source) {
-  const auto rows = rowsOf(source);
-  double unit = 1;
-  for (const std::vector<double>& row : rows)
-    for (std::size_t i = 0; i < angles; ++i)
-      if (std::abs(row[i]) > maxCuretRadians) unit = radians(1);
+  const auto [rows, notation] = rowsOf(source);
+  std::vector<std::array<double, angles>> directions;
+  for (const std::vector<double>& row : rows) directions.push_back({row[0], row[1], row[2], row[3]});
+  const AngleUnit unit = AngleUnit::guessed(directions, "write all angles in degrees, such as 90 for a quarter turn");
   ScatteredSamples samples;
+  samples.notes.push_back("read as: angles in " + std::string(unit.name) +
+                          " (the file states no unit); BRDF in 1/sr as " +
+                          (rows[0].size() == angles + 1 ? "grey" : "R, G, B (linear sRGB)") + "; " + notation.text());
   for (const std::vector<double>& row : rows)
-    samples.add({fromSpherical(unit * row[0], unit * row[1]), fromSpherical(unit * row[2], unit * row[3])},
+    samples.add({fromSpherical(unit.radians * row[0], unit.radians * row[1]),
+                 fromSpherical(unit.radians * row[2], unit.radians * row[3])},
                 row.size() == angles + 1 ? Rgb(row[angles]) : Rgb(row[angles], row[angles + 1], row[angles + 2]));
   return samples;
 }

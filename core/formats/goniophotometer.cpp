@@ -23,9 +23,10 @@
 ///
 /// Keys that are read: `intheta` and `inphi`, or `incident_angle` with both; `format:` with the quantity, BSDF or BRDF
 /// in 1/sr, or DSF, the BSDF times the cosine of the row's theta (the reader divides it by this cosine); `colorimetry:`
-/// (for three values per row: CIE-XYZ, otherwise they are read as linear sRGB; one value is grey); `sample_name`. Keys
-/// may have a colon. Directions point away from the surface; theta is the polar angle from its normal. A theta above 90
-/// degrees is on the other side: rows on the side opposite to the light are transmission and are ignored.
+/// (for three values per row: CIE-XYZ, or RGB or nothing for linear sRGB; one value is grey); `sample_name`. Keys may
+/// have a colon. Numbers may have decimal commas (io::notationOf()). Directions point away from the surface; theta is
+/// the polar angle from its normal. A theta above 90 degrees is on the other side: rows on the side opposite to the
+/// light are transmission and are ignored.
 namespace gonio::formats {
 
 namespace {
@@ -42,18 +43,36 @@ struct GoniophotometerHeader {
 
 std::string lower(std::string_view text) { return lowerCase(std::string(text)); }
 
+/// The numbers after a key: separated by blanks, with either decimal sign; commas may separate two numbers where there
+/// are no blanks between them, or before the blanks. Empty if there are not `count` numbers.
+std::vector<double> numbersAfterKey(std::string_view line, std::size_t count) {
+  for (const bool hasDecimalCommas : {true, false}) {
+    const io::NumberNotation notation{.hasDecimalCommas = hasDecimalCommas};
+    const auto all = io::words(line, notation);
+    std::vector<double> numbers;
+    for (std::size_t i = 1; i <= count && i < all.size(); ++i) {
+      std::string_view word = all[i];
+      if (word.ends_with(',')) word.remove_suffix(1);
+      if (const auto value = io::finiteNumber(word, notation)) numbers.push_back(*value);
+    }
+    if (numbers.size() == count) return numbers;
+  }
+  return {};
+}
+
 /// A # line: its words, the first in lower case without a colon.
 void readHeaderLine(const io::TextLine& line, GoniophotometerHeader& header) {
   const std::vector<std::string_view> all = io::words(line.text.substr(1));
   if (all.empty()) return;
   std::string key = lower(all[0]);
   if (key.ends_with(':')) key.pop_back();
-  const auto number = [&](std::size_t word) -> double {
-    const auto value = word < all.size() ? io::finiteNumber(all[word]) : std::nullopt;
-    if (!value)
-      throw io::FormatMismatch("'" + key + "' without an angle in line " + std::to_string(line.number),
+  const auto numbers = [&](std::size_t count) {
+    std::vector<double> result = numbersAfterKey(line.text.substr(line.text.find_first_not_of(" \t", 1)), count);
+    if (result.empty())
+      throw io::FormatMismatch("'" + key + "' without " + (count == 1 ? "an angle" : "two angles") + " in line " +
+                                   std::to_string(line.number),
                                expectedGoniophotometer);
-    return *value;
+    return result;
   };
   if (key == "format" && all.size() >= 4 && lower(all[1]) == "theta" && lower(all[2]) == "phi")
     header.quantity = lower(all[3]);
@@ -64,11 +83,11 @@ void readHeaderLine(const io::TextLine& line, GoniophotometerHeader& header) {
     std::erase(header.sample, '"');
   }
   if (key == "intheta" || key == "incident_angle") {
-    header.theta = number(1);
+    header.theta = numbers(key == "intheta" ? 1 : 2)[0];
     header.incidentLine = line;
   }
-  if (key == "inphi") header.phi = number(1);
-  if (key == "incident_angle") header.phi = number(2);
+  if (key == "inphi") header.phi = numbers(1)[0];
+  if (key == "incident_angle") header.phi = numbers(2)[1];
 }
 
 /// Reads the # lines at the start. @return the first line of another kind, if there is one.
@@ -80,6 +99,13 @@ std::optional<io::TextLine> readGoniophotometerHeader(io::TextLines& lines, Goni
   if (header.quantity.empty() || !header.theta || !header.phi)
     throw io::FormatMismatch("# lines without the quantity or the incident direction", expectedGoniophotometer);
   return line;
+}
+
+/// @throws Error if rows have three values in a colour space that is not known.
+void checkColorimetry(const GoniophotometerHeader& header, std::size_t columns) {
+  if (columns == 5 && !header.colorimetry.empty() && header.colorimetry != "cie-xyz" && header.colorimetry != "rgb" &&
+      header.colorimetry != "srgb")
+    throw Error("found colorimetry '" + header.colorimetry + "' for three values, expected CIE-XYZ or RGB");
 }
 
 /// The colour of a row: of the values after the two angles.
@@ -119,19 +145,26 @@ ScatteredSamples readGoniophotometer(const io::ByteSource& source) {
     header.incidentLine->fail("an incident direction that is not at 90 degrees from the normal");
   ScatteredSamples samples;
   samples.description = header.sample;
+  const io::NumberNotation notation = io::notationOf(text).unambiguous();
   std::size_t columns = 0;
   for (; line; line = lines.next()) {
     if (line->text.starts_with('#')) continue;
-    const std::vector<double> row = io::finiteNumbers(*line);
+    const std::vector<double> row = io::finiteNumbers(*line, notation);
     if (columns == 0) columns = row.size();
     if (row.size() != columns || (columns != 3 && columns != 5))
-      line->fail("theta, phi and one or three values, as many as in the first row");
+      line->fail("theta, phi and one or three values, as many as in the first row (" + notation.text() + ")");
+    checkColorimetry(header, columns);
     const Direction out = directionOf(row[0], row[1], fromBelow);
     const double divisor = isTimesCosine && out.z > horizonTolerance ? out.z : 1;
     const Rgb value = colourOf(header, row) / divisor;
     if (!std::isfinite(value.x + value.y + value.z)) line->fail("values that give a finite BRDF");
     samples.add({light, out}, value);
   }
+  samples.notes.push_back("read as: theta, phi in degrees; " + header.quantity + " " +
+                          (columns == 3                      ? "as grey"
+                           : header.colorimetry == "cie-xyz" ? "as X, Y, Z"
+                                                             : "as R, G, B (linear sRGB)") +
+                          (isTimesCosine ? ", divided by cos theta" : "") + "; " + notation.text());
   if (samples.values.empty()) throw Error("found no row of reflected light, expected theta, phi and values");
   return samples;
 }

@@ -182,7 +182,7 @@ void readLightTools(const io::ByteSource& source, const TaskControl& control, Ma
     notes.push_back(std::to_string(blocks.leftOut) + " blocks with transmission or back-side data were ignored");
   if (blocks.wavelengths.size() > 1)
     notes.push_back("values are the mean of " + std::to_string(blocks.wavelengths.size()) + " wavelengths");
-  setIncidenceTable(lightToolsTable(header, blocks), material);
+  setIncidenceTable(lightToolsTable(header, blocks), header, words.notation(), material);
 }
 
 constexpr std::string_view lightToolsSuffixes[] = {".bsdf"};

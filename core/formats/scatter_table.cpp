@@ -22,8 +22,7 @@ std::string_view WordReader::next() {
   while (words_.empty()) {
     const auto line = lines_.next();
     if (!line) return {};
-    if (line->text.starts_with('#')) continue;
-    words_ = io::words(line->text);
+    words_ = io::words(io::withoutComment(line->text), notation_);
     std::ranges::reverse(words_);
   }
   const std::string_view result = words_.back();
@@ -39,14 +38,14 @@ std::string_view WordReader::word(const char* what) {
 
 double WordReader::number(const char* what) {
   const std::string_view text = word(what);
-  const auto value = io::finiteNumber(text);
+  const auto value = io::finiteNumber(text, notation_);
   if (!value) fail(text, std::string("a finite number (") + what + ")");
   return *value;
 }
 
 std::size_t WordReader::count(const char* what) {
   const std::string_view text = word(what);
-  const auto value = io::finiteNumber(text);
+  const auto value = io::finiteNumber(text, notation_);
   const std::size_t most = lines_.bytesLeft() / minBytesOfNumber + words_.size() + 1;
   if (!value || !(*value >= 1) || *value != std::floor(*value) || *value > double(most))
     fail(text, std::string("the number of values that follow (") + what + ")");
@@ -131,7 +130,12 @@ std::vector<double> inRadians(const std::vector<double>& angles) {
   return result;
 }
 
-void setIncidenceTable(IncidenceTable table, materials::Material& material) {
+void setIncidenceTable(IncidenceTable table, const ScatterHeader& header, const io::NumberNotation& notation,
+                       materials::Material& material) {
+  material.source.notes.push_back(
+      std::string("read as: angles in degrees; BRDF in 1/sr, ") +
+      (header.content == SpectralContent::xyz ? "X, Y, Z (white of D65 at Y = 1)" : "monochrome as grey") + "; " +
+      notation.text());
   material.source.grid = {int(table.incident.size()), int(table.azimuths.size()), int(table.polars.size())};
   const auto brdf = std::make_shared<const IncidenceTableBrdf>(std::move(table));
   if (brdf->clampedCount() > 0)

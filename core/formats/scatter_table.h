@@ -16,11 +16,14 @@
 /// angles in degrees, then blocks of values with one row per azimuth and one column per radial angle.
 namespace gonio::formats {
 
-/// Reads the words of a text in sequence, across lines; lines that begin with # are ignored.
+/// Reads the words of a text in sequence, across lines; comments (from # to the end of a line) are ignored. Numbers are
+/// in the notation of the text (io::notationOf()).
 class WordReader {
  public:
-  /// @param text must outlive the reader.
-  explicit WordReader(std::string_view text) : lines_(text) {}
+  /// @param text must outlive the reader. @throws Error if the notation of its numbers is ambiguous.
+  explicit WordReader(std::string_view text) : lines_(text), notation_(io::notationOf(text).unambiguous()) {}
+
+  const io::NumberNotation& notation() const { return notation_; }
 
   /// The next word; empty at the end of the text.
   std::string_view next();
@@ -42,6 +45,7 @@ class WordReader {
 
  private:
   io::TextLines lines_;
+  io::NumberNotation notation_;
   std::vector<std::string_view> words_;  ///< of the line, the next one last
 };
 
@@ -81,7 +85,9 @@ bool hasKey(std::string_view text, std::string_view key);
 /// Angles given in degrees, in rad.
 std::vector<double> inRadians(const std::vector<double>& angles);
 
-/// Sets the BRDF of a material to a table, its grid, and a note of values that were negative.
-void setIncidenceTable(IncidenceTable table, materials::Material& material);
+/// Sets the BRDF of a material to a table, its grid, and notes of how the file was read and of values that were
+/// negative.
+void setIncidenceTable(IncidenceTable table, const ScatterHeader& header, const io::NumberNotation& notation,
+                       materials::Material& material);
 
 }  // namespace gonio::formats

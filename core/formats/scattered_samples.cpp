@@ -10,6 +10,7 @@
 #include "core/acquisition/reconstruction.h"
 #include "core/io/csv_text.h"
 #include "core/materials/basis_file.h"
+#include "core/support/text.h"
 
 namespace gonio::formats {
 
@@ -82,6 +83,7 @@ std::string factorText(double logarithm) { return io::decimalText(std::exp(std::
 
 void addNotes(const ScatteredSamples& samples, const GatheredPoints& points, std::size_t nodes,
               const acquisition::Reconstruction& reconstruction, std::vector<std::string>& notes) {
+  notes.insert(notes.end(), samples.notes.begin(), samples.notes.end());
   const auto count = [](std::size_t number) { return std::to_string(number); };
   notes.push_back("measured at individual directions: " + count(points.used) + " samples at " + count(nodes) +
                   " grid nodes are used; all other values are reconstructed from principal components of the bundled "
@@ -120,6 +122,25 @@ std::shared_ptr<const TabulatedBrdf> limited(const TabulatedBrdf& table, const s
 }
 
 }  // namespace
+
+AngleUnit AngleUnit::guessed(std::span<const std::array<double, 4>> angles, const std::string& choice) {
+  constexpr double rounding = 0.01;  // of angles with few digits
+  constexpr AngleUnit inDegrees{gonio::radians(1), "degrees"};
+  double largest = 0, polar = 0, fraction = 0;
+  for (const std::array<double, 4>& row : angles)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double angle = std::abs(row[i]), steps = angle / (pi / 12);
+      largest = std::max(largest, angle);
+      if (i % 2 == 0) polar = std::max(polar, angle);
+      // Four digits or more of a multiple of 15 degrees.
+      if (angle > rounding && std::abs(steps - std::round(steps)) < 4e-4) fraction = angle;
+    }
+  if (largest > 2 * pi + rounding || polar > pi + rounding) return inDegrees;
+  if (!(polar > halfPi + rounding)) return {};
+  if (!(fraction > 0)) return inDegrees;
+  throw Error("found the polar angle " + numberText(polar) + ", which in radians is below the horizon, and the angle " +
+              numberText(fraction) + ", which looks like radians; expected angles in a known unit: " + choice);
+}
 
 void setScattered(const ScatteredSamples& samples, const TaskControl& control, materials::Material& material) {
   const auto basis = materials::bundledBasis(control.between(0, 0.6));

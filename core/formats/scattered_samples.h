@@ -2,8 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/materials/material.h"
@@ -21,6 +24,7 @@ struct ScatteredSamples {
   std::size_t belowHorizonCount = 0;      ///< number of rows that were ignored because a direction is at or below the
                                           ///< horizon
   std::string description;                ///< of the sample, from the file; may be empty
+  std::vector<std::string> notes;         ///< what the reader recognised (columns, units, decimal sign) and ignored
 
   /// Adds a row, or only counts it if a direction is at or below the horizon. @param value finite; negative channels
   /// become 0 and are counted.
@@ -49,6 +53,19 @@ struct ScatteredSamples {
 /// notes state the numbers of used and ignored points and the leave-one-out error. Deterministic. About 1 s, plus
 /// bundledBasis() at the first call. @throws Error if no point lies where the bundled materials have values; Cancelled.
 void setScattered(const ScatteredSamples& samples, const TaskControl& control, materials::Material& material);
+
+/// The unit of angles that a file does not state.
+struct AngleUnit {
+  double radians = 1;  ///< of one unit
+  std::string_view name = "radians";
+
+  /// Takes the polar angles and azimuths of the rows: degrees if an angle exceeds a full turn in radians, or a polar
+  /// angle half a turn; also if a polar angle exceeds a quarter turn (no reflection is there) and no angle is a simple
+  /// fraction of a turn in radians; otherwise radians. @param angles polar angle, azimuth, polar angle, azimuth of each
+  /// row. @param choice how to state the unit, for the error.
+  /// @throws Error if a polar angle exceeds a quarter turn, but other angles look like radians.
+  static AngleUnit guessed(std::span<const std::array<double, 4>> angles, const std::string& choice);
+};
 
 /// MaterialFormat::read of a format of single pairs of directions.
 template <ScatteredSamples (*read)(const io::ByteSource& source)>

@@ -119,7 +119,7 @@ void readZemax(const io::ByteSource& source, const TaskControl& control, Materia
   if (header.rotations.size() > 1)
     material.source.notes.push_back("values are the mean of " + std::to_string(header.rotations.size()) +
                                     " sample rotations; the material is treated as isotropic");
-  setIncidenceTable(zemaxTable(header, blocks), material);
+  setIncidenceTable(zemaxTable(header, blocks), header.common, words.notation(), material);
 }
 
 constexpr std::string_view zemaxSuffixes[] = {".bsdf"};

@@ -151,10 +151,31 @@ std::vector<std::string> split(std::string_view line, char separator) {
   return fields;
 }
 
-char separatorOf(std::string_view line, std::string_view candidates) {
-  for (const char separator : candidates)
-    if (line.find(separator) != std::string_view::npos) return separator;
-  return ',';
+/// Words between spaces; a field with a comma at its end shows that the spaces only follow commas.
+std::vector<std::string> splitAtSpaces(std::string_view line) {
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+    fields.emplace_back(trimmed(line.substr(begin, end - begin)));
+    begin = end;
+  }
+  return fields;
+}
+
+std::vector<std::string> fieldsOf(std::string_view line, char separator) {
+  return separator == ' ' ? splitAtSpaces(line) : split(line, separator);
+}
+
+/// The most frequent one outside quotes.
+char separatorOfNames(std::string_view line) {
+  char result = ' ';
+  std::size_t most = 0;
+  for (const char separator : {',', ';', '\t'})
+    if (const std::size_t count = split(line, separator).size() - 1; count > most) {
+      result = separator;
+      most = count;
+    }
+  return result;
 }
 
 template <typename Number>
@@ -173,9 +194,9 @@ std::string listOf(const std::vector<std::string>& names) {
 }
 
 void readNames(CsvText& csv, std::string_view line, std::size_t number) {
-  csv.separator = separatorOf(line, ",;\t");
+  csv.separator = separatorOfNames(line);
   csv.headerLine = number;
-  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowerCase(std::move(name)));
+  for (std::string& name : fieldsOf(line, csv.separator)) csv.names.push_back(lowerCase(std::move(name)));
   // Spreadsheets fill rows up with empty fields.
   while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
   for (std::size_t c = 1; c < csv.names.size(); ++c)
@@ -184,26 +205,78 @@ void readNames(CsvText& csv, std::string_view line, std::size_t number) {
       throw Error("line " + std::to_string(number) + ": found two columns '" + csv.names[c] + "', expected one");
 }
 
-/// Sets the names of a table without a header: the first line is already a row. Numbers with decimal commas end at
-/// another separator.
+/// The separator of a row of numbers that gives a number of fields, at least or exactly; `otherwise` if none does.
+/// Commas come after the others: they may be decimal signs.
+char separatorOfRow(std::string_view line, std::size_t count, bool isExact, char otherwise) {
+  for (const char separator : {';', '\t', ' ', ','}) {
+    const std::vector<std::string> fields = fieldsOf(line, separator);
+    const bool followsCommas =
+        separator == ' ' && std::ranges::any_of(fields, [](const std::string& field) { return field.ends_with(','); });
+    if (!followsCommas && (isExact ? fields.size() == count : fields.size() >= count)) return separator;
+  }
+  return otherwise;
+}
+
+/// Sets the names of a table without a header: the first line is already a row.
 void setNames(CsvText& csv, std::span<const std::string_view> names, std::string_view firstLine) {
-  csv.separator = separatorOf(firstLine, ";\t,");
+  csv.separator = separatorOfRow(firstLine, std::max<std::size_t>(names.size(), 2), false, ',');
   csv.names.assign(names.begin(), names.end());
-  for (const std::size_t count = split(firstLine, csv.separator).size(); csv.names.size() < count;)
+  for (const std::size_t count = fieldsOf(firstLine, csv.separator).size(); csv.names.size() < count;)
     csv.names.push_back(std::to_string(csv.names.size() + 1));
 }
 
 bool beginsWithNumber(std::string_view line) {
-  return parsed<double>(trimmed(line.substr(0, line.find_first_of(",;\t")))).has_value();
+  return parsed<double>(trimmed(line.substr(0, line.find_first_of(",;\t ", line.find_first_not_of(' '))))).has_value();
+}
+
+/// Whether a field is a number with a decimal comma.
+bool hasDecimalComma(const std::string& field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string::npos || field.find_first_of(",.", comma + 1) != std::string::npos) return false;
+  std::string number = field;
+  number[comma] = '.';
+  return parsed<double>(number).has_value();
+}
+
+bool isNumber(const std::string& field) { return parsed<double>(field) || hasDecimalComma(field); }
+
+std::size_t countOf(const std::vector<std::string>& fields, std::size_t expected) {
+  std::size_t count = fields.size();
+  while (count > expected && fields[count - 1].empty()) --count;
+  return count;
 }
 
 void addRow(CsvText& csv, std::string_view line, std::size_t number) {
-  CsvText::Row row{number, split(line, csv.separator)};
-  while (row.fields.size() > csv.names.size() && row.fields.back().empty()) row.fields.pop_back();
+  if (csv.rows.empty() && csv.headerLine > 0) {
+    const char other = separatorOfRow(line, csv.names.size(), true, csv.separator);
+    if (countOf(fieldsOf(line, csv.separator), csv.names.size()) != csv.names.size() ||
+        std::ranges::all_of(fieldsOf(line, other), isNumber))
+      csv.separator = other;
+  }
+  CsvText::Row row{number, fieldsOf(line, csv.separator)};
+  row.fields.resize(countOf(row.fields, csv.names.size()));
   if (row.fields.size() != csv.names.size())
     throw Error(lineText(row) + ": found " + std::to_string(row.fields.size()) + " columns, expected " +
-                std::to_string(csv.names.size()) + ": " + listOf(csv.names));
+                std::to_string(csv.names.size()) + ": " + listOf(csv.names) +
+                (csv.separator == ',' && row.fields.size() > csv.names.size()
+                     ? " (if commas are decimal signs, separate the columns by semicolons, tabs or spaces)"
+                     : ""));
   csv.rows.push_back(std::move(row));
+}
+
+/// One sign for all numbers: 1,234 beside 0.5 would be a thousand times as large.
+void findDecimalSign(CsvText& csv) {
+  std::string comma, point;
+  const auto note = [](std::string& first, const CsvText::Row& row, const std::string& field) {
+    if (first.empty()) first = "'" + field + "' in " + lineText(row);
+  };
+  for (const CsvText::Row& row : csv.rows)
+    for (const std::string& field : row.fields) {
+      if (hasDecimalComma(field)) note(comma, row, field);
+      if (field.find('.') != std::string::npos && parsed<double>(field)) note(point, row, field);
+    }
+  csv.hasDecimalCommas = !comma.empty();
+  if (!comma.empty() && !point.empty()) throw Error("found " + comma + " and " + point + ", expected one decimal sign");
 }
 
 [[noreturn]] void failField(const CsvText& csv, const CsvText::Row& row, std::size_t column, const char* expected) {
@@ -225,9 +298,18 @@ std::size_t CsvText::requiredColumn(std::string_view name) const {
               std::string(name));
 }
 
+std::string CsvText::notationText() const {
+  return std::string("separated by ") +
+         (separator == ','    ? "commas"
+          : separator == ';'  ? "semicolons"
+          : separator == '\t' ? "tabs"
+                              : "spaces") +
+         ", decimal " + (hasDecimalCommas ? "commas" : "points");
+}
+
 double CsvText::number(const Row& row, std::size_t column) const {
   std::string text = row.fields[column];
-  if (separator != ',') std::replace(text.begin(), text.end(), ',', '.');
+  if (hasDecimalCommas) std::replace(text.begin(), text.end(), ',', '.');
   const auto value = parsed<double>(text);
   if (!value || !std::isfinite(*value)) failField(*this, row, column, "a finite number");
   return *value;
@@ -259,6 +341,7 @@ CsvText readCsvText(std::string_view text, std::span<const std::string_view> nam
     addRow(csv, line, number);
   }
   if (csv.names.empty()) throw Error("found no header line with column names");
+  findDecimalSign(csv);
   return csv;
 }
 
@@ -307,10 +390,14 @@ Rgb ColourColumns::value(const CsvText& csv, const CsvText::Row& row) const {
 std::optional<double> wavelengthOf(const std::string& name) {
   double value = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
-  if (error != std::errc() || !(value >= shortestWavelength && value <= longestWavelength)) return std::nullopt;
-  const std::string rest(end, name.data() + name.size());
-  if (rest.empty() || rest == "nm" || rest == " nm") return value;
-  return std::nullopt;
+  if (error != std::errc()) return std::nullopt;
+  const std::string_view unit = trimmed({end, std::size_t(name.data() + name.size() - end)}, " ");
+  if (unit == "um" || unit == "\u00b5m" || unit == "\u03bcm")  // micro sign, Greek mu
+    value *= 1000;
+  else if (!unit.empty() && unit != "nm")
+    return std::nullopt;
+  if (!(value >= shortestWavelength && value <= longestWavelength)) return std::nullopt;
+  return value;
 }
 
 ColourColumns wavelengthColumns(const CsvText& csv) {
@@ -321,6 +408,12 @@ ColourColumns wavelengthColumns(const CsvText& csv) {
         throw Error("line " + std::to_string(csv.headerLine) + ": found two columns of " + numberText(*wavelength) +
                     " nm, expected one");
   if (byWavelength.size() < minWavelengths) return {};
+  if (const auto visible = byWavelength.lower_bound(minVisibleWavelength);
+      visible == byWavelength.end() || visible->first > maxVisibleWavelength)
+    throw Error("line " + std::to_string(csv.headerLine) + ": found wavelengths from " +
+                numberText(byWavelength.begin()->first) + " to " + numberText(byWavelength.rbegin()->first) +
+                " nm, expected some that are visible, " + numberText(minVisibleWavelength) + " to " +
+                numberText(maxVisibleWavelength) + " nm");
   std::vector<double> wavelengths;
   ColourColumns result;
   for (const auto& [wavelength, column] : byWavelength) {

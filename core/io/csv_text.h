@@ -17,9 +17,11 @@ namespace gonio::io {
 // CSV tables, as written by hand or by spreadsheets.
 
 /// CSV with a header line of column names. Ignores a byte order mark, empty lines, and spaces and quotes around fields;
-/// line ends may be "\n", "\r\n" or "\r". Lines that begin with # are comments. The separator is a comma, or if the
-/// header has none, a semicolon (numbers may then have a decimal comma) or a tab. A quoted field may contain it, and
-/// quotes as "", but not a line end. Fields that csvField() protects from spreadsheets are read as they were.
+/// line ends may be "\n", "\r\n" or "\r". Lines that begin with # are comments. The separator of the header is the
+/// most frequent of comma, semicolon and tab, or spaces if there is none; rows may have another one of these, if it
+/// gives as many fields as there are names. Numbers may have decimal commas in fields that do not end at commas. A
+/// quoted field may contain the separator, and quotes as "", but not a line end. Fields that csvField() protects from
+/// spreadsheets are read as they were.
 struct CsvText {
   struct Row {
     std::size_t line = 0;  ///< from 1
@@ -30,8 +32,11 @@ struct CsvText {
   std::size_t headerLine = 0;         ///< number of the header line, from 1; 0: the table has no header
   std::vector<std::string> names;     ///< names of the columns, in lower case
   std::vector<Row> rows;              ///< each with one field per name
-  char separator = ',';
+  char separator = ',';               ///< of the rows
+  bool hasDecimalCommas = false;
 
+  /// For notes: "separated by semicolons, decimal commas".
+  std::string notationText() const;
   /// Index of the column of a name, if it exists.
   std::optional<std::size_t> column(std::string_view name) const;
   /// Index of the column of a name. @throws Error that names the column and lists those of the table.
@@ -47,7 +52,8 @@ struct CsvText {
 /// line is a number; further columns are named by their number. Empty: the first line must be a header.
 /// @param firstLine number of the text's first line in its file, for errors.
 /// @throws Error that names the line, if the number of fields of a row differs from the number of names (empty fields
-/// at the end of a row are ignored), a name occurs twice, or there are no names.
+/// at the end of a row are ignored), a name occurs twice, there are no names, or some numbers have decimal commas and
+/// others decimal points.
 CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader = {},
                     std::size_t firstLine = 1);
 
@@ -123,11 +129,12 @@ struct ColourColumns {
   Rgb value(const CsvText& csv, const CsvText::Row& row) const;
 };
 
-/// The wavelength in nm that a column name states, from 100 to 3000: "550", "550nm", "550.5 nm". Empty for other names.
+/// The wavelength in nm that a column name states, from 100 to 3000: "550", "550nm", "550.5 nm", "0.55um", "0.55 µm".
+/// Empty for other names.
 std::optional<double> wavelengthOf(const std::string& name);
 
 /// The columns named by wavelengths, in any order, with spectrumWeights(); empty if there are fewer than three.
-/// @throws Error if two columns have the same wavelength.
+/// @throws Error if two columns have the same wavelength, or none is visible.
 ColourColumns wavelengthColumns(const CsvText& csv);
 
 /// The columns r, g and b. @throws Error that names a missing one.

@@ -3,15 +3,19 @@
 #include "core/io/exr_codec.h"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfEnvmap.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -19,6 +23,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/colour_primaries.h"
 #include "core/support/error.h"
 #include "core/support/text.h"
 
@@ -238,10 +243,33 @@ Imf::Slice slice(float* first, std::size_t stride, const Imath::Box2i& window, i
   return Imf::Slice::Make(Imf::FLOAT, first, window, stride, stride * std::size_t(width));
 }
 
-Image decode(std::span<const std::byte> bytes) {
-  checkExrHeader(bytes);
+bool isLuminanceChroma(const Imf::ChannelList& channels) {
+  return channels.findChannel("Y") && (channels.findChannel("RY") || channels.findChannel("BY"));
+}
+
+/// Luminance and subsampled chroma (RY, BY) by OpenEXR's own interface, which computes in half precision.
+Image decodeLuminanceChroma(std::span<const std::byte> bytes) {
   MemoryInput stream(bytes);
-  Imf::InputFile file(stream);
+  Imf::RgbaInputFile file(stream);
+  const Imath::Box2i window = file.dataWindow();
+  Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
+  const bool hasAlpha = file.channels() & Imf::WRITE_A;
+  if (hasAlpha) image.alpha.resize(image.pixels.size());
+  std::vector<Imf::Rgba> line(std::size_t(image.width));
+  for (int y = window.min.y; y <= window.max.y; ++y) {
+    // A stride of 0: every line is read to the same place.
+    file.setFrameBuffer(line.data() - window.min.x, 1, 0);
+    file.readPixels(y);
+    for (int x = 0; x < image.width; ++x) {
+      const Imf::Rgba& pixel = line[std::size_t(x)];
+      image.at(x, y - window.min.y) = {float(pixel.r), float(pixel.g), float(pixel.b)};
+      if (hasAlpha) image.alpha[image.index(x, y - window.min.y)] = pixel.a;
+    }
+  }
+  return image;
+}
+
+Image decodeChannels(Imf::InputFile& file) {
   const Imath::Box2i window = file.header().dataWindow();
   const std::array<std::string, 3> colours = colourChannels(file.header().channels());
 
@@ -260,6 +288,101 @@ Image decode(std::span<const std::byte> bytes) {
   if (grey)
     for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(pixel.x);
   return image;
+}
+
+/// Converts the colours if the file states other primaries than sRGB.
+void convertPrimaries(const Imf::Header& header, ImageFile& picture) {
+  if (!Imf::hasChromaticities(header)) return;
+  const Imf::Chromaticities& found = Imf::chromaticities(header);
+  const auto pair = [](const Imath::V2f& xy) { return glm::dvec2(xy.x, xy.y); };
+  const ColourPrimaries primaries{pair(found.red), pair(found.green), pair(found.blue), pair(found.white)};
+  if (primaries.areSrgb()) return;
+  const auto matrix = toSrgbMatrix(primaries);
+  if (!matrix) throw Error("found the chromaticities " + primaries.text() + ", expected three colours and a white");
+  for (glm::vec3& pixel : picture.image.pixels) pixel = *matrix * glm::dvec3(pixel);
+  picture.notes.push_back(primaries.areXyz() ? "X, Y, Z were converted to sRGB"
+                                             : "colours were converted to sRGB from the primaries " + primaries.text());
+}
+
+/// The picture in the display window; black where it has no data.
+void placeInDisplayWindow(const Imf::Header& header, std::size_t fileBytes, ImageFile& picture) {
+  const Imath::Box2i &data = header.dataWindow(), &display = header.displayWindow();
+  if (data == display) return;
+  const long long width = 1LL + display.max.x - display.min.x, height = 1LL + display.max.y - display.min.y;
+  checkImageSize(width, height, fileBytes, maxExrPixelsPerByte);
+  const auto text = [](const Imath::Box2i& box) {
+    return "(" + std::to_string(box.min.x) + ", " + std::to_string(box.min.y) + ") to (" + std::to_string(box.max.x) +
+           ", " + std::to_string(box.max.y) + ")";
+  };
+  if (!data.intersects(display))
+    throw Error("found the data window " + text(data) + " outside the display window " + text(display) +
+                ", expected an image in it");
+  Image placed{int(width), int(height)};
+  if (!picture.image.alpha.empty()) placed.alpha.resize(placed.pixels.size());
+  for (int y = std::max(data.min.y, display.min.y); y <= std::min(data.max.y, display.max.y); ++y)
+    for (int x = std::max(data.min.x, display.min.x); x <= std::min(data.max.x, display.max.x); ++x) {
+      const std::size_t from = picture.image.index(x - data.min.x, y - data.min.y),
+                        to = placed.index(x - display.min.x, y - display.min.y);
+      placed.pixels[to] = picture.image.pixels[from];
+      if (!placed.alpha.empty()) placed.alpha[to] = picture.image.alpha[from];
+    }
+  picture.image = std::move(placed);
+  picture.notes.push_back("the data window " + text(data) + " was placed in the display window " + text(display));
+}
+
+/// A cube of six faces as a latitude-longitude map, bilinear within each face. OpenEXR looks along +z at longitude 0
+/// and has +x on the left there; Gonio's maps look along -z and have +x on the right.
+Image latitudeLongitudeOfCube(const Image& cube) {
+  const Imath::Box2i window(Imath::V2i(0, 0), Imath::V2i(cube.width - 1, cube.height - 1));
+  const int side = Imf::CubeMap::sizeOfFace(window);
+  Image map(4 * side, 2 * side);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const double theta = pi * (y + 0.5) / map.height, azimuth = 2 * pi * ((x + 0.5) / map.width - 0.5);
+      const Imath::V3f direction(float(-std::sin(theta) * std::sin(azimuth)), float(std::cos(theta)),
+                                 float(std::sin(theta) * std::cos(azimuth)));
+      Imf::CubeMapFace face{};
+      Imath::V2f at;
+      Imf::CubeMap::faceAndPixelPosition(direction, window, face, at);
+      const auto pixel = [&](int column, int row) {
+        const Imath::V2f place = Imf::CubeMap::pixelPosition(
+            face, window, Imath::V2f(float(std::clamp(column, 0, side - 1)), float(std::clamp(row, 0, side - 1))));
+        return cube.at(std::clamp(int(std::lround(place.x)), 0, cube.width - 1),
+                       std::clamp(int(std::lround(place.y)), 0, cube.height - 1));
+      };
+      const int column = int(std::floor(at.x)), row = int(std::floor(at.y));
+      const float right = at.x - float(column), down = at.y - float(row);
+      map.at(x, y) = (1 - down) * ((1 - right) * pixel(column, row) + right * pixel(column + 1, row)) +
+                     down * ((1 - right) * pixel(column, row + 1) + right * pixel(column + 1, row + 1));
+    }
+  return map;
+}
+
+void convertLayout(const Imf::Header& header, ImageFile& picture) {
+  if (!Imf::hasEnvmap(header) || Imf::envmap(header) == Imf::ENVMAP_LATLONG) return;
+  const Image& image = picture.image;
+  if (Imf::envmap(header) != Imf::ENVMAP_CUBE || image.height != 6 * image.width)
+    throw Error("found an environment of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                " pixels with the layout " + std::to_string(int(Imf::envmap(header))) +
+                " (envmap), expected latitude-longitude (0), or a cube (1) of six square faces below one another");
+  picture.image = latitudeLongitudeOfCube(image);
+  picture.notes.emplace_back("a cube was converted to a latitude-longitude map");
+}
+
+ImageFile decode(std::span<const std::byte> bytes) {
+  checkExrHeader(bytes);
+  MemoryInput stream(bytes);
+  Imf::InputFile file(stream);
+  const Imf::Header& header = file.header();
+  ImageFile picture;
+  picture.image = isLuminanceChroma(header.channels()) ? decodeLuminanceChroma(bytes) : decodeChannels(file);
+  if (isLuminanceChroma(header.channels())) picture.notes.emplace_back("luminance and chroma were converted to RGB");
+  if (const auto* layout = header.findTypedAttribute<Imf::StringAttribute>(layoutAttribute))
+    picture.layout = layout->value();
+  convertPrimaries(header, picture);
+  placeInDisplayWindow(header, bytes.size(), picture);
+  convertLayout(header, picture);
+  return picture;
 }
 
 std::vector<std::byte> encode(const Image& image, const std::map<std::string, std::string>& attributes) {
@@ -318,7 +441,7 @@ bool isExr(std::span<const std::byte> bytes) {
   return bytes.size() >= sizeof magic && std::memcmp(bytes.data(), magic, sizeof magic) == 0;
 }
 
-Image decodeExr(std::span<const std::byte> bytes) {
+ImageFile decodeExr(std::span<const std::byte> bytes) {
   return translatingErrors([&] { return decode(bytes); });
 }
 

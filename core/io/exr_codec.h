@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "core/math/image.h"
+#include "core/io/image_io.h"
 
 /// OpenEXR in memory, and the check of sizes for all images; image_io.h reads and writes files.
 namespace gonio::io {
 
 bool isExr(std::span<const std::byte> bytes);
-/// @throws Error that states what was found.
-Image decodeExr(std::span<const std::byte> bytes);
+/// readImageFile() of an EXR. @throws Error that states what was found.
+ImageFile decodeExr(std::span<const std::byte> bytes);
 /// @param attributes text attributes. @throws Error for an attribute name that OpenEXR reserves.
 std::vector<std::byte> encodeExr(const Image& image, const std::map<std::string, std::string>& attributes);
 

@@ -77,7 +77,8 @@ void forEachLine(std::string_view text, const TaskControl& control, Work work) {
   }
 }
 
-float number(std::string_view word) {
+/// In double precision, as coordinates of maps need it; NaN and infinity are numbers here.
+double number(std::string_view word) {
   std::string_view digits = word;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   double value = 0;
@@ -87,39 +88,59 @@ float number(std::string_view word) {
                              : "found " + quoted(word) + ", expected a number");
   // Too small a number is 0 there, too large a one infinite.
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(digits).c_str(), nullptr);
-  if (!std::isfinite(static_cast<float>(value)))
-    throw Error("found " + quoted(word) + ", expected a finite number in the range of single precision");
-  return static_cast<float>(value);
+  return value;
 }
 
-glm::vec3 threeNumbers(Words& words) {
-  const float x = number(words.next()), y = number(words.next());
+double coordinate(std::string_view word) {
+  const double value = number(word);
+  if (!std::isfinite(static_cast<float>(value)))
+    throw Error("found " + quoted(word) + ", expected a finite number in the range of single precision");
+  return value;
+}
+
+glm::dvec3 position(Words& words) {
+  const double x = coordinate(words.next()), y = coordinate(words.next());
+  return {x, y, coordinate(words.next())};
+}
+
+glm::vec3 normalVector(Words& words) {
+  const double x = number(words.next()), y = number(words.next());
   return {x, y, number(words.next())};
 }
 
-/// Counted from 0. A negative index counts back from the last of the `before` that stand before the face.
-std::uint32_t index(std::string_view word, std::string_view what, std::size_t before, std::size_t total) {
+/// An index counted from 0, which may lie outside; a negative one counts back from the last of the `before` that stand
+/// before the face. Empty if it has too many digits. @throws Error if the word is no index.
+std::optional<long long> countedFromZero(std::string_view word, std::string_view what, std::size_t before) {
   long long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::invalid_argument || end != word.data() + word.size())
     throw Error("found " + quoted(word) + ", expected the index of a " + std::string(what));
-  const long long counted = value < 0 ? value + static_cast<long long>(before) : value - 1;
-  if (error == std::errc::result_out_of_range || counted < 0 || counted >= static_cast<long long>(total))
-    throw Error("found " + std::string(what) + " " + quoted(word) + ", but there are only " + std::to_string(total) +
-                (value < 0 ? ", " + std::to_string(before) + " before this line" : ", counted from 1"));
-  return std::uint32_t(counted);
+  if (error == std::errc::result_out_of_range) return std::nullopt;
+  return value < 0 ? value + static_cast<long long>(before) : value - 1;
+}
+
+/// @throws Error if there is no such vertex.
+std::uint32_t vertexIndex(std::string_view word, std::size_t before, std::size_t total) {
+  const auto counted = countedFromZero(word, "vertex", before);
+  if (!counted || *counted < 0 || *counted >= static_cast<long long>(total))
+    throw Error("found vertex " + quoted(word) + ", but there are only " + std::to_string(total) +
+                (word.starts_with('-') ? ", " + std::to_string(before) + " before this line" : ", counted from 1"));
+  return std::uint32_t(*counted);
 }
 
 class Reader {
  public:
   Reader(std::string_view text, const TaskControl& control) : text_(text), control_(control) {}
 
-  geometry::MeshArrays read() {
+  MeshFile read() {
     // Faces may name vertices of later lines.
+    std::vector<glm::dvec3> positions;
     forEachLine(text_, control_.between(0, 0.3), [&](std::string_view keyword, Words& words) {
-      if (keyword == "v") arrays_.positions.push_back(threeNumbers(words));
-      if (keyword == "vn") normals_.push_back(threeNumbers(words));
+      if (keyword == "v") positions.push_back(position(words));
+      if (keyword == "vn") normals_.push_back(normalVector(words));
     });
+    glm::dvec3 origin;
+    arrays_.positions = localPositions(positions, origin);
     forEachLine(text_, control_.between(0.3, 1), [&](std::string_view keyword, Words& words) {
       positionsBefore_ += keyword == "v";
       normalsBefore_ += keyword == "vn";
@@ -129,7 +150,12 @@ class Reader {
       throw Error("an OBJ mesh: found no faces (" + std::to_string(arrays_.positions.size()) +
                   " vertices), expected lines such as 'f 1 2 3'");
     if (!anyNormal_) arrays_.normals.clear();
-    return std::move(arrays_);
+    std::vector<std::string> notes;
+    if (missingNormals_ > 0)
+      notes.push_back(std::to_string(missingNormals_) +
+                      " corners of faces have normals that are missing or not finite; they were computed");
+    if (shortFaces_ > 0) notes.push_back(std::to_string(shortFaces_) + " faces of fewer than 3 corners were left out");
+    return {geometry::TriangleMesh(std::move(arrays_)), origin, std::move(notes)};
   }
 
  private:
@@ -138,12 +164,22 @@ class Reader {
     std::optional<std::uint32_t> normal;
   };
 
-  Corner corner(std::string_view word) const {
+  /// Empty if the normal does not exist. @throws Error if the word is not an index.
+  std::optional<std::uint32_t> normalIndex(std::string_view word) const {
+    const auto counted = countedFromZero(word, "normal", normalsBefore_);
+    if (!counted || *counted < 0 || *counted >= static_cast<long long>(normals_.size())) return std::nullopt;
+    return std::uint32_t(*counted);
+  }
+
+  Corner corner(std::string_view word) {
     const std::size_t slash = std::min(word.find('/'), word.size());
-    Corner result{index(word.substr(0, slash), "vertex", positionsBefore_, arrays_.positions.size()), {}};
+    Corner result{vertexIndex(word.substr(0, slash), positionsBefore_, arrays_.positions.size()), {}};
     const std::size_t second = word.find('/', slash + 1);
     if (slash == word.size() || second == std::string_view::npos || second + 1 == word.size()) return result;
-    result.normal = index(word.substr(second + 1), "normal", normalsBefore_, normals_.size());
+    result.normal = normalIndex(word.substr(second + 1));
+    const bool isMissing = !result.normal || !std::isfinite(glm::dot(normals_[*result.normal], glm::vec3(1)));
+    missingNormals_ += isMissing;
+    if (isMissing) result.normal.reset();
     return result;
   }
 
@@ -154,8 +190,10 @@ class Reader {
       corners_.push_back(corner(word));
       places_.push_back(arrays_.positions[corners_.back().position]);
     }
-    if (corners_.size() < 3)
-      throw Error("found a face of " + std::to_string(corners_.size()) + " corners, expected three or more");
+    if (corners_.size() < 3) {
+      ++shortFaces_;
+      return;
+    }
     if (arrays_.triangles.size() + corners_.size() - 2 > maxTriangles)
       throw Error("found more than " + std::to_string(maxTriangles) + " triangles, the maximum");
     for (const geometry::TriangleIndices& triangle : geometry::triangulatePolygon(places_)) {
@@ -173,7 +211,7 @@ class Reader {
   const TaskControl& control_;
   geometry::MeshArrays arrays_;
   std::vector<glm::vec3> normals_;
-  std::size_t positionsBefore_ = 0, normalsBefore_ = 0;
+  std::size_t positionsBefore_ = 0, normalsBefore_ = 0, missingNormals_ = 0, shortFaces_ = 0;
   bool anyNormal_ = false;
   std::vector<Corner> corners_;    ///< of the face at hand
   std::vector<glm::vec3> places_;  ///< their positions
@@ -181,13 +219,13 @@ class Reader {
 
 }  // namespace
 
-geometry::TriangleMesh readObj(const ByteSource& source, const TaskControl& control) {
+MeshFile readObj(const ByteSource& source, const TaskControl& control) {
   const std::vector<std::byte> bytes = source.readAll(maxObjBytes);
   const std::string_view text = withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  return geometry::TriangleMesh(Reader(text, control.between(0, 0.7)).read());
+  return Reader(text, control.between(0, 0.7)).read();
 }
 
-geometry::TriangleMesh readObj(const std::filesystem::path& path, const TaskControl& control) {
+MeshFile readObj(const std::filesystem::path& path, const TaskControl& control) {
   return withFileInErrors(path, [&] { return readObj(FileSource(path), control); });
 }
 

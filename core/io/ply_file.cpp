@@ -173,27 +173,26 @@ class PlyReader {
   explicit PlyReader(std::string_view data)
       : header_(headerOf(data)), numbers_(data.substr(header_.end), header_.encoding) {}
 
-  geometry::MeshArrays read() {
+  MeshFile read() {
     for (const PlyElement& element : header_.elements) {
       // Rows without numbers: the file could state any count of them.
       if (element.properties.empty() && element.name != "vertex") continue;
       for (std::uint64_t i = 0; i < element.count; ++i) readRow(element, i);
     }
-    if (arrays_.triangles.empty()) throw Error("a PLY mesh: found no faces, expected at least one");
-    if (!normals_.empty())
-      for (const geometry::TriangleIndices& triangle : arrays_.triangles)
-        for (int c = 0; c < 3; ++c) arrays_.normals.push_back(normals_[triangle[c]]);
-    return std::move(arrays_);
+    if (faceEnds_.empty()) throw Error("a PLY mesh: found no faces, expected at least one");
+    geometry::MeshArrays read = arrays();
+    return {geometry::TriangleMesh(std::move(read)), origin_, {}};
   }
 
  private:
   void readRow(const PlyElement& element, std::uint64_t row) try {
     if (element.name == "vertex") return readVertex(element);
-    const int corners = element.name == "face" ? element.indexOf({"vertex_indices", "vertex_index"}) : -1;
+    const bool isStrips = element.name == "tristrips";
+    const int corners = element.name == "face" || isStrips ? element.indexOf({"vertex_indices", "vertex_index"}) : -1;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       if (int(i) == corners && property.countType)
-        readFace(property);
+        isStrips ? readStrips(property) : readFace(property);
       else
         for (std::uint64_t left = property.countType ? listLength(property) : 1; left > 0; --left)
           numbers_.next(property.type);
@@ -214,52 +213,105 @@ class PlyReader {
     const int x = element.indexOf({"x"}), y = element.indexOf({"y"}), z = element.indexOf({"z"});
     const int nx = element.indexOf({"nx"}), ny = element.indexOf({"ny"}), nz = element.indexOf({"nz"});
     if (x < 0 || y < 0 || z < 0) throw Error("found a vertex element without x, y and z, expected all three");
-    std::vector<float> values(element.properties.size());
+    std::vector<double> values(element.properties.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       for (std::uint64_t left = property.countType ? listLength(property) : 1; left > 0; --left)
-        values[i] = float(numbers_.next(property.type));
+        values[i] = numbers_.next(property.type);
     }
     const auto at = [&](int i) { return values[std::size_t(i)]; };
-    arrays_.positions.emplace_back(at(x), at(y), at(z));
+    for (const int coordinate : {x, y, z})
+      if (!std::isfinite(float(at(coordinate))))
+        throw Error("found a coordinate of " + numberText(at(coordinate)) +
+                    ", expected a finite number in the range of single precision");
+    positions_.emplace_back(at(x), at(y), at(z));
     if (nx >= 0 && ny >= 0 && nz >= 0) normals_.emplace_back(at(nx), at(ny), at(nz));
+  }
+
+  /// The vertices may come later.
+  std::uint32_t readIndex(const PlyProperty& property) {
+    const double index = numbers_.next(property.type);
+    if (!(index >= 0 && index <= 4294967295.0 && index == std::floor(index)))
+      throw Error("found vertex " + numberText(index) + ", expected a whole number, 0 or more");
+    return std::uint32_t(index);
   }
 
   void readFace(const PlyProperty& property) {
     const std::uint64_t count = listLength(property);
     if (count < 3 || count > maxCorners)
       throw Error("found " + std::to_string(count) + " corners, expected 3 to " + std::to_string(maxCorners));
-    if (arrays_.triangles.size() + count > maxPlyTriangles)
-      throw Error("found more than " + std::to_string(maxPlyTriangles) + " triangles, the maximum");
-    corners_.clear();
-    places_.clear();
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::uint64_t i = 0; i < count; ++i) corners_.push_back(readIndex(property));
+    endFace(count - 2);
+  }
+
+  /// A triangle for each vertex after the first two of a strip, every other one turned.
+  void readStrips(const PlyProperty& property) {
+    std::array<std::uint32_t, 2> last{};
+    std::size_t length = 0;
+    for (std::uint64_t left = listLength(property); left > 0; --left) {
       const double index = numbers_.next(property.type);
-      if (!(index >= 0 && index < double(arrays_.positions.size()) && index == std::floor(index)))
-        throw Error("found vertex " + numberText(index) + ", but there are only " +
-                    std::to_string(arrays_.positions.size()) + " before it, counted from 0");
-      corners_.push_back(std::uint32_t(index));
-      places_.push_back(arrays_.positions[corners_.back()]);
-      if (!std::isfinite(glm::dot(places_.back(), glm::vec3(1))))
-        throw Error("found a vertex with a coordinate that is not finite");
+      if (index == -1) {
+        length = 0;
+        continue;
+      }
+      if (!(index >= 0 && index <= 4294967295.0 && index == std::floor(index)))
+        throw Error("found vertex " + numberText(index) + ", expected a whole number, or -1 at the end of a strip");
+      const auto vertex = std::uint32_t(index);
+      if (length >= 2) {
+        const bool isTurned = length % 2 == 1;
+        corners_.insert(corners_.end(), {last[isTurned ? 1 : 0], last[isTurned ? 0 : 1], vertex});
+        endFace(1);
+      }
+      last = {last[1], vertex};
+      ++length;
     }
-    for (const geometry::TriangleIndices& triangle : geometry::triangulatePolygon(places_))
-      arrays_.triangles.push_back({corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});
+  }
+
+  void endFace(std::uint64_t triangles) {
+    triangles_ += triangles;
+    if (triangles_ > maxPlyTriangles)
+      throw Error("found more than " + std::to_string(maxPlyTriangles) + " triangles, the maximum");
+    faceEnds_.push_back(corners_.size());
+  }
+
+  geometry::MeshArrays arrays() {
+    geometry::MeshArrays arrays;
+    arrays.positions = localPositions(positions_, origin_);
+    std::size_t begin = 0;
+    std::vector<glm::vec3> places;
+    for (std::size_t face = 0; face < faceEnds_.size(); begin = faceEnds_[face++]) {
+      const std::span corners = std::span(corners_).subspan(begin, faceEnds_[face] - begin);
+      places.clear();
+      for (const std::uint32_t corner : corners) {
+        if (corner >= positions_.size())
+          throw Error("face " + std::to_string(face) + ": found vertex " + std::to_string(corner) +
+                      ", but there are only " + std::to_string(positions_.size()) + ", counted from 0");
+        places.push_back(arrays.positions[corner]);
+      }
+      for (const geometry::TriangleIndices& triangle : geometry::triangulatePolygon(places))
+        arrays.triangles.push_back({corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+    }
+    if (!normals_.empty())
+      for (const geometry::TriangleIndices& triangle : arrays.triangles)
+        for (int c = 0; c < 3; ++c) arrays.normals.push_back(normals_[triangle[c]]);
+    return arrays;
   }
 
   PlyHeader header_;
   PlyNumbers numbers_;
-  geometry::MeshArrays arrays_;
+  std::vector<glm::dvec3> positions_;
+  glm::dvec3 origin_{0};
   std::vector<glm::vec3> normals_;
-  std::vector<std::uint32_t> corners_;  ///< of the face at hand
-  std::vector<glm::vec3> places_;       ///< their positions
+  std::vector<std::uint32_t> corners_;  ///< of all faces, one after another
+  std::vector<std::size_t> faceEnds_;
+  std::uint64_t triangles_ = 0;
 };
 
 }  // namespace
 
-geometry::TriangleMesh readPly(const ByteSource& source) {
+MeshFile readPly(const ByteSource& source) {
   const std::vector<std::byte> bytes = source.readAll(maxPlyBytes);
-  return geometry::TriangleMesh(PlyReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read());
+  return PlyReader(withoutByteOrderMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()})).read();
 }
 
 std::vector<std::byte> encodePly(const geometry::TriangleMesh& mesh) {

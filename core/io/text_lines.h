@@ -42,13 +42,36 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// The words of a line, separated by spaces, tabs, commas and semicolons.
-std::vector<std::string_view> words(std::string_view line);
+/// A line without the comment that begins with # in it.
+std::string_view withoutComment(std::string_view line);
+
+/// How the numbers of a text are written. Numbers are separated by spaces, tabs and semicolons, and by commas unless
+/// these are the decimal sign.
+struct NumberNotation {
+  bool hasDecimalCommas = false;
+  /// Not empty if the text can be read in two ways: what was found where, and what to write instead.
+  std::string ambiguity = {};
+
+  std::string_view separators() const { return hasDecimalCommas ? " \t;" : " \t,;"; }
+  /// For notes: "decimal commas" or "decimal points".
+  std::string text() const { return hasDecimalCommas ? "decimal commas" : "decimal points"; }
+  /// @throws Error with the ambiguity, if there is one.
+  const NumberNotation& unambiguous() const;
+};
+
+/// The notation of the numbers in a text, from its lines of numbers with at most one other word before them. Commas are
+/// decimal signs if there are commas between two digits, other separators between the numbers, and no decimal points.
+/// Ambiguous are commas between two digits beside a decimal point where other separators are used too, beside commas
+/// that separate, and with numbers like 063 where only commas separate ("0,063"). O(length of the text).
+NumberNotation notationOf(std::string_view text);
+
+/// The words of a line, separated as in a notation.
+std::vector<std::string_view> words(std::string_view line, const NumberNotation& notation = {});
 
 /// A word as a finite number in decimal notation; empty if it is not one.
-std::optional<double> finiteNumber(std::string_view word);
+std::optional<double> finiteNumber(std::string_view word, const NumberNotation& notation = {});
 /// All words of a line as numbers. @throws Error that names the line and a word which is not a finite number.
-std::vector<double> finiteNumbers(const TextLine& line);
+std::vector<double> finiteNumbers(const TextLine& line, const NumberNotation& notation = {});
 
 /// The first 64 KiB of a source as text, to recognise formats. @throws FormatMismatch that states `expected`, if there
 /// are bytes that do not occur in text.

@@ -10,11 +10,32 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_formats.h"
 #include "core/materials/npf_file.h"
+#include "core/sampling/directional_albedo.h"
 #include "core/support/error.h"
+#include "core/support/text.h"
 
 namespace gonio::materials {
 
 namespace {
+
+/// A note if the albedo exceeds 1 by more than 5 % for a viewer at 0 to 60 degrees, as for values in another unit, with
+/// the cosine or from a wrong column. At grazing angles measurements are too noisy for it. About 10 ms.
+void noteAlbedo(Material& material) {
+  constexpr double limit = 1.05;
+  // The first estimate is rough, and confirmed.
+  constexpr std::uint32_t few = 1 << 10, many = 1 << 14;
+  const SamplingDensity density = estimateSamplingDensity(*material.brdf);
+  for (const int angle : {0, 20, 40, 60}) {
+    if (!(maxChannel(directionalAlbedo(*material.brdf, radians(angle), density, few)) > limit)) continue;
+    const double albedo = maxChannel(directionalAlbedo(*material.brdf, radians(angle), density, many));
+    if (!(albedo > limit)) continue;
+    material.source.notes.push_back("warning: the albedo at " + std::to_string(angle) + " degrees is " +
+                                    numberText(float(albedo)) +
+                                    ", more than 1: check the columns and units of the file (BRDF in 1/sr, without the "
+                                    "cosine)");
+    return;
+  }
+}
 
 Material readFormat(const io::ByteSource& source, const TaskControl& control) {
   const MaterialFormat& format = sniffFormat(source);
@@ -26,6 +47,7 @@ Material readFormat(const io::ByteSource& source, const TaskControl& control) {
     throw Error(std::string(format.name) + ": " + mismatch.what());
   }
   assert(format.holds.anisotropic || material.brdf->isIsotropic());
+  noteAlbedo(material);
   return material;
 }
 

@@ -21,17 +21,29 @@ namespace gonio::rendering {
 
 namespace {
 
+/// Sets negative values to 0. @return a note of their number; empty if there are none.
+std::string limitToPositive(Image& image) {
+  std::size_t count = 0;
+  float lowest = 0;
+  for (glm::vec3& pixel : image.pixels) {
+    for (int channel = 0; channel < 3; ++channel) lowest = std::min(lowest, pixel[channel]);
+    count += pixel.x < 0 || pixel.y < 0 || pixel.z < 0;
+    pixel = glm::max(pixel, 0.0f);
+  }
+  if (count == 0) return {};
+  return std::to_string(count) + " pixels with negative values, down to " + numberText(lowest) + ", were limited to 0";
+}
+
 void requireUsableImage(const Image& image, const std::string& name) {
   if (image.width <= 0 || image.height <= 0 ||
       image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
     throw Error("environment '" + name + "': the image is empty");
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     for (int channel = 0; channel < 3; ++channel)
-      if (const float value = image.pixels[i][channel]; !(std::isfinite(value) && value >= 0))
+      if (const float value = image.pixels[i][channel]; !std::isfinite(value))
         throw Error("environment '" + name + "': pixel (" + std::to_string(i % std::size_t(image.width)) + ", " +
                     std::to_string(i / std::size_t(image.width)) + "), counted from the upper left, has " +
-                    numberText(value) + " in channel " + "RGB"[channel] +
-                    "; expected a radiance that is finite and not negative");
+                    numberText(value) + " in channel " + "RGB"[channel] + "; expected a finite radiance");
 }
 
 /// Mean luminance of the bilinear interpolant over each pixel, along one axis: neighbours reach an eighth into a pixel.
@@ -109,8 +121,10 @@ std::size_t pixelOf(double fraction, int count) {
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(Image radiance, std::string name) : image_(std::move(radiance)), name_(std::move(name)) {
+EnvironmentMap::EnvironmentMap(Image radiance, std::string name, std::vector<std::string> notes)
+    : image_(std::move(radiance)), name_(std::move(name)), notes_(std::move(notes)) {
   requireUsableImage(image_, name_);
+  if (std::string note = limitToPositive(image_); !note.empty()) notes_.push_back(std::move(note));
   buildTables();
 }
 
@@ -215,8 +229,18 @@ std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrP
   if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
     throw Error(path.string() + ": found neither a bundled environment (" + bundledEnvironmentList() +
                 ") nor a file with this name");
+  io::ImageFile file = io::readImageFile(path);
+  if (!file.layout.empty())
+    throw Error(path.string() + ": found an environment with the layout '" + plainText(file.layout) +
+                "', which Gonio wrote for another program; expected a latitude-longitude map, such as the one from "
+                "which it was exported");
+  if (file.image.width != 2 * file.image.height)
+    file.notes.push_back("the image of " + std::to_string(file.image.width) + " x " +
+                         std::to_string(file.image.height) +
+                         " pixels is read as a latitude-longitude map of the whole sphere, which is usually twice as "
+                         "wide as high");
   // A map's errors name it, by its path here.
-  return std::make_shared<const EnvironmentMap>(io::readImage(path), path.string());
+  return std::make_shared<const EnvironmentMap>(std::move(file.image), path.string(), std::move(file.notes));
 }
 
 namespace {

@@ -20,10 +20,13 @@ namespace gonio::rendering {
 /// = (y + 1/2) / height. Immutable.
 class EnvironmentMap {
  public:
-  /// @throws Error if the map is empty, or a value is negative or not finite (the message names the first such pixel).
-  explicit EnvironmentMap(Image radiance, std::string name);
+  /// Negative values become 0 and are counted in the notes. @param notes what a reader changed. @throws Error if the
+  /// map is empty, or a value is not finite (the message names the first such pixel).
+  explicit EnvironmentMap(Image radiance, std::string name, std::vector<std::string> notes = {});
 
   const std::string& name() const { return name_; }
+  /// What was changed or is unusual, for people: converted colours, negative values, another shape than 2:1.
+  const std::vector<std::string>& notes() const { return notes_; }
   const Image& image() const { return image_; }
 
   /// Radiance from a world direction (unit), bilinear between pixel centres, wrapped in azimuth.
@@ -64,6 +67,7 @@ class EnvironmentMap {
 
   Image image_;
   std::string name_;
+  std::vector<std::string> notes_;
   std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
   /// Cumulative distributions from 0 to 1: height + 1 entries, and height rows of width + 1 entries.
   std::vector<float> marginal_, conditional_;
@@ -95,9 +99,9 @@ std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();
 std::shared_ptr<const EnvironmentMap> furnaceEnvironment();
 
-/// A bundled environment by its name, or a latitude-longitude map from a file (HDR or EXR).
+/// A bundled environment by its name, or a latitude-longitude map from a file (HDR or EXR, io::readImageFile()).
 /// @param folder base of relative paths; empty: the current folder.
-/// @throws Error that names the file and its fault, if it is neither.
+/// @throws Error that names the file and its fault, if it is neither, or a map that Gonio wrote in another layout.
 std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
                                                       const std::filesystem::path& folder = {});
 

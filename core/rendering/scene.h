@@ -91,6 +91,7 @@ struct Scene {
   double environmentRotation = 0;  ///< rad, see EnvironmentRotation
   bool showEnvironment = false;    ///< whether the environment is visible behind the objects; false: black, alpha 0
   bool blurBackground = false;     ///< whether the visible environment is out of focus, see blurredEnvironment()
+  std::vector<std::string> notes;  ///< what the readers of its meshes changed, for people
 };
 
 /// The number of materials that the scene needs: the highest slot number plus 1.

@@ -44,18 +44,39 @@ double numberOr(const JsonObject& object, std::string_view key, double min, doub
   return object.contains(key) ? object.number(key, min, max) : otherwise;
 }
 
+/// Whether triangles that face up lie in the plane of the lowest vertices, where they would share it with the ground.
+bool liesOnGround(const geometry::TriangleMesh& mesh) {
+  const double limit = mesh.bounds().min.y + geometry::TriangleMesh::shapeTolerance * mesh.boundingSphere().radius;
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    const geometry::TriangleIndices& triangle = mesh.triangles()[i];
+    const auto isLow = [&](int corner) { return mesh.positions()[triangle[corner]].y <= limit; };
+    if (isLow(0) && isLow(1) && isLow(2) && mesh.geometricNormal(i).y > 0) return true;
+  }
+  return false;
+}
+
 /// Scaled, turned about +y (rad) and moved; `fits`: first into a sphere of radius 1 that stands on the plane one below
-/// the origin.
-Shape placedMesh(std::shared_ptr<const geometry::TriangleMesh> mesh, double scale, double turn, Direction centre,
-                 bool fits) {
+/// the origin, or, for a flat mesh that would lie in this plane, slightly above it.
+Shape placedMesh(std::shared_ptr<const geometry::TriangleMesh> mesh, const glm::dvec3& origin, double scale,
+                 double turn, Direction centre, bool fits) {
+  // Thousands of times the rounding of rays that leave the ground or the mesh.
+  constexpr double lift = 1e-3;
   if (fits) {
+    const double size = scale;
     scale /= mesh->boundingSphere().radius;
     const Direction middle = mesh->boundingSphere().centre, foot(middle.x, mesh->bounds().min.y, middle.z);
     centre -= Direction(geometry::placement(scale, turn, Direction(0)) * glm::dvec4(foot, 1)) + Direction(0, 1, 0);
+    if (liesOnGround(*mesh)) centre.y += lift * size;
+  } else {
+    centre += Direction(geometry::placement(scale, turn, Direction(0)) * glm::dvec4(origin, 1));
   }
   const glm::dmat4 placed = geometry::placement(scale, turn, centre);
   if (placed != glm::dmat4(1)) mesh = std::make_shared<const geometry::TriangleMesh>(transformed(*mesh, placed));
   return std::make_shared<const geometry::MeshIntersector>(std::move(mesh));
+}
+
+void addNotes(const std::string& name, const io::MeshFile& file, Scene& scene) {
+  for (const std::string& note : file.notes) scene.notes.push_back(name + ": " + note);
 }
 
 /// From where all that is looked at fits into a square picture, with a margin.
@@ -92,8 +113,8 @@ class SceneReader {
 
  private:
   void readObject(const JsonObject& object);
-  Shape shapeOf(const JsonObject& object) const;
-  Shape meshOf(const JsonObject& object) const;
+  Shape shapeOf(const JsonObject& object);
+  Shape meshOf(const JsonObject& object);
   void readLight(const JsonObject& light);
   void readEnvironment(const JsonObject& environment);
   void readCamera(const JsonObject& camera);
@@ -123,20 +144,27 @@ Scene SceneReader::read() {
   return std::move(scene_);
 }
 
-Shape SceneReader::meshOf(const JsonObject& object) const {
+Shape SceneReader::meshOf(const JsonObject& object) {
   object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "material", "radiance"});
   const std::string name = object.text("mesh");
   if (io::isMeshFile(name) && !folder_)
     object.fail("mesh", "the name of a bundled mesh (a scene read from text cannot refer to files)");
-  std::shared_ptr<const geometry::TriangleMesh> mesh =
-      io::isMeshFile(name) ? std::make_shared<const geometry::TriangleMesh>(io::readMesh(*folder_ / name))
-                           : geometry::bundledMesh(name);
-  return placedMesh(std::move(mesh), numberOr(object, "scale", smallest, largest, 1),
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  glm::dvec3 origin(0);
+  if (io::isMeshFile(name)) {
+    io::MeshFile file = io::readMesh(*folder_ / name);
+    addNotes(name, file, scene_);
+    origin = file.origin;
+    mesh = std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh));
+  } else {
+    mesh = geometry::bundledMesh(name);
+  }
+  return placedMesh(std::move(mesh), origin, numberOr(object, "scale", smallest, largest, 1),
                     radians(numberOr(object, "turn", -360, 360, 0)), tripleOr(object, "centre", {0, 0, 0}),
                     object.contains("fit") && object.flag("fit"));
 }
 
-Shape SceneReader::shapeOf(const JsonObject& object) const {
+Shape SceneReader::shapeOf(const JsonObject& object) {
   const std::string kind = object.text("shape");
   if (kind == "mesh") return meshOf(object);
   if (kind == "sphere") {
@@ -238,8 +266,10 @@ Scene meshScene(const std::filesystem::path& path) {
   scene.name = path.stem().string();
   scene.description = "A mesh on the ground";
   scene.objects[0].name = scene.name;
-  scene.objects[0].shape =
-      placedMesh(std::make_shared<const geometry::TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);
+  io::MeshFile file = io::readMesh(path);
+  addNotes(path.filename().string(), file, scene);
+  scene.objects[0].shape = placedMesh(std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)), file.origin,
+                                      1, 0, Direction(0), true);
   const geometry::TriangleMesh::Bounds& bounds = std::get<MeshShape>(scene.objects[0].shape)->mesh().bounds();
   scene.camera.target = (bounds.min + bounds.max) / 2.0;
   scene.camera.distance = fittingDistance(scene, scene.camera);

@@ -36,7 +36,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
 
     Args:
         materials: One material, or one for each material slot of the scene.
-        scene: Name of a bundled scene (gonio.scenes()), a scene file (.json), or a mesh (.obj, .ply, .gltf, .glb).
+        scene: Name of a bundled scene (gonio.scenes()), a scene file (.json), or a mesh (.obj, .ply, .stl, .gltf, .glb).
         size: Width and height in pixels, or one number for both.
         samples: Samples per pixel.
         environment: Name of a bundled environment ("studio", "sky", "sunset", "window", "furnace") or of a latitude-longitude

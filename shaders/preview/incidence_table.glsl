@@ -53,7 +53,12 @@ vec4 incidenceLookup(int incident, IncidenceBracket p, IncidenceBracket a) {
                  texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.x, incident), 0), p.fraction);
   vec4 high = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.y, incident), 0),
                   texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.y, incident), 0), p.fraction);
-  return mix(low, high, a.fraction);
+  vec4 found = mix(low, high, a.fraction);
+  // All four may be below the horizon: then those nearest to the axis that are not.
+  for (int step = p.nodes.x - 1; found.a <= 0.0 && step >= 0; --step)
+    found = mix(texelFetch(incidenceValues, ivec3(step, a.nodes.x, incident), 0),
+                texelFetch(incidenceValues, ivec3(step, a.nodes.y, incident), 0), a.fraction);
+  return found;
 }
 
 // Linear RGB in 1/sr; `valid` is false where the value is 0 because nothing was measured there.
@@ -78,10 +83,19 @@ vec3 evaluateIncidenceTable(vec3 wi, vec3 wo, out bool valid) {
     // The viewer that sees the same of the highlight under this angle of incidence.
     float theta = incidenceNode(2, incident.nodes[k]), s = sin(theta), c = cos(theta);
     vec3 seen = vec3(c * at.x - s * at.z, at.y, s * at.x + c * at.z);
-    if (seen.z < -tolerance) continue;
+    bool isBelow = seen.z < -tolerance;
+    // Between two angles of incidence one of them has the direction above its horizon; beyond them it is moved there.
+    if (isBelow && incident.nodes.x != incident.nodes.y) continue;
+    vec2 turn = at.xy / max(length(at.xy), 1e-30);
 #ifdef INCIDENCE_TABLE_MIRROR
-    vec4 found = incidenceLookup(incident.nodes[k], polars, azimuths);
+    IncidenceBracket shown = polars;
+    if (isBelow) shown = incidenceBracket(0, anglePolar(c, -s * turn.x));
+    vec4 found = incidenceLookup(incident.nodes[k], shown, azimuths);
 #else
+    if (isBelow) {
+      vec2 horizon = normalize(vec2(c, -s * turn.x));  // sine and cosine of the angle from the mirror direction
+      seen = vec3(c * horizon.x * turn.x - s * horizon.y, horizon.x * turn.y, 0.0);
+    }
     IncidenceBracket polars = incidenceBracket(0, anglePolar(length(seen.xy), seen.z));
     vec4 found = incidenceLookup(incident.nodes[k], polars, azimuthBracket(seen.xy));
 #endif

@@ -24,7 +24,7 @@ MeshPointer shaderBall() { return bundledMesh("shader-ball"); }
 /// Null where the shared data are not at hand.
 MeshPointer spot() {
   static const MeshPointer mesh =
-      std::filesystem::exists(spotFile) ? std::make_shared<const TriangleMesh>(io::readObj(spotFile)) : nullptr;
+      std::filesystem::exists(spotFile) ? std::make_shared<const TriangleMesh>(io::readObj(spotFile).mesh) : nullptr;
   return mesh;
 }
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+
 #include <QTest>
 #include <array>
 #include <atomic>
@@ -103,6 +107,25 @@ Bytes exrSeed() {
   return test::readFile(path);
 }
 
+/// Luminance and chroma of other primaries, in a part of the display window; or a cube.
+Bytes unusualExrSeed(bool isCube) {
+  Imf::Header header(isCube ? 4 : 16, isCube ? 24 : 12);
+  Imf::addChromaticities(header, Imf::Chromaticities({0.7f, 0.3f}, {0.2f, 0.7f}, {0.15f, 0.05f}, {0.32f, 0.33f}));
+  if (isCube) Imf::addEnvmap(header, Imf::ENVMAP_CUBE);
+  if (!isCube) header.dataWindow() = Imath::Box2i({2, 4}, {17, 9});
+  const Imath::Box2i window = header.dataWindow();
+  const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+  std::vector<Imf::Rgba> pixels(std::size_t(width * height));
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = {float(i % 5), float(i % 7), 0.5f, 1};
+  const auto path = test::outputPath("fuzz/unusual.exr");
+  {
+    Imf::RgbaOutputFile file(path.c_str(), header, isCube ? Imf::WRITE_RGB : Imf::WRITE_YC);
+    file.setFrameBuffer(pixels.data() - window.min.x - window.min.y * width, 1, std::size_t(width));
+    file.writePixels(height);
+  }
+  return test::readFile(path);
+}
+
 /// "" when all mutations of the seed were read or refused as they should.
 std::string firstFailure(const std::string& name, const Bytes& seed, const Target& target) {
   test::writeFile("fuzz/seeds/" + name, seed);  // libFuzzer starts from these
@@ -159,7 +182,14 @@ class ReaderMutationTest : public QObject {
     readCodeBytes(codeSeed());
     readDictionaryBytes(dictionarySeed());
     readImageBytes(hdrSeed());
+    readImageBytes(oldHdrSeed());
     readImageBytes(exrSeed());
+    for (const bool isCube : {false, true}) readImageBytes(unusualExrSeed(isCube));
+    readGlbBytes(skinSeed());
+    readPlyBytes(stripsSeed());
+    readStlBytes(stlSeed());
+    readScatteredBytes<formats::readAstm>(localeAstmSeed());
+    readScatteredBytes<formats::readGoniophotometer>(localeGoniophotometerSeed());
     readDocumentBytes(documentSeed());
     readSceneBytes(sceneSeed());
     readFigureBytes(figureSeed());
@@ -193,6 +223,16 @@ class ReaderMutationTest : public QObject {
   void dictionary() { check("ensemble.dictionary", dictionarySeed(), readDictionaryBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
+  void oldHdr() { check("old.hdr", oldHdrSeed(), readImageBytes); }
+  void luminanceChroma() { check("chroma.exr", unusualExrSeed(false), readImageBytes); }
+  void cube() { check("cube.exr", unusualExrSeed(true), readImageBytes); }
+  void skin() { check("skin.gltf", skinSeed(), readGlbBytes); }
+  void strips() { check("strips.ply", stripsSeed(), readPlyBytes); }
+  void stl() { check("mesh.stl", stlSeed(), readStlBytes); }
+  void localeAstm() { check("locale.astm", localeAstmSeed(), readScatteredBytes<formats::readAstm>); }
+  void localeGoniophotometer() {
+    check("locale.txt", localeGoniophotometerSeed(), readScatteredBytes<formats::readGoniophotometer>);
+  }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }
   void plan() { check("plan.csv", planSeed(), readPlanBytes); }
   void values() { check("values.csv", valuesSeed(), readValuesBytes); }

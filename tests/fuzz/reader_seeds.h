@@ -9,6 +9,7 @@
 #include "core/formats/code.h"
 #include "core/formats/formats.h"
 #include "core/formats/neural.h"
+#include "core/io/byte_source.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/encode.h"
 #include "tests/core/formats/instrument_files.h"
@@ -215,6 +216,84 @@ inline Bytes hdrSeed() {
       for (const int value : {128 + 10, 120 + channel, 6, 1, 2, 3, 4, 5, 6}) bytes.push_back(std::byte(value));
   }
   return bytes;
+}
+
+/// Old run-length coding, columns from right to left, and the headers that change values.
+inline Bytes oldHdrSeed() {
+  Bytes bytes = bytesOf(
+      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\nCOLORCORR=1 2 4\n"
+      "PRIMARIES=0.7 0.3 0.2 0.7 0.15 0.05 0.3333 0.3333\n\n-X 2 +Y 20\n");
+  for (int line = 0; line < 2; ++line)
+    for (const int value : {10, 20, 30, 128, 1, 1, 1, 12, 90, 80, 70, 129, 1, 1, 1, 6})
+      bytes.push_back(std::byte(value));
+  return bytes;
+}
+
+/// A skinned triangle with a morph target whose accessor is sparse, as text.
+inline Bytes skinSeed() {
+  Bytes binary;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) append(binary, x);  // 0: positions
+  for (int vertex = 0; vertex < 3; ++vertex)
+    for (const int joint : {0, 1, 0, 0}) binary.push_back(std::byte(joint));  // 36: joints
+  for (int vertex = 0; vertex < 3; ++vertex)
+    for (const int weight : {51, 204, 0, 0}) binary.push_back(std::byte(weight));  // 48: weights, 0.2 and 0.8
+  for (int joint = 0; joint < 2; ++joint)
+    for (int i = 0; i < 16; ++i) append(binary, i % 5 == 0 ? 1.f : 0.f);  // 60: inverse bind matrices
+  append(binary, std::uint32_t(2));                                       // 188: the vertex that is changed
+  for (const float x : {0.f, 0.f, 4.f}) append(binary, x);                // 192: by this
+  return bytesOf(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+"extensionsRequired":["KHR_mesh_quantization"],
+"nodes":[{"mesh":0,"skin":0,"translation":[50,60,70]},{"children":[2],"translation":[0,10,0]},{"translation":[10,0,0]}],
+"skins":[{"joints":[1,2],"inverseBindMatrices":3}],
+"meshes":[{"weights":[0.5],"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},
+"targets":[{"POSITION":4}]}]}],
+"buffers":[{"byteLength":204,"uri":"data:application/octet-stream;base64,)" +
+                 io::base64Text(binary) + R"("}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12},
+{"buffer":0,"byteOffset":48,"byteLength":12},{"buffer":0,"byteOffset":60,"byteLength":128},
+{"buffer":0,"byteOffset":188,"byteLength":4},{"buffer":0,"byteOffset":192,"byteLength":12}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"count":3,"type":"VEC4"},
+{"bufferView":2,"componentType":5121,"normalized":true,"count":3,"type":"VEC4"},
+{"bufferView":3,"componentType":5126,"count":2,"type":"MAT4"},
+{"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,
+"indices":{"bufferView":4,"componentType":5125},"values":{"bufferView":5}}}]})");
+}
+
+/// Faces and strips before the vertices.
+inline Bytes stripsSeed() {
+  return bytesOf(
+      "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nelement face 1\n"
+      "property list uchar int vertex_index\nelement vertex 5\nproperty double x\nproperty double y\n"
+      "property double z\nend_header\n8 0 1 2 3 -1 4 1 0\n3 0 2 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n");
+}
+
+/// A binary tetrahedron.
+inline Bytes stlSeed() {
+  Bytes bytes = bytesOf("solid as text files begin");
+  bytes.resize(80);
+  append(bytes, std::uint32_t(4));
+  const glm::vec3 corners[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 1},
+                               {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (std::size_t i = 0; i < 12; ++i) {
+    if (i % 3 == 0) append(bytes, glm::vec3(0));
+    append(bytes, corners[i]);
+    if (i % 3 == 2) append(bytes, std::uint16_t(0));
+  }
+  return bytes;
+}
+
+/// The same points as of an ASTM file, as a spreadsheet of another locale writes them.
+inline Bytes localeAstmSeed() {
+  return bytesOf(
+      "NUM_POINTS;3;;\r\nVARS;theta_i [deg];phi_i;theta_s;phi_s;0,45um;0.55um;650nm;BRDF\r\n"
+      "10,5;0;20;180;0,1;0,2;0,3;0,4\r\n20;0;0;0;1;2e-1;3;4\r\n30;0;60,25;90;1;2;3;4\r\n");
+}
+
+inline Bytes localeGoniophotometerSeed() {
+  return bytesOf(
+      "#format: theta phi DSF\n#incident_angle 30,5 180\n#colorimetry: CIE-XYZ\n"
+      "0\t0,0\t0,1\t0,2\t0,3\n20,5;60;1;2;3 # bright\n");
 }
 
 inline Bytes documentSeed() {

@@ -161,11 +161,13 @@ inline void checkMesh(geometry::TriangleMesh read) {
     throw std::logic_error("a hit that is nowhere");
 }
 
-inline void readObjBytes(std::span<const std::byte> bytes) { checkMesh(io::readObj(io::MemorySource(bytes))); }
+inline void readObjBytes(std::span<const std::byte> bytes) { checkMesh(io::readObj(io::MemorySource(bytes)).mesh); }
 
-inline void readPlyBytes(std::span<const std::byte> bytes) { checkMesh(io::readPly(io::MemorySource(bytes))); }
+inline void readPlyBytes(std::span<const std::byte> bytes) { checkMesh(io::readPly(io::MemorySource(bytes)).mesh); }
 
-inline void readGlbBytes(std::span<const std::byte> bytes) { checkMesh(io::readGltf(io::MemorySource(bytes))); }
+inline void readStlBytes(std::span<const std::byte> bytes) { checkMesh(io::readStl(io::MemorySource(bytes)).mesh); }
+
+inline void readGlbBytes(std::span<const std::byte> bytes) { checkMesh(io::readGltf(io::MemorySource(bytes)).mesh); }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {
   const Image image = io::readImage(bytes);

@@ -58,6 +58,9 @@ void EnvironmentController::open(const QString& nameOrPath) {
       [this, nameOrPath](const std::shared_ptr<const rendering::EnvironmentMap>& environment) {
         m_preview.setEnvironment(environment);
         remember(nameOrPath);
+        if (!environment) return;
+        for (const std::string& note : environment->notes())
+          Q_EMIT warned(nameOrPath.section('/', -1) + QStringLiteral(": ") + QString::fromStdString(note));
       },
       [this](const QString& error) {
         readRecent();

@@ -34,6 +34,8 @@ class EnvironmentController : public QObject {
  Q_SIGNALS:
   void recentChanged();
   void failed(const QString& title, const QString& text);
+  /// What the reader changed or found unusual.
+  void warned(const QString& text);
 
  private:
   void readRecent();

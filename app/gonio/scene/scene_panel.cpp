@@ -273,6 +273,7 @@ void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& sh
       [this, shown](const rendering::Scene& scene) {
         show(scene);
         if (shown) shown();
+        for (const std::string& note : scene.notes) Q_EMIT warned(QString::fromStdString(note));
       },
       [this](const QString& error) {
         refresh();

@@ -90,6 +90,8 @@ class ScenePanel : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& title, const QString& text);
+  /// What the readers of the scene's files changed.
+  void warned(const QString& text);
 
  private:
   QWidget* buildTop();

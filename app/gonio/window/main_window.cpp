@@ -233,6 +233,8 @@ void MainWindow::connectMessages() {
          m_parts.match, m_parts.plots, m_parts.factors, m_parts.interpolation, m_parts.study, m_parts.scene,
          m_parts.acquisition);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_parts.scene, &ScenePanel::warned, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_parts.environment, &EnvironmentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.document, &Document::refused, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);

@@ -121,6 +121,7 @@ Image octahedralEnvironment(const rendering::EnvironmentMap& environment, double
 const SceneFormat& pbrtSceneFormat() {
   static const SceneFormat format{.textSuffix = "_scene.pbrt",
                                   .environmentSuffix = "_environment_octahedral.exr",
+                                  .environmentLayout = "equal-area octahedral",
                                   .materialSuffix = "_spec.bsdf",
                                   .text = pbrtText,
                                   .environment = pbrtEnvironment};

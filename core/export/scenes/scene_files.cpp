@@ -11,6 +11,12 @@ namespace gonio::exports {
 
 namespace {
 
+/// So that Gonio does not take the file for a latitude-longitude map.
+std::map<std::string, std::string> layoutOf(const SceneFormat& format) {
+  if (format.environmentLayout.empty()) return {};
+  return {{io::layoutAttribute, std::string(format.environmentLayout)}};
+}
+
 const geometry::TriangleMesh* meshOf(const rendering::SceneObject& object) {
   const auto* shape = std::get_if<rendering::MeshShape>(&object.shape);
   return shape ? &(*shape)->mesh() : nullptr;
@@ -51,7 +57,8 @@ std::vector<ExportPart> sceneParts(const SceneFormat& format, const rendering::S
   for (const std::string& suffix : meshSuffixes) names.meshes.push_back(suffix.empty() ? suffix : name + suffix);
   std::vector<ExportPart> parts{textPart(format.textSuffix, format.text(scene, names))};
   if (scene.environment)
-    parts.push_back({std::string(format.environmentSuffix), io::encodeExr(format.environment(scene), {})});
+    parts.push_back(
+        {std::string(format.environmentSuffix), io::encodeExr(format.environment(scene), layoutOf(format))});
   for (std::size_t i = 0; i < meshSuffixes.size(); ++i)
     if (const geometry::TriangleMesh* mesh = meshOf(scene.objects[i]))
       parts.push_back({meshSuffixes[i], io::encodePly(*mesh)});

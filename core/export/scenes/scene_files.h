@@ -25,6 +25,7 @@ struct SceneFileNames {
 /// direction of anisotropic materials on meshes, which each renderer chooses itself.
 struct SceneFormat {
   std::string_view textSuffix, environmentSuffix;
+  std::string_view environmentLayout = {};   ///< io::layoutAttribute; empty: latitude-longitude
   std::string_view materialSuffix;           ///< suffix of the target's file that the scene uses
   std::string_view excludedCharacters = {};  ///< those that the names of its files cannot contain
   std::string (*text)(const rendering::Scene& scene, const SceneFileNames& files);

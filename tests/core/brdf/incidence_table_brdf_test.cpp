@@ -141,6 +141,22 @@ class IncidenceTableBrdfTest : public QObject {
     QVERIFY(brdf.hasData(at(20, 10)) && brdf.hasData(at(10, 5)) && brdf.hasData(at(30, 15)));
   }
 
+  /// A viewer that is below the horizon of the last angle of incidence sees what is at that horizon.
+  void beyondTheLastAngleTheHorizonIsSeen() {
+    const Function function = [](double, double, double p) { return 1 + p; };
+    const IncidenceTableBrdf brdf(
+        tableOf(Axis::mirror, true, function, steps(50, 10, 1), steps(0, 15, 13), steps(0, 1, 181)));
+    // Away from the normal the horizon is 40 degrees from the mirror direction; toward it, 140.
+    const auto at = [&](double i, double a, double p) {
+      return brdf.evaluate(fromSpherical(radians(i), 0), aboutMirror(radians(i), radians(a), radians(p))).x;
+    };
+    QVERIFY(isClose(at(10, 180, 39), 1 + radians(39)));
+    QVERIFY(isClose(at(10, 180, 60), 1 + radians(40)));
+    QVERIFY(isClose(at(10, 180, 79), 1 + radians(40)));
+    QVERIFY(isClose(at(80, 0, 150), 1 + radians(140)));
+    QVERIFY(isClose(at(80, 90, 85), 1 + radians(85)));
+  }
+
   void axisHasOneValueAndNegativeOnesAreCut() {
     const IncidenceTableBrdf brdf(tableOf(
         Axis::mirror, true, [](double, double a, double p) { return p > 0 ? -1 : degrees(a); }, {0.5}, steps(0, 90, 3),

@@ -191,6 +191,20 @@ class EditDocumentTest : public QObject {
     QCOMPARE(readDocument(path).edits.size(), example().edits.size());
   }
 
+  /// JSON of other programs is no document, whatever its suffix; a document needs its suffix or its format.
+  void jsonOfOtherProgramsIsNoDocument() {
+    const auto isDocumentAs = [](const char* name, const std::string& text) {
+      return isDocument(writeFile(name, std::as_bytes(std::span(text))).string());
+    };
+    const std::string document = toJson(example()).dump(), other = R"({"metadata": {"format": "x"}, "brdf": []})";
+    QVERIFY(isDocumentAs("documents/unnamed", document) && isDocumentAs("documents/named.gonio", other));
+    QVERIFY(!isDocumentAs("documents/table.json", other) && !isDocumentAs("documents/half.json", "{\"format\""));
+    const fs::path path = outputPath("documents/table.json");
+    writeFile("documents/table.json", std::as_bytes(std::span(other)));
+    QVERIFY(errorOf([&] { openMaterial(path.string()); }).find("matches no format that Gonio supports") !=
+            std::string::npos);
+  }
+
   void unknownKeysAreLeftOut() {
     nlohmann::json json = toJson(example());
     json["future"] = 1;

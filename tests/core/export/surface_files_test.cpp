@@ -219,7 +219,7 @@ class SurfaceFilesTest : public QObject {
   void slicesHaveTheValues() {
     const auto source = materials::unedited("test", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05));
     const auto made = exports::makeExport(*exports::findExportTarget("slices"), source);
-    const Image image = io::decodeExr(made.parts[0].bytes);
+    const Image image = io::decodeExr(made.parts[0].bytes).image;
     QCOMPARE(std::pair(image.width, image.height), std::pair(4 * 180, 180));
     const int columns[] = {7, 180 + 40, 2 * 180 + 60, 3 * 180 + 90};
     for (const int column : columns) {

@@ -72,7 +72,10 @@ class ScatterTablesTest : public QObject {
     const Direction wi = fromSpherical(radians(20), 1);
     QVERIFY(std::abs(file.brdf->evaluate(wi, fromSpherical(radians(10), 1)).x -
                      isotropic(wi, fromSpherical(radians(10), 1)).x) < 1e-6);
-    QVERIFY(file.source.notes.empty());
+    QCOMPARE(file.source.notes.at(0),
+             std::string("read as: angles in degrees; BRDF in 1/sr, monochrome as grey; decimal points"));
+    // The closed form reflects more than it receives.
+    QVERIFY(file.source.notes.size() == 2 && contains(file.source.notes[1], "warning: the albedo at 0 degrees is "));
   }
 
   void lightToolsHoldsTheBrdf() {
@@ -128,9 +131,49 @@ class ScatterTablesTest : public QObject {
     std::string two = replaced(one, "SampleRotation  1\n0", "SampleRotation 2\n0 90");
     two = replaced(two, "DataEnd", one.substr(at, end - at) + "DataEnd");
     const Material file = zemax(two);
-    QCOMPARE(file.source.notes.size(), std::size_t(1));
+    QVERIFY(contains(file.source.notes.at(0), "the mean of 2 sample rotations"));
     const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.4, 3)};
     QVERIFY(std::abs(file.brdf->evaluate(pair.wi, pair.wo).x - zemax(one).brdf->evaluate(pair.wi, pair.wo).x) < 1e-6);
+  }
+
+  /// The same values in every locale and with every separator.
+  void notationsOfNumbers() {
+    const auto withCommas = [](std::string text) {
+      std::ranges::replace(text, '.', ',');
+      return text;
+    };
+    const std::string mirror = textOf(zemaxFile(isotropic, small)),
+                      normal = textOf(lightToolsFile(isotropic, smallAboutNormal));
+    const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.4, 3)};
+    const auto isSame = [&](const Material& one, const Material& other) {
+      return one.brdf->evaluate(pair.wi, pair.wo) == other.brdf->evaluate(pair.wi, pair.wo);
+    };
+    QVERIFY(isSame(zemax(mirror), zemax(withCommas(mirror))));
+    QVERIFY(isSame(lightTools(normal), lightTools(withCommas(normal))));
+    QVERIFY(contains(zemax(withCommas(mirror)).source.notes.at(0), "decimal commas"));
+    std::string others = withCommas(normal);
+    std::ranges::replace(others, ' ', ';');
+    QVERIFY(isSame(lightTools(normal), lightTools("\xEF\xBB\xBF" + others)));
+    QVERIFY(isSame(zemax(mirror), zemax(replaced(mirror, "TIS 0.5", "TIS 0.5 # total"))));
+    VERIFY_REFUSED(zemax, replaced(withCommas(mirror), "TIS 0,5", "TIS 0.5"), "expected one decimal sign");
+  }
+
+  /// Beyond the first and last angle of incidence the value at that angle, wherever the viewer is.
+  void constantBeyondTheAnglesOfIncidence() {
+    const Reflectance constant = [](const Direction&, const Direction&) { return Rgb(0.0625); };
+    for (const Material& file :
+         {zemax(textOf(zemaxFile(constant, {{10, 50}, {0, 90, 180}, {0, 20, 80}}))),
+          zemax(textOf(zemaxFile(constant, {{10, 50}, {90, 180}, {0, 20, 80}}))),
+          lightTools(textOf(lightToolsFile(constant, {{10, 50}, {0, 90, 180, 270}, {0, 30, 60}})))})
+      for (const double i : {0.0, 1.0, 5.0, 10.0, 30.0, 50.0, 60.0, 80.0, 89.0})
+        for (const double o : {0.0, 30.0, 60.0, 81.0, 88.0, 89.9})
+          for (const double phi : {0.0, 45.0, 90.0, 135.0, 180.0, 270.0}) {
+            const Rgb value =
+                file.brdf->evaluate(fromSpherical(radians(i), 0), fromSpherical(radians(o), radians(phi)));
+            QVERIFY2(
+                value == Rgb(0.0625),
+                (numberText(i) + " " + numberText(o) + " " + numberText(phi) + ": " + numberText(value.x)).c_str());
+          }
   }
 
   void transmissionIsRefused() {

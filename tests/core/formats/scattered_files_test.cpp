@@ -78,9 +78,98 @@ class ScatteredFilesTest : public QObject {
             isClose(plane.directions[0].wo, fromSpherical(0.25, 1)));
   }
 
+  /// The columns of values are known by their names; what may be values twice is refused with the choices.
+  void astmColumnsOfValues() {
+    const auto read = [](const std::string& names, const std::string& values) {
+      return astm("NUM_POINTS 1\nVARS theta_i,theta_s,phi_s," + names + "\n0.1,0.2,3," + values + "\n");
+    };
+    QCOMPARE(read("wavelength,BRDF", "650,0.5").values[0], Rgb(0.5));
+    QCOMPARE(read("BRDF [1/sr],sigma", "0.5,0.1").values[0], Rgb(0.5));
+    QCOMPARE(read("650nm", "0.5").values[0], Rgb(0.5));
+    const Rgb spectrum = read("450nm,550nm,650nm", "0.1,0.2,0.4").values[0];
+    QCOMPARE(read("0.45um,0.55 um,0.65 \u00b5m", "0.1,0.2,0.4").values[0], spectrum);
+    QVERIFY(spectrum.x > 0.3 && spectrum.z < 0.2);
+    QVERIFY(contains(read("wavelength,BRDF", "650,0.5").notes.at(1), "not used: 'wavelength'"));
+    for (const auto& [names, values] : {std::pair<std::string, std::string>{"650nm,532nm", "0.5,0.6"},
+                                        {"p,q", "1,2"},
+                                        {"wavelength", "650"},
+                                        {"BRDF*cos", "0.5"},
+                                        {"X,Y", "1,2"}}) {
+      const std::string error = errorOf([&, names = names, values = values] { read(names, values); });
+      QVERIFY2(contains(error, "line 2: found the columns") && contains(error, "or one column named BRDF"),
+               error.c_str());
+    }
+    QVERIFY(contains(errorOf([&] { read("BRDF,BSDF", "1,2"); }), "expected only one of them"));
+    QVERIFY(contains(errorOf([&] { read("theta_r,BRDF", "0.1,2"); }), "'theta_s', 'theta_r', expected only one"));
+    QVERIFY(contains(errorOf([&] { read("905nm,1064nm,1550nm", "1,1,1"); }), "expected some that are visible"));
+    VERIFY_REFUSED(astm, "NUM_POINTS 2\nVARS theta_i,theta_s,phi_s,wavelength,BRDF\n0,0,0,450,1\n0,0,0,650,2\n",
+                   "line 4: found 650 for wavelength after 450");
+  }
+
+  /// Radians only where they can be; the file may state the unit.
+  void unitsOfAngles() {
+    const auto thetaOf = [](const std::string& names, const std::string& row) {
+      return astm("NUM_POINTS 1\nVARS " + names + ",BRDF\n" + row + ",1\n");
+    };
+    const std::string names = "theta_i,phi_i,theta_s,phi_s";
+    QVERIFY(isClose(thetaOf(names, "0.5,0,0.4,3").directions.at(0).wi, fromSpherical(0.5, 0)));
+    QVERIFY(isClose(thetaOf(names, "5,0,4,180").directions.at(0).wi, fromSpherical(radians(5), 0)));
+    QVERIFY(isClose(thetaOf(names, "5,0,4,0").directions.at(0).wi, fromSpherical(radians(5), 0)));
+    QVERIFY(isClose(thetaOf(names, "2,0,1,0").directions.at(0).wi, fromSpherical(radians(2), 0)));
+    QVERIFY(isClose(thetaOf("theta_i [deg],phi_i,theta_s,phi_s", "1,0,1,0").directions.at(0).wi,
+                    fromSpherical(radians(1), 0)));
+    QVERIFY(isClose(thetaOf("theta_i (rad),phi_i (rad),theta_s,phi_s", "1,0,1,7").directions.at(0).wi,
+                    fromSpherical(1, 0)));
+    QVERIFY(contains(thetaOf(names, "2,0,1,0").notes.at(0), "angles in degrees (the file states no unit)"));
+    VERIFY_REFUSED(astm, "NUM_POINTS 2\nVARS theta_i,theta_s,phi_s,R,G,B\n0,2,3.14159,1,1,1\n0,0,0,1,1,1\n",
+                   "expected angles in a known unit: name a column 'theta_i [deg]'");
+    VERIFY_REFUSED(astm, "NUM_POINTS 1\nVARS theta_i [deg],theta_s [rad],phi_s,R,G,B\n0,2,3,1,1,1\n", "in two units");
+    VERIFY_REFUSED(astm, "NUM_POINTS 1\nVARS theta_i [gon],theta_s,phi_s,R,G,B\n0,2,3,1,1,1\n", "[deg] or [rad]");
+  }
+
+  /// The same table from every program and locale.
+  void notationsOfTables() {
+    const ScatteredSamples expected =
+        astm("NUM_POINTS 2\nVARS theta_i,theta_s,phi_s,BRDF\n10.5,0,0,0.25\n20,30.5,180,1\n");
+    for (const char* text :
+         {"\xEF\xBB\xBFNUM_POINTS;2;;;\r\nVARS;theta_i;theta_s;phi_s;BRDF\r\n10,5;0;0;0,25\r\n20;30,5;180;1\r\n",
+          "NUM_POINTS 2\nVARS theta_i,theta_s,phi_s,BRDF\n10,5 0 0 0,25\n20 30,5 180 1\n",
+          "NUM_POINTS\t2\nVARS\ttheta_i\ttheta_s\tphi_s\tBRDF\n# a comment\n10.5\t0\t0\t0.25\n20\t30.5\t180\t1\n",
+          "NUM_POINTS 2\rVARS theta_i theta_s phi_s BRDF\r10.5 0 0  0.25\r20 30.5 180 1\r"}) {
+      const ScatteredSamples samples = astm(text);
+      QCOMPARE(samples.values, expected.values);
+      for (std::size_t i = 0; i < 2; ++i) QVERIFY(isClose(samples.directions[i].wo, expected.directions[i].wo));
+    }
+    VERIFY_REFUSED(astm, "NUM_POINTS 1\nVARS theta_i,theta_s,phi_s,BRDF\n10,5,0,0,0,25\n",
+                   "if commas are decimal signs");
+    VERIFY_REFUSED(astm, "NUM_POINTS 2\nVARS theta_i;theta_s;phi_s;BRDF\n10.5;0;0;1,234\n1;2;3;4\n",
+                   "expected one decimal sign");
+    const ScatteredSamples pgiiExpected =
+        pgii("#format: theta phi BSDF\n#incident_angle 30.5 180\n20 60.5 0.25\n0 0 1\n");
+    for (const char* rows : {"20 60,5 0,25\n0 0 1\n", "20;60,5;0,25\n0;0;1\n", "20\t60.5\t0.25\n0\t0\t1 # last\n",
+                             "20,60.5,0.25\n0,0,1\n", "20, 60.5, 0.25\n0, 0, 1\n"})
+      for (const char* angle : {"30,5 180", "30.5 180", "30.5, 180", "30,5\t180"}) {
+        const ScatteredSamples samples =
+            pgii(std::string("#format: theta phi BSDF\n#incident_angle ") + angle + "\n" + rows);
+        QCOMPARE(samples.values, pgiiExpected.values);
+        QVERIFY(isClose(samples.directions[0].wi, pgiiExpected.directions[0].wi));
+        QVERIFY(isClose(samples.directions[0].wo, pgiiExpected.directions[0].wo));
+      }
+    // Three numbers or five.
+    for (const char* rows : {"20,60,0,0,063662\n", "20,0 60,0 0.06\n", "0, 0, 0,5\n"})
+      VERIFY_REFUSED(pgii, pgiiStart + std::string(rows), "expected one");
+    VERIFY_REFUSED(pgii, "#colorimetry: CIE-Lab\n" + std::string(pgiiStart) + "0 0 50 1 2\n",
+                   "expected CIE-XYZ or RGB");
+    QVERIFY(contains(pgii(pgiiStart + std::string("20 60,5 0,25\n")).notes.at(0), "bsdf as grey; decimal commas"));
+    VERIFY_REFUSED(pgii, std::string("\xFF\xFE#\0f\0", 6), "does not begin with #");
+    const std::string utf16 =
+        errorOf([] { formats::goniophotometerFormat.sniff(io::MemorySource(bytesOf(std::string("\xFF\xFE#\0", 4)))); });
+    QVERIFY2(contains(utf16, "text in UTF-16"), utf16.c_str());
+  }
+
   void negativeValuesAndRowsBelowTheHorizonAreCounted() {
     const ScatteredSamples samples = astm(
-        "NUM_POINTS 4\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n0.1,0,0.2,0,-1,2,-0.001\n0.1,0,1.6,0,1,1,1\n"
+        "NUM_POINTS 4\nVARS theta_i [rad],phi_i,theta_s,phi_s,R,G,B\n0.1,0,0.2,0,-1,2,-0.001\n0.1,0,1.6,0,1,1,1\n"
         "1.5708,0,0.1,0,1,1,1\n0.1,0,0.1,0,0,0,0\n");
     QCOMPARE(samples.values.size(), std::size_t(2));
     QVERIFY(samples.values[0] == Rgb(0, 2, 0));
@@ -167,6 +256,9 @@ class ScatteredFilesTest : public QObject {
     }
     const ScatteredSamples grey = curet(rows);
     QVERIFY(grey.values[3] == Rgb(0.5) && isClose(grey.directions[3].wi, fromSpherical(radians(10), radians(90))));
+    std::string commas = rows;
+    std::ranges::replace(commas, '.', ',');
+    QVERIFY(curet(commas).values == grey.values && contains(curet(commas).notes.at(0), "decimal commas"));
     VERIFY_REFUSED(curet, channel + "\n", "a CUReT file with one channel");
     VERIFY_REFUSED(curet, rows + "10 90 20 180 0.5\n", "found 206 rows");
     VERIFY_REFUSED(curet, "10 90 20 180 0.5 1\n" + rows, "line 1");

@@ -49,6 +49,21 @@ class CsvTextTest : public QObject {
     QCOMPARE(io::readCsvText("1,2\n").names, (Strings{"1", "2"}));
   }
 
+  /// Rows may have another separator than the names; numbers have one decimal sign.
+  void separatorsAndDecimalSigns() {
+    for (const char* text : {"x,y\n1,5;2\n", "x;y\n1,5;2\n", "x\ty\n1,5\t2\n", "x y\n1.5  2\n", "x,y\n1,5 2\n",
+                             "x,y\n\"1,5\",2\n", "\"x; a\",y\n1.5,2\n"}) {
+      const io::CsvText csv = io::readCsvText(text);
+      QCOMPARE(csv.names.size(), std::size_t(2));
+      QCOMPARE(csv.number(csv.rows[0], 0), 1.5);
+      QCOMPARE(csv.number(csv.rows[0], 1), 2.0);
+    }
+    QCOMPARE(io::readCsvText("x;y\n1,5;2\n").notationText(), std::string("separated by semicolons, decimal commas"));
+    QCOMPARE(errorOf([] { io::readCsvText("x;y\n1,234;2\n3;0.5\n"); }),
+             std::string("found '1,234' in line 2 and '0.5' in line 3, expected one decimal sign"));
+    QVERIFY(contains(errorOf([] { io::readCsvText("x,y\n1,5,2,5\n"); }), "if commas are decimal signs"));
+  }
+
   void quotedFieldsContainSeparators() {
     const io::CsvText csv = io::readCsvText("name,value\n\"a,\"\"b\"\"\" ,\" 5 \"\n\"\",1\n'=x,'y\nfive\" x,\"6\n");
     QCOMPARE(csv.rows[0].fields, (Strings{"a,\"b\"", "5"}));

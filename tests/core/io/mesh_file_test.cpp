@@ -27,7 +27,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 
 TriangleMesh read(const std::string& content, const std::string& suffix) {
   const MemorySource source(std::as_bytes(std::span(content)));
-  return suffix == ".ply" ? readPly(source) : readGltf(source);
+  return (suffix == ".ply" ? readPly(source) : readGltf(source)).mesh;
 }
 
 /// The text of the cube as binary in a byte order.
@@ -114,16 +114,89 @@ class MeshFileTest : public QObject {
     std::ofstream(place / "MESH.GLB", std::ios::binary) << glb;
     std::ofstream(place / "mesh.ply") << textOf(fuzz::plySeed());
     std::ofstream(place / "mesh.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    QCOMPARE(readMesh(place / "mesh.gltf").triangles().size(), std::size_t(2));
-    QCOMPARE(readMesh(place / "MESH.GLB").triangles().size(), std::size_t(2));
-    QCOMPARE(readMesh(place / "mesh.ply").triangles().size(), std::size_t(12));
-    QCOMPARE(readMesh(place / "mesh.obj").triangles().size(), std::size_t(1));
+    QCOMPARE(readMesh(place / "mesh.gltf").mesh.triangles().size(), std::size_t(2));
+    QCOMPARE(readMesh(place / "MESH.GLB").mesh.triangles().size(), std::size_t(2));
+    QCOMPARE(readMesh(place / "mesh.ply").mesh.triangles().size(), std::size_t(12));
+    QCOMPARE(readMesh(place / "mesh.obj").mesh.triangles().size(), std::size_t(1));
+  }
+
+  void plyElementsInAnyOrderAndStrips() {
+    const TriangleMesh mesh = read("\xEF\xBB\xBF" + textOf(fuzz::stripsSeed()), ".ply");
+    // Two triangles of the first strip, one of the second, one face.
+    QCOMPARE(mesh.triangles().size(), std::size_t(4));
+    QCOMPARE(mesh.triangles()[0], TriangleIndices(0, 1, 2));
+    QCOMPARE(mesh.triangles()[1], TriangleIndices(2, 1, 3));
+    QCOMPARE(mesh.triangles()[2], TriangleIndices(4, 1, 0));
+    QCOMPARE(mesh.triangles()[3], TriangleIndices(0, 2, 4));
+    const std::string text = replaced(textOf(fuzz::stripsSeed()), "3 0 2 4", "3 0 2 5");
+    QVERIFY(test::contains(test::errorOf([&] { read(text, ".ply"); }), "found vertex 5, but there are only 5"));
+  }
+
+  /// Double precision counts until the mesh is centred.
+  void plyOfLargeCoordinates() {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "4123456.75 0 5000000.001\n4123456.76 0 5000000.001\n4123456.75 0.01 5000000.002\n3 0 1 2\n";
+    const MeshFile file = readPly(MemorySource(std::as_bytes(std::span(text))));
+    QVERIFY(glm::length(glm::dvec3(file.mesh.positions()[1] - file.mesh.positions()[0]) - glm::dvec3(0.01, 0, 0)) <
+            1e-8);
+    QVERIFY(std::abs(file.origin.x + file.mesh.positions()[0].x - 4123456.75) < 1e-8);
+  }
+
+  /// The same tetrahedron as text and binary, whose header looks like text.
+  void stlFiles() {
+    const glm::vec3 corners[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 1},
+                                 {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::string text = "solid one\r\n";
+    for (int i = 0; i < 12; ++i) {
+      if (i % 3 == 0) text += "facet normal 0 0 0\nouter loop\n";
+      text += "vertex " + std::to_string(corners[i].x) + " " + std::to_string(corners[i].y) + "\t" +
+              std::to_string(corners[i].z) + "\n";
+      if (i % 3 == 2) text += "endloop\nendfacet\n";
+    }
+    for (const std::string& content : {text + "endsolid one\n", textOf(fuzz::stlSeed())}) {
+      const TriangleMesh mesh = readStl(MemorySource(std::as_bytes(std::span(content)))).mesh;
+      QCOMPARE(mesh.triangles().size(), std::size_t(4));
+      QVERIFY(mesh.isClosed() && mesh.isConvex() && std::abs(mesh.volume() - 1.0 / 6) < 1e-9);
+    }
+    const auto refusal = [](const std::string& content) {
+      return test::errorOf([&] { readStl(MemorySource(std::as_bytes(std::span(content)))); });
+    };
+    QVERIFY(test::contains(refusal("ply\n"), "expected one of them"));
+    QVERIFY(test::contains(refusal("solid\nvertex 0 0\n"), "line 2: found 'vertex 0 0'"));
+    QVERIFY(test::contains(refusal("solid\nvertex 0 0 0\n"), "found 1 vertices"));
+    QVERIFY(test::contains(refusal("solid\nendsolid\n"), "found no triangles"));
+    QVERIFY(!refusal(textOf(fuzz::stlSeed()).substr(0, 200)).empty());
+  }
+
+  /// glTF 2.0, 3.7.3: the joints place a skinned mesh, its node does not; morph targets count by their default weights.
+  void skinsAndMorphTargets() {
+    const std::string text = textOf(fuzz::skinSeed());
+    const TriangleMesh mesh = read(text, ".gltf");
+    // 0.2 of the first joint (0, 10, 0) and 0.8 of the second (10, 10, 0); half of 4 along z for the third vertex.
+    const glm::vec3 expected[] = {{8, 10, 0}, {9, 10, 0}, {8, 11, 2}};
+    for (int i = 0; i < 3; ++i) QVERIFY(glm::distance(mesh.positions()[mesh.triangles()[0][i]], expected[i]) < 1e-5f);
+    const TriangleMesh plain = read(replaced(text, R"("skin":0,)", ""), ".gltf");
+    QVERIFY(glm::distance(plain.positions()[plain.triangles()[0][0]], glm::vec3(50, 60, 70)) < 1e-5f);
+    const auto refused = [&](std::string_view what, std::string_view by) {
+      return test::errorOf([&] { read(replaced(text, what, by), ".gltf"); });
+    };
+    QVERIFY(
+        test::contains(refused("KHR_mesh_quantization", "KHR_node_visibility"), "required extension 'KHR_node_vis"));
+    QVERIFY(
+        test::contains(refused("KHR_mesh_quantization", "KHR_draco_mesh_compression"), "compressed with KHR_draco"));
+    QVERIFY(refused("KHR_mesh_quantization", "KHR_materials_ior").empty());
+    QVERIFY(test::contains(refused(R"("joints":[1,2])", R"("joints":[1])"), "JOINTS_0"));
+    QVERIFY(test::contains(refused(R"("joints":[1,2])", R"("joints":[1,7])"), "there is no element 7"));
+    QVERIFY(test::contains(refused(R"("count":3,"type":"VEC3","sparse")", R"("count":2,"type":"VEC3","sparse")"),
+                           "indices below the count"));
   }
 
   void suffixes() {
     for (const char* name : {"a.obj", "b/A.PLY", "c.gltf", "d.glb"}) QVERIFY(isMeshFile(name));
     for (const char* name : {"a.json", "obj", "", "a.binary"}) QVERIFY(!isMeshFile(name));
-    QCOMPARE(meshSuffixList("*"), std::string("*.obj *.ply *.gltf *.glb"));
+    QCOMPARE(meshSuffixList("*"), std::string("*.obj *.ply *.stl *.gltf *.glb"));
   }
 
   void whatIsRefused() {
@@ -151,7 +224,7 @@ class MeshFileTest : public QObject {
     QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no element 9"));
     QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "in a cycle"));
     QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no element 6"));
-    QVERIFY(test::contains(test::errorOf([] { readMesh("vase.stl"); }), "vase.stl: found the suffix '.stl'"));
+    QVERIFY(test::contains(test::errorOf([] { readMesh("vase.3mf"); }), "vase.3mf: found the suffix '.3mf'"));
     QVERIFY(test::contains(test::errorOf([] { readMesh("/nowhere/vase.ply"); }), "/nowhere/vase.ply"));
   }
 };

@@ -8,8 +8,10 @@
 #include <limits>
 #include <random>
 
+#include "core/io/image_io.h"
 #include "core/rendering/scene.h"
 #include "core/support/error.h"
+#include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
 namespace environment_test {
@@ -202,12 +204,36 @@ class EnvironmentTest : public QObject {
       return std::string("no error");
     };
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    for (const auto& [value, text] :
-         {std::pair(std::numeric_limits<float>::quiet_NaN(), "nan"), std::pair(infinity, "inf"),
-          std::pair(-1e-9f, "-1e-09"), std::pair(-3e30f, "-3e+30")})
+    for (const auto& [value, text] : {std::pair(std::numeric_limits<float>::quiet_NaN(), "nan"),
+                                      std::pair(infinity, "inf"), std::pair(-infinity, "-inf")})
       QCOMPARE(refusal(value), std::string("environment 'attic': pixel (3, 1), counted from the upper left, has ") +
-                                   text + " in channel G; expected a radiance that is finite and not negative");
+                                   text + " in channel G; expected a finite radiance");
     QVERIFY_THROWS_EXCEPTION(Error, bundledEnvironment("moon"));
+  }
+
+  /// Filters and gamuts leave tiny negative values.
+  void negativeRadianceIsZeroAndCounted() {
+    Image image(4, 2);
+    for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(1);
+    image.at(1, 0) = {-1e-7f, 0.5f, -0.25f};
+    image.at(3, 1).y = -1e-9f;
+    const EnvironmentMap map(image, "filtered", {"converted"});
+    QVERIFY(map.image().at(1, 0) == glm::vec3(0, 0.5f, 0) && map.image().at(3, 1) == glm::vec3(1, 0, 1));
+    QCOMPARE(map.notes(), (std::vector<std::string>{
+                              "converted", "2 pixels with negative values, down to -0.25, were limited to 0"}));
+  }
+
+  void filesOfOtherShapesAndLayouts() {
+    const auto path = test::outputPath("rendering/layout.exr");
+    io::writeExr(Image(8, 8), path);
+    const auto square = openEnvironment(path.string());
+    QVERIFY(square->notes().size() == 1 && test::contains(square->notes()[0], "8 x 8 pixels is read as a latitude"));
+    io::writeExr(Image(8, 4), path);
+    QVERIFY(openEnvironment(path.string())->notes().empty());
+    io::writeExr(Image(8, 8), path, {{io::layoutAttribute, "equal-area octahedral"}});
+    const std::string error = test::errorOf([&] { openEnvironment(path.string()); });
+    QVERIFY2(test::contains(error, path.string() + ": found an environment with the layout 'equal-area octahedral'"),
+             error.c_str());
   }
 };
 

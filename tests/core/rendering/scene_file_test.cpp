@@ -266,6 +266,43 @@ class SceneFileTest : public QObject {
     }
   }
 
+  /// A flat mesh would share the plane of the ground; a closed one shows it no upper side.
+  void aFlatMeshLiesAboveTheGround() {
+    const auto lowest = [](const std::string& text) {
+      const auto path = test::writeFile("scenes/flat.obj", std::as_bytes(std::span(text)));
+      return std::get<MeshShape>(openScene(path.string()).objects[0].shape)->mesh().bounds().min.y;
+    };
+    const std::string square = "v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\n";
+    const double flat = lowest(square + "f 1 2 3 4\n");
+    QVERIFY2(flat > -1 + 5e-4 && flat < -1 + 2e-3, std::to_string(flat).c_str());
+    // With a bump.
+    QVERIFY(lowest(square + "v 3 0 0\nv 4 1 0\nv 3 0 -1\nf 1 2 3 4\nf 5 6 7\n") > -1 + 5e-4);
+    const double pyramid = lowest(square + "v 0 1 0\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    QVERIFY2(std::abs(pyramid + 1) < 1e-6, std::to_string(pyramid).c_str());
+  }
+
+  /// A mesh far from the origin is the same scene, and stands where a scene file says.
+  void coordinatesOfMaps() {
+    const auto corners = [](const char* x, const char* y, const char* z) {
+      return std::string("v ") + x + ".00 " + y + " " + z + "\nv " + x + ".01 " + y + " " + z + "\nv " + x + ".00 " +
+             y + ".02 " + z + "\nf 1 2 3\n";
+    };
+    std::vector<TriangleMesh> meshes;
+    for (const std::string& text : {corners("0", "0", "0"), corners("512345", "100", "4123456")}) {
+      const auto path = test::writeFile("scenes/far.obj", std::as_bytes(std::span(text)));
+      meshes.push_back(std::get<MeshShape>(openScene(path.string()).objects[0].shape)->mesh());
+      const Scene placed =
+          parseScene(R"({"format": "gonio scene", "version": 1, "objects": [{"name": "a", "shape": "mesh",
+        "mesh": "far.obj", "scale": 0.001, "centre": [1, 2, 3]}]})",
+                     1, path.parent_path());
+      const TriangleMesh& mesh = std::get<MeshShape>(placed.objects[0].shape)->mesh();
+      const double x = text.starts_with("v 0") ? 1 : 1 + 512.345;
+      QVERIFY(std::abs(mesh.bounds().min.x - x) < 1e-4);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      QVERIFY(glm::length(meshes[0].positions()[i] - meshes[1].positions()[i]) < 1e-5f);
+  }
+
   void aMeshIsAScene() {
     const std::filesystem::path folder = test::outputPath("scenes/lamp").parent_path();
     std::ofstream(folder / "Tooth.obj") << "v 10 5 10\nv 12 5 10\nv 10 8 10\nv 10 5 14\n"
