@@ -36,8 +36,16 @@ std::string describe(const DictionaryArguments& options, const TrainingMaterials
             {"seed", t.seed},
             {"grid", {materials.grid.thetaHCount, materials.grid.thetaDCount, materials.grid.phiDCount}},
             {"materials", materials.names}};
-  if (!t.signals.scaled) json["scaled"] = false;
+  if (t.signals.scaled)
+    json["orders"] = "both";
+  else
+    json["scaled"] = false;
   return io::jsonText(json);
+}
+
+/// Codes as published represent the mean of both orders.
+study::TrainingOrders ordersOf(const TrainingOptions& options) {
+  return options.signals.scaled ? study::TrainingOrders::both : study::TrainingOrders::mean;
 }
 
 TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const TrainingMaterials& materials,
@@ -59,7 +67,7 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 
 int train(const DictionaryArguments& options, const Tool& tool) {
   const std::vector<std::string> files = study::trainingFiles(options.sources, options.excluded);
-  const TrainingMaterials materials = study::trainingMaterials(files, study::trainingGrid(files));
+  const TrainingMaterials materials = study::trainingMaterials(files, study::trainingGrid(files), ordersOf(options.training));
   const Error interrupted(options.out + ": not written, the training was interrupted");
   const TrainingResult result = [&] {
     try {

@@ -23,11 +23,11 @@ void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
     for (const Eigen::MatrixXd& mode : dictionary) QVERIFY(orthonormalityError(mode) < 1e-10);
 }
 
-/// Without loss.
-std::vector<CompactSignal<double>> compactSignals(const Eigen::MatrixXd& signals) {
-  std::vector<CompactSignal<double>> compact;
+/// Without loss, each of one part.
+std::vector<EnsembleLearner::Signal> compactSignals(const Eigen::MatrixXd& signals) {
+  std::vector<EnsembleLearner::Signal> compact;
   for (Eigen::Index s = 0; s < signals.cols(); ++s)
-    compact.push_back(compactSignal<double>(signals.col(s).data(), sizes, 0));
+    compact.push_back({compactSignal<double>(signals.col(s).data(), sizes, 0)});
   return compact;
 }
 
