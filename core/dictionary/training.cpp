@@ -97,8 +97,8 @@ ModeMatrices<double> EnsembleLearner::leadingVectors(std::span<const int> member
   return result;
 }
 
-void EnsembleLearner::select(const Signal& signal, const ModeMatrices<double>& dictionary,
-                             Workspace<double>& workspace, Coefficients& selected) const {
+void EnsembleLearner::select(const Signal& signal, const ModeMatrices<double>& dictionary, Workspace<double>& workspace,
+                             Coefficients& selected) const {
   selected.resize(signal.size());
   for (std::size_t part = 0; part < signal.size(); ++part)
     signal[part].selectLargest(dictionary, std::size_t(sparsity_), workspace, selected[part]);
@@ -179,8 +179,7 @@ void EnsembleLearner::renew(int mode, const std::vector<std::vector<int>>& membe
           const Signal& signal = signals_[std::size_t(i)];
           for (std::size_t p = 0; p < signal.size(); ++p) {
             const CompactSignal<double>& part = signal[p];
-            Eigen::MatrixXd inner =
-                Eigen::MatrixXd::Zero(part.ranks[std::size_t(mode)], sizes_[std::size_t(mode)]);
+            Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(part.ranks[std::size_t(mode)], sizes_[std::size_t(mode)]);
             addCorrelation(part.block.data(), part.ranks, part.inBases(dictionaries[d]), mode,
                            coefficients_[std::size_t(i)][p], workspace, inner);
             sum.noalias() += part.bases[std::size_t(mode)] * inner;

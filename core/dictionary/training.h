@@ -111,7 +111,8 @@ struct TrainingResult {
 
 /// Learns the dictionaries of all sparsities: finds a shared subspace, learns each ensemble in it (EnsembleLearner),
 /// then makes one sweep in the whole space. A material with both orders of the directions has signals of two parts; the
-/// others teach the same dictionaries as without it, bit for bit, if there is none. If it is stopped, returns the dictionaries so far, with `complete` false.
+/// others teach the same dictionaries as without it, bit for bit, if there is none. If it is stopped, returns the
+/// dictionaries so far, with `complete` false.
 /// @param resume state to continue from, of the same materials and options.
 /// @param checkpoint called after each round with the state.
 /// @throws Cancelled if stopped before there is a dictionary; Error if there are no materials.

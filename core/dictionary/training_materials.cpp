@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 
 #include "core/dictionary/dictionary.h"
@@ -20,6 +21,10 @@ ModeMatrices<double> leadingColumns(const SharedSubspace& subspace) {
   ModeMatrices<double> leading;
   for (std::size_t mode = 0; mode < 3; ++mode) leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]);
   return leading;
+}
+
+bool contains(const std::vector<DataTransform>& transforms, DataTransform transform) {
+  return std::ranges::find(transforms, transform) != transforms.end();
 }
 
 }  // namespace
@@ -113,14 +118,21 @@ void forEachSignal(
                         assert(!hasBothOrders || grid == materials.grid.wholeCircle());
                         const auto geometry = GridGeometry::of(grid);
                         std::size_t signal = material * options.signalsPerMaterial();
-                        for (const DataTransform transform : options.transforms)
-                          for (const Eigen::ArrayXd& values :
-                               signalsOf(*table, transform, *geometry, options.scaled)) {
+                        for (const DataTransform transform : options.transforms) {
+                          if (hasBothOrders && !contains(options.transformsOfBothOrders, transform)) {
+                            for (int c = 0; c < 3; ++c) work(material, signal++, {});
+                            continue;
+                          }
+                          auto signals = signalsOf(*table, transform, *geometry, options.scaled);
+                          for (Eigen::ArrayXd& values : signals) {
+                            const double energy = values.square().sum() / (hasBothOrders ? 2 : 1);
+                            if (options.normalised && energy > 0) values /= std::sqrt(energy);
                             if (hasBothOrders)
                               work(material, signal++, partsOfOrders(values, grid.phiDCount));
                             else
                               work(material, signal++, {&values, 1});
                           }
+                        }
                       },
                       {.stop = control.stop});
     for (std::size_t material = begin; material < end; ++material) finished(material);

@@ -22,11 +22,19 @@ struct TrainingMaterials {
   std::function<std::shared_ptr<const TabulatedBrdf>(std::size_t material)> load;
 };
 
-/// The signals of a material: three channels for each transform. A signal has one part, or two over the same grid if the
-/// table has both orders of the directions (partsOfOrders()).
+/// The signals of a material: three channels for each transform. A signal has one part, or two over the same grid if
+/// the table has both orders of the directions (partsOfOrders()).
 struct SignalOptions {
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
+  /// The transforms in which tables of both orders have signals; in others of `transforms` their signals have no parts.
+  /// Near the horizon, the log-plus of measured files is large and rough: it would dominate what is learned, while
+  /// their codes almost always are of the cosine-log.
+  std::vector<DataTransform> transformsOfBothOrders{DataTransform::cosineLog};
   bool scaled = true;  ///< whether they have cell scaling (GridGeometry::cellScaling); not in the published method
+
+  /// Whether each signal is divided by its norm, so that dark materials count as much as bright ones: otherwise the
+  /// energies of measured files in the cosine-log differ by orders of magnitude.
+  bool normalised = false;
 
   std::size_t signalsPerMaterial() const { return 3 * transforms.size(); }
 };
@@ -58,9 +66,9 @@ struct SharedSubspace {
 SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
                                   const TaskControl& control = {});
 
-/// Calls `work(signal, blocks)` with the projection of each signal onto the subspace: one block of `ranks` for each part,
-/// one after another, in the order and on the threads of forEachSignal(). Sets the subspace's `loss`. One pass over the
-/// materials.
+/// Calls `work(signal, blocks)` with the projection of each signal onto the subspace: one block of `ranks` for each
+/// part, one after another, in the order and on the threads of forEachSignal(). Sets the subspace's `loss`. One pass
+/// over the materials.
 void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
                        const std::function<void(std::size_t signal, std::span<const double> blocks)>& work,
                        const TaskControl& control = {});

@@ -37,7 +37,7 @@ interpolation::InterpolationSpace spaceFromJson(const JsonObject& object) {
 }
 
 /// That of version 0.2.0, which documents do not name.
-constexpr std::uint64_t firstDictionary = *std::rbegin(materials::bundledIds);
+std::uint64_t firstDictionary() { return materials::bundledIds().back(); }
 
 std::string hexOf(std::uint64_t id) {
   char text[17];
@@ -46,9 +46,10 @@ std::string hexOf(std::uint64_t id) {
 }
 
 std::uint64_t dictionaryFromJson(const JsonObject& object) {
-  if (!object.contains("dictionary")) return firstDictionary;
-  const auto found = std::ranges::find(materials::bundledIds, object.text("dictionary"), hexOf);
-  if (found == std::end(materials::bundledIds)) object.fail("dictionary", "the id of a dictionary of this version of Gonio");
+  if (!object.contains("dictionary")) return firstDictionary();
+  const auto ids = materials::bundledIds();
+  const auto found = std::ranges::find(ids, object.text("dictionary"), hexOf);
+  if (found == ids.end()) object.fail("dictionary", "the id of a dictionary of this version of Gonio");
   return *found;
 }
 
@@ -95,7 +96,8 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
                                          editing::bakeEdits(table, edits, {control.stop, {}}), edits));
   }
   const auto interpolation = interpolation::prepareInterpolation(
-      blend.space, ends, blendOptions(blend.model, blend.preserveDetail, blend.dictionary), control.between(readFraction, 0.9));
+      blend.space, ends, blendOptions(blend.model, blend.preserveDetail, blend.dictionary),
+      control.between(readFraction, 0.9));
   return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 
@@ -144,7 +146,7 @@ nlohmann::json toJson(const BlendSource& blend) {
   if (hasModel(blend.space) && blend.model) json["model"] = blend.model->spec().id;
   // Left out where it has no effect: the hashes of blends in older documents stay the same.
   if (interpolation::losesDetail(blend.space) && blend.preserveDetail) json["keepDetail"] = true;
-  if (blend.space == interpolation::InterpolationSpace::dictionary && blend.dictionary != firstDictionary)
+  if (blend.space == interpolation::InterpolationSpace::dictionary && blend.dictionary != firstDictionary())
     json["dictionary"] = hexOf(blend.dictionary);
   return json;
 }

@@ -19,15 +19,15 @@ struct BlendSource {
   interpolation::InterpolationSpace space = interpolation::InterpolationSpace::linear;
   const models::Model* model = nullptr;  ///< for the spaces `parameters` and `differential`; ignored in others
   bool preserveDetail = true;            ///< InterpolationOptions::preserveDetail
-  std::uint64_t dictionary = materials::bundledIds[0];  ///< id of the ensemble for the space `dictionary`
-  std::vector<EditDocument> materials;   ///< their views are ignored
+  std::uint64_t dictionary = materials::bundledIds().front();  ///< id of the ensemble for the space `dictionary`
+  std::vector<EditDocument> materials;                         ///< their views are ignored
   std::vector<double> weights;
 };
 
 /// The options of blends in the editor: a bundled ensemble (read at the first call, 0.1 s) and three PDV terms.
-/// @param dictionary one of materials::bundledIds.
+/// @param dictionary one of materials::bundledIds().
 interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr, bool preserveDetail = true,
-                                                 std::uint64_t dictionary = materials::bundledIds[0]);
+                                                 std::uint64_t dictionary = materials::bundledIds().front());
 
 /// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
 /// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same

@@ -72,8 +72,8 @@ struct InterpolationOptions {
   factorization::PdvOptions pdv = {};
   /// For `dictionary`; not used if a material is a code over an ensemble of its own (InterpolationMaterial::ensemble).
   std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;
-  dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< for tables
-  std::size_t codeCoefficients = 1024;  ///< per channel, of a blended code: the largest remain
+  dictionary::EncodeOptions encode = {.coefficients = 1024};  ///< for tables
+  std::size_t codeCoefficients = 1024;                        ///< per channel, of a blended code: the largest remain
 };
 
 /// A table of transformed values, which may be negative.

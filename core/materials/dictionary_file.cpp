@@ -14,8 +14,8 @@
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 
-/// The first byte of each bundled dictionary file, in the order of bundledIds, and the end of the last one: included by
-/// the build (bundled_files.S).
+/// The first byte of each bundled dictionary file, in the order of bundledIds(), and the end of the last one: included
+/// by the build (bundled_files.S).
 extern "C" const std::byte* const gonioDictionaryFiles[];
 
 namespace gonio::materials {
@@ -82,13 +82,22 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
   return withFileInErrors(path, [&] { return readDictionary(io::FileSource(path)); });
 }
 
+namespace {
+
+/// In the order of the list in CMakeLists.txt.
+constexpr std::uint64_t ids[] = {0x6bebf51c078c57af};
+
+}  // namespace
+
+std::span<const std::uint64_t> bundledIds() { return ids; }
+
 std::shared_ptr<const NamedEnsemble> bundledEnsemble(std::uint64_t id) {
   struct Bundled {
     std::once_flag read;
     std::shared_ptr<const NamedEnsemble> dictionary;
   };
-  static std::array<Bundled, std::size(bundledIds)> bundled;
-  const auto i = std::size_t(std::ranges::find(bundledIds, id) - std::begin(bundledIds));
+  static std::array<Bundled, std::size(ids)> bundled;
+  const auto i = std::size_t(std::ranges::find(ids, id) - std::begin(ids));
   if (i == bundled.size()) return nullptr;
   std::call_once(bundled[i].read, [&] {
     const std::byte* const begin = gonioDictionaryFiles[i];

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/dictionary/training.h"
@@ -29,9 +30,9 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
 std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source);
 
 /// The ids of the ensembles bundled with Gonio: first the one for new codes, last that of version 0.2.0.
-inline constexpr std::uint64_t bundledIds[] = {0x6bebf51c078c57af};
+std::span<const std::uint64_t> bundledIds();
 /// The bundled ensemble with an id, read at the first call (about 0.1 s); null if none has the id.
-std::shared_ptr<const NamedEnsemble> bundledEnsemble(std::uint64_t id = bundledIds[0]);
+std::shared_ptr<const NamedEnsemble> bundledEnsemble(std::uint64_t id = bundledIds().front());
 
 /// Writes a checkpoint of a training, atomically: a container (core/io/container.h) "GONIOCKP", version 1, with a
 /// description that identifies the training, and the state in double precision. @param training text that identifies
