@@ -33,9 +33,12 @@ MATERIAL_FILES = [path for path in MATERIALS.values() if not path.startswith("li
 SOURCE_ARGUMENTS = " ".join(shlex.quote(str(source)) for source in SOURCES)
 
 FOLDS = range(config["folds"])
-FOLD_OF = {name: i % len(FOLDS) for i, name in enumerate(MATERIALS)}
-if len(MATERIALS) <= len(FOLDS):
-    raise WorkflowError(f"folds: found {len(FOLDS)} for {len(MATERIALS)} materials, expected fewer")
+# NAME_rgb is a measured file of RGL, NAME a copy of it: both belong to one fold.
+SUBJECT_OF = {name: name.removesuffix("_rgb") for name in MATERIALS}
+SUBJECTS = list(dict.fromkeys(SUBJECT_OF.values()))
+FOLD_OF = {name: SUBJECTS.index(subject) % len(FOLDS) for name, subject in SUBJECT_OF.items()}
+if len(SUBJECTS) <= len(FOLDS):
+    raise WorkflowError(f"folds: found {len(FOLDS)} for {len(SUBJECTS)} materials, expected fewer")
 
 
 def held_out(fold):

@@ -19,7 +19,7 @@ using namespace dictionary;
 
 struct DictionaryArguments {
   std::vector<std::string> sources, excluded;
-  std::string out, checkpoint;
+  std::string out, checkpoint, extended;
   TrainingOptions training;
   bool onlyComplete = false;
 };
@@ -36,8 +36,17 @@ std::string describe(const DictionaryArguments& options, const TrainingMaterials
             {"seed", t.seed},
             {"grid", {materials.grid.thetaHCount, materials.grid.thetaDCount, materials.grid.phiDCount}},
             {"materials", materials.names}};
-  if (!t.signals.scaled) json["scaled"] = false;
+  if (t.signals.normalised) json["normalised"] = true;
+  if (t.signals.scaled)
+    json["orders"] = "both";
+  else
+    json["scaled"] = false;
   return io::jsonText(json);
+}
+
+/// Codes as published represent the mean of both orders.
+study::TrainingOrders ordersOf(const TrainingOptions& options) {
+  return options.signals.scaled ? study::TrainingOrders::both : study::TrainingOrders::mean;
 }
 
 TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const TrainingMaterials& materials,
@@ -58,10 +67,13 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 }
 
 int train(const DictionaryArguments& options, const Tool& tool) {
+  std::shared_ptr<const materials::NamedEnsemble> extended;
+  if (!options.extended.empty()) extended = materials::readDictionary(options.extended);
   const std::vector<std::string> files = study::trainingFiles(options.sources, options.excluded);
-  const TrainingMaterials materials = study::trainingMaterials(files, study::trainingGrid(files));
+  const TrainingMaterials materials =
+      study::trainingMaterials(files, study::trainingGrid(files), ordersOf(options.training));
   const Error interrupted(options.out + ": not written, the training was interrupted");
-  const TrainingResult result = [&] {
+  TrainingResult result = [&] {
     try {
       return trainWithCheckpoints(options, materials, tool);
     } catch (const Cancelled&) {  // before there were any dictionaries
@@ -88,6 +100,7 @@ int train(const DictionaryArguments& options, const Tool& tool) {
     text += "\n";
   }
   const Sizes& ranks = result.state.subspace.ranks;
+  if (extended) result.ensemble = joined(extended->ensemble, result.ensemble);
   const double orthonormality = orthonormalityError(result.ensemble);
   materials::writeDictionary(result.ensemble, options.out);
   print(tool,
@@ -165,6 +178,12 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_flag(
       "--as-published", [&training](std::int64_t) { training.signals.scaled = false; },
       "Learn from transformed values without cell scaling");
+  command
+      ->add_option("--extend", options->extended,
+                   "Dictionary file whose dictionaries precede the learned ones in the file to write")
+      ->type_name("FILE");
+  command->add_flag("--normalise", training.signals.normalised,
+                    "Divide each signal by its norm, so that dark materials count as much as bright ones");
   command->add_option("--seed", training.seed, "Seed of the initial assignment of signals to dictionaries (1)");
   command
       ->add_option("--checkpoint", options->checkpoint,

@@ -155,16 +155,13 @@ EncodeOptions encodeOptions(const EncodeArguments& options) {
   return encoding;
 }
 
-std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const EncodeArguments& options) {
-  return options.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(options.dictionary);
-}
-
 int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.asPublished && options.method != codingMethodNames[0])
     throw UsageError("encode: --as-published cannot be used with --method");
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts quantised values; leave out --single");
-  const auto dictionary = dictionaryOf(options);
+  const auto dictionary =
+      options.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(options.dictionary);
   const auto material = documents::openMaterial(options.material, tool.control("reading"));
   auto table =
       onCodeGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble, tool.control("sampling"));
@@ -234,9 +231,14 @@ int encodeByMethod(const EncodeArguments& options, const CLI::App& command, cons
 
 int decode(const EncodeArguments& options, const Tool& tool) {
   materials::checkWritableSuffix(options.out);
-  const auto dictionary = dictionaryOf(options);
   const formats::CodeFile file = formats::readCode(options.material);
-  formats::checkDictionary(file, *dictionary);
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;
+  if (options.dictionary.empty()) {
+    dictionary = formats::bundledDictionaryOf(file);
+  } else {
+    dictionary = materials::readDictionary(options.dictionary);
+    formats::checkDictionary(file, *dictionary);
+  }
   const WrittenMaterial written = writeMaterial(std::filesystem::path(options.material).stem().string(),
                                                 dictionary::decode(dictionary->ensemble, file.code), options.out, tool);
   Json json{{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}};

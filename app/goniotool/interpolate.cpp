@@ -84,7 +84,7 @@ void checkOptions(const InterpolateArguments& options) {
   }
 }
 
-/// The code of a file over another dictionary than the one that comes with Gonio.
+/// The code of a file over a given dictionary.
 interpolation::InterpolationMaterial openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
   const formats::CodeFile file = formats::readCode(path);
   withFileInErrors(path, [&] { formats::checkDictionary(file, dictionary); });
@@ -92,15 +92,20 @@ interpolation::InterpolationMaterial openCode(const std::string& path, const mat
           .code = std::make_shared<const dictionary::SparseCode>(file.code)};
 }
 
-/// @param other a dictionary that was given, or null.
-interpolation::InterpolationMaterial openEnd(const std::string& material, const materials::NamedEnsemble* other,
+/// @param isGiven whether `dictionary` is that of --dictionary. Otherwise it is set to that of the first code.
+interpolation::InterpolationMaterial openEnd(const std::string& material, bool isGiven,
+                                             std::shared_ptr<const materials::NamedEnsemble>& dictionary,
                                              const Tool& tool) {
-  if (other && hasSuffixOf(formats::codeFormat, material)) return openCode(material, *other);
+  if (isGiven && hasSuffixOf(formats::codeFormat, material)) return openCode(material, *dictionary);
   const materials::Material opened = documents::openMaterial(material, tool.control("reading " + material));
   interpolation::InterpolationMaterial end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
   if (formats::isPdv(material))
     end.factors = std::make_shared<const factorization::PdvFactors>(formats::readPdv(material));
-  if (!other) end.code = opened.code;
+  if (!isGiven && opened.code) {
+    end.code = opened.code;
+    end.ensemble = {opened.dictionary, &opened.dictionary->ensemble};
+    if (!dictionary) dictionary = opened.dictionary;
+  }
   if (!opened.table) end.base = opened.brdf;
   return end;
 }
@@ -185,11 +190,11 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   if (!tool.force) checkSeries(options);
   const bool isGiven = !options.dictionary.empty();
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
-  if (isGiven || options.spaceChosen() == interpolation::InterpolationSpace::dictionary)
-    dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledEnsemble();
+  if (isGiven) dictionary = materials::readDictionary(options.dictionary);
   std::vector<interpolation::InterpolationMaterial> ends;
-  for (const std::string& material : options.materials)
-    ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));
+  for (const std::string& material : options.materials) ends.push_back(openEnd(material, isGiven, dictionary, tool));
+  if (!dictionary && options.spaceChosen() == interpolation::InterpolationSpace::dictionary)
+    dictionary = materials::bundledEnsemble();
   interpolation::InterpolationOptions preparation;
   if (dictionary) preparation.ensemble = {dictionary, &dictionary->ensemble};
   preparation.encode.coefficients = preparation.codeCoefficients = options.coefficients;

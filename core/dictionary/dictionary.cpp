@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/support/error.h"
+
 namespace gonio::dictionary {
 
 std::size_t SparseCode::coefficients() const {
@@ -44,6 +46,16 @@ Ensemble inBothOrders(const Ensemble& ensemble) {
   Ensemble result{ensemble.grid.wholeCircle(), {}, ensemble.learnedFrom, ensemble.scaled};
   for (const Dictionary& dictionary : ensemble.dictionaries) result.dictionaries.push_back(inBothOrders(dictionary));
   return result;
+}
+
+Ensemble joined(Ensemble first, const Ensemble& second) {
+  if (first.grid != second.grid) throw Error("found dictionaries of different grids, expected one grid");
+  if (first.scaled != second.scaled)
+    throw Error("found dictionaries with and without cell scaling, expected the same for all");
+  first.dictionaries.insert(first.dictionaries.end(), second.dictionaries.begin(), second.dictionaries.end());
+  for (const std::string& name : second.learnedFrom)
+    if (std::ranges::find(first.learnedFrom, name) == first.learnedFrom.end()) first.learnedFrom.push_back(name);
+  return first;
 }
 
 SparseCode inBothOrders(const SparseCode& code) {

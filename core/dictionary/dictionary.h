@@ -50,6 +50,10 @@ Dictionary inBothOrders(const Dictionary& dictionary);
 /// The ensemble of these, over HalfDifferenceGrid::wholeCircle(). 32 dictionaries of a MERL grid have 37 MB.
 Ensemble inBothOrders(const Ensemble& ensemble);
 
+/// The dictionaries of both ensembles, first those of `first`. @throws Error if their grids or their cell scaling
+/// differ.
+Ensemble joined(Ensemble first, const Ensemble& second);
+
 /// Largest absolute entry of U^T U - I over all matrices.
 double orthonormalityError(const Ensemble& ensemble);
 double orthonormalityError(const Eigen::MatrixXd& matrix);

@@ -38,6 +38,27 @@ AtomGroups groupsOf(std::span<const Coefficient<double>> coefficients, const Mod
 
 }  // namespace
 
+void keepLargest(std::span<std::vector<Coefficient<double>>> parts, std::size_t count) {
+  if (parts.size() < 2) return;
+  struct Entry {
+    std::size_t part;
+    Coefficient<double> coefficient;
+  };
+  std::vector<Entry> all;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (const Coefficient<double>& c : parts[part]) all.push_back({part, c});
+    parts[part].clear();
+  }
+  if (count < all.size()) {
+    std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(count), all.end(), [](const Entry& a, const Entry& b) {
+      const double sizeA = std::abs(a.coefficient.value), sizeB = std::abs(b.coefficient.value);
+      return sizeA == sizeB && a.part != b.part ? a.part < b.part : isLarger(a.coefficient, b.coefficient);
+    });
+    all.resize(count);
+  }
+  for (const Entry& entry : all) parts[entry.part].push_back(entry.coefficient);
+}
+
 void addCorrelation(const double* block, const Sizes& sizes, const ModeMatrices<double>& matrices, int mode,
                     std::span<const Coefficient<double>> coefficients, Workspace<double>& workspace,
                     Eigen::MatrixXd& z) {

@@ -92,6 +92,10 @@ void selectLargest(std::span<const Scalar> values, std::size_t count, std::vecto
   largest.prune();
 }
 
+/// Reduces the coefficients of a signal of several parts over the same dictionary to the `count` largest of all parts
+/// together; those of one part stay as they are. @param parts lists of at most `count` coefficients each.
+void keepLargest(std::span<std::vector<Coefficient<double>>> parts, std::size_t count);
+
 /// Sum of squares, in double.
 template <typename Scalar>
 double energy(std::span<const Coefficient<Scalar>> coefficients) {

@@ -172,4 +172,14 @@ std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
   return signals;
 }
 
+std::array<Eigen::ArrayXd, 2> partsOfOrders(const Eigen::ArrayXd& signal, int phiDCount) {
+  assert(phiDCount % 2 == 0 && signal.size() % phiDCount == 0);
+  const Eigen::Index half = phiDCount / 2, rows = signal.size() / phiDCount;
+  const Eigen::Map<const Eigen::ArrayXXd> circle(signal.data(), phiDCount, rows);
+  std::array<Eigen::ArrayXd, 2> parts{Eigen::ArrayXd(half * rows), Eigen::ArrayXd(half * rows)};
+  Eigen::Map<Eigen::ArrayXXd>(parts[0].data(), half, rows) = (circle.topRows(half) + circle.bottomRows(half)) / 2;
+  Eigen::Map<Eigen::ArrayXXd>(parts[1].data(), half, rows) = (circle.topRows(half) - circle.bottomRows(half)) / 2;
+  return parts;
+}
+
 }  // namespace gonio::dictionary

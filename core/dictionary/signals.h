@@ -33,6 +33,12 @@ struct GridGeometry {
 std::array<Eigen::ArrayXd, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
                                         const GridGeometry& geometry, bool scaled = true);
 
+/// Splits signals over the whole circle of phi_d into two parts over its first half: the mean of both orders of the
+/// directions, and half their difference (first minus second half). A code of both orders has coefficients of these two
+/// parts over the same dictionary (inBothOrders()), sqrt 2 times as large. The second part of a reciprocal table is 0.
+/// @param phiDCount number of nodes of the whole circle, even.
+std::array<Eigen::ArrayXd, 2> partsOfOrders(const Eigen::ArrayXd& signal, int phiDCount);
+
 /// The factor of each cell by cell scaling.
 Eigen::ArrayXf cellScales(const HalfDifferenceGrid& grid, const GridGeometry& geometry);
 /// Smallest and largest transformed value of the valid cells of a signal (without cell scaling), at most and at least

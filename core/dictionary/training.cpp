@@ -38,8 +38,17 @@ Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, 
 
 }  // namespace
 
-EnsembleLearner::EnsembleLearner(std::span<const CompactSignal<double>> signals, const Sizes& sizes, int dictionaries,
-                                 int sparsity)
+namespace {
+
+double energyOf(const EnsembleLearner::Signal& signal) {
+  double sum = 0;
+  for (const CompactSignal<double>& part : signal) sum += part.energy;
+  return sum;
+}
+
+}  // namespace
+
+EnsembleLearner::EnsembleLearner(std::span<const Signal> signals, const Sizes& sizes, int dictionaries, int sparsity)
     : signals_(signals),
       sizes_(sizes),
       sparsity_(sparsity),
@@ -48,7 +57,7 @@ EnsembleLearner::EnsembleLearner(std::span<const CompactSignal<double>> signals,
       errors_(signals.size()),
       coefficients_(signals.size()) {
   assert(dictionaries >= 1 && sparsity >= 0);
-  for (const CompactSignal<double>& signal : signals) totalEnergy_ += signal.energy;
+  for (const Signal& signal : signals) totalEnergy_ += energyOf(signal);
 }
 
 void EnsembleLearner::start(std::vector<ModeMatrices<double>> dictionaries) {
@@ -74,17 +83,26 @@ ModeMatrices<double> EnsembleLearner::leadingVectors(std::span<const int> member
     const Eigen::MatrixXd gram = sumOver(
         members, sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) {
-          const CompactSignal<double>& signal = signals_[std::size_t(i)];
-          const int rank = signal.ranks[std::size_t(mode)];
-          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, rank);
-          addGram(signal.block.data(), signal.ranks, mode, inner);
-          const Eigen::MatrixXd basis = signal.bases[std::size_t(mode)];
-          sum += basis * inner * basis.transpose();
+          for (const CompactSignal<double>& part : signals_[std::size_t(i)]) {
+            const int rank = part.ranks[std::size_t(mode)];
+            Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, rank);
+            addGram(part.block.data(), part.ranks, mode, inner);
+            const Eigen::MatrixXd basis = part.bases[std::size_t(mode)];
+            sum += basis * inner * basis.transpose();
+          }
         },
         control);
     result[std::size_t(mode)] = eigenBasis(gram).vectors;
   }
   return result;
+}
+
+void EnsembleLearner::select(const Signal& signal, const ModeMatrices<double>& dictionary, Workspace<double>& workspace,
+                             Coefficients& selected) const {
+  selected.resize(signal.size());
+  for (std::size_t part = 0; part < signal.size(); ++part)
+    signal[part].selectLargest(dictionary, std::size_t(sparsity_), workspace, selected[part]);
+  keepLargest(selected, std::size_t(sparsity_));
 }
 
 double EnsembleLearner::assign(const TaskControl& control) {
@@ -99,14 +117,15 @@ double EnsembleLearner::assign(const TaskControl& control) {
         for (std::size_t i = begin; i < end; ++i) {
           double most = -1;
           for (std::size_t d = 0; d < dictionaries_.size(); ++d) {
-            signals_[i].selectLargest(dictionaries_[d], std::size_t(sparsity_), workspace, kept);
-            const double captured = energy<double>(kept);
+            select(signals_[i], dictionaries_[d], workspace, kept);
+            double captured = 0;
+            for (const std::vector<Coefficient<double>>& part : kept) captured += energy<double>(part);
             if (!(captured > most)) continue;
             most = captured;
             memberships[i] = int(d);
             coefficients[i].swap(kept);
           }
-          errors[i] = std::max(signals_[i].energy - most, 0.0);
+          errors[i] = std::max(energyOf(signals_[i]) - most, 0.0);
         }
       },
       control);
@@ -124,8 +143,7 @@ void EnsembleLearner::selectCoefficients(const std::vector<ModeMatrices<double>>
       [&](std::size_t begin, std::size_t end) {
         Workspace<double> workspace;
         for (std::size_t i = begin; i < end; ++i)
-          signals_[i].selectLargest(dictionaries[std::size_t(memberships_[i])], std::size_t(sparsity_), workspace,
-                                    coefficients_[i]);
+          select(signals_[i], dictionaries[std::size_t(memberships_[i])], workspace, coefficients_[i]);
       },
       control);
 }
@@ -158,12 +176,14 @@ void EnsembleLearner::renew(int mode, const std::vector<std::vector<int>>& membe
         members[d], sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) {
           thread_local Workspace<double> workspace;
-          const CompactSignal<double>& signal = signals_[std::size_t(i)];
-          const int rank = signal.ranks[std::size_t(mode)];
-          Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(rank, sizes_[std::size_t(mode)]);
-          addCorrelation(signal.block.data(), signal.ranks, signal.inBases(dictionaries[d]), mode,
-                         coefficients_[std::size_t(i)], workspace, inner);
-          sum.noalias() += signal.bases[std::size_t(mode)] * inner;
+          const Signal& signal = signals_[std::size_t(i)];
+          for (std::size_t p = 0; p < signal.size(); ++p) {
+            const CompactSignal<double>& part = signal[p];
+            Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(part.ranks[std::size_t(mode)], sizes_[std::size_t(mode)]);
+            addCorrelation(part.block.data(), part.ranks, part.inBases(dictionaries[d]), mode,
+                           coefficients_[std::size_t(i)][p], workspace, inner);
+            sum.noalias() += part.bases[std::size_t(mode)] * inner;
+          }
         },
         control);
   }
@@ -234,8 +254,10 @@ class Training {
     signals_.resize(materials_.names.size() * options_.signals.signalsPerMaterial());
     forEachProjection(
         state.subspace, materials_, options_.signals,
-        [&](std::size_t signal, std::span<const double> block) {
-          signals_[signal] = compactSignal(block.data(), state.subspace.ranks, signalLoss);
+        [&](std::size_t signal, std::span<const double> blocks) {
+          const std::size_t size = count(state.subspace.ranks);
+          for (std::size_t begin = 0; begin < blocks.size(); begin += size)
+            signals_[signal].push_back(compactSignal(&blocks[begin], state.subspace.ranks, signalLoss));
         },
         part(subspaceFraction / 2, subspaceFraction));
   }
@@ -249,8 +271,7 @@ class Training {
 
   void learn(std::size_t e) {
     TrainingState& state = result_.state;
-    EnsembleLearner learner(std::span<const CompactSignal<double>>(signals_), state.subspace.ranks,
-                            options_.dictionaries, options_.sparsities[e]);
+    EnsembleLearner learner(signals_, state.subspace.ranks, options_.dictionaries, options_.sparsities[e]);
     const double each = roundsFraction / double(options_.sparsities.size());
     if (e < state.ensembles.size()) {
       learner.start(state.ensembles[e]);
@@ -294,7 +315,7 @@ class Training {
   const TaskControl& control_;
   const std::function<void(const TrainingState&)>& checkpoint_;
   TrainingResult result_;
-  std::vector<CompactSignal<double>> signals_;
+  std::vector<EnsembleLearner::Signal> signals_;
   std::vector<std::vector<int>> memberships_;
   std::vector<AssignedEnsemble> assigned_;
 };

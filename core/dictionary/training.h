@@ -22,11 +22,17 @@ namespace gonio::dictionary {
 /// the error is the signal's energy minus that of its coefficients. Passes with fixed memberships are cheaper, as they
 /// project each signal onto one dictionary instead of K.
 ///
+/// A signal of two parts is represented as the encoder does it (inBothOrders()): by one dictionary, and by the largest
+/// coefficients of both parts together.
+///
 /// Results are bitwise equal for any number of threads.
 class EnsembleLearner {
  public:
+  /// The parts of a signal as in forEachSignal().
+  using Signal = std::vector<CompactSignal<double>>;
+
   /// @param signals of `sizes`; signals that are 0 are allowed; must outlive this object.
-  EnsembleLearner(std::span<const CompactSignal<double>> signals, const Sizes& sizes, int dictionaries, int sparsity);
+  EnsembleLearner(std::span<const Signal> signals, const Sizes& sizes, int dictionaries, int sparsity);
 
   /// Divides the signals at random into as many parts of equal size as there are dictionaries, and initialises each
   /// dictionary with the higher-order SVD of one part.
@@ -48,7 +54,10 @@ class EnsembleLearner {
   int sparsity() const { return sparsity_; }
 
  private:
-  using Coefficients = std::vector<Coefficient<double>>;
+  using Coefficients = std::vector<std::vector<Coefficient<double>>>;  ///< of the parts of a signal
+  /// The largest coefficients of a signal over a dictionary.
+  void select(const Signal& signal, const ModeMatrices<double>& dictionary, Workspace<double>& workspace,
+              Coefficients& selected) const;
   std::vector<std::vector<int>> members() const;
   ModeMatrices<double> leadingVectors(std::span<const int> members, const TaskControl& control) const;
   void selectCoefficients(const std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control);
@@ -57,14 +66,14 @@ class EnsembleLearner {
   void reseedEmpty(const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,
                    const TaskControl& control) const;
 
-  std::span<const CompactSignal<double>> signals_;
+  std::span<const Signal> signals_;
   Sizes sizes_;
   int sparsity_;
   double totalEnergy_ = 0;
   std::vector<ModeMatrices<double>> dictionaries_;
   std::vector<int> memberships_;
   std::vector<double> errors_;
-  std::vector<Coefficients> coefficients_;
+  std::vector<Coefficients> coefficients_;  ///< of each signal
 };
 
 struct TrainingOptions {
@@ -101,7 +110,9 @@ struct TrainingResult {
 };
 
 /// Learns the dictionaries of all sparsities: finds a shared subspace, learns each ensemble in it (EnsembleLearner),
-/// then makes one sweep in the whole space. If it is stopped, returns the dictionaries so far, with `complete` false.
+/// then makes one sweep in the whole space. A material with both orders of the directions has signals of two parts; the
+/// others teach the same dictionaries as without it, bit for bit, if there is none. If it is stopped, returns the
+/// dictionaries so far, with `complete` false.
 /// @param resume state to continue from, of the same materials and options.
 /// @param checkpoint called after each round with the state.
 /// @throws Cancelled if stopped before there is a dictionary; Error if there are no materials.

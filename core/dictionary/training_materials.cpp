@@ -3,6 +3,8 @@
 #include "core/dictionary/training_materials.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <numeric>
 
 #include "core/dictionary/dictionary.h"
@@ -19,6 +21,10 @@ ModeMatrices<double> leadingColumns(const SharedSubspace& subspace) {
   ModeMatrices<double> leading;
   for (std::size_t mode = 0; mode < 3; ++mode) leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]);
   return leading;
+}
+
+bool contains(const std::vector<DataTransform>& transforms, DataTransform transform) {
+  return std::ranges::find(transforms, transform) != transforms.end();
 }
 
 }  // namespace
@@ -42,9 +48,10 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
   std::vector<ModeMatrices<double>> grams(materials.names.size());
   forEachSignal(
       materials, options,
-      [&](std::size_t material, std::size_t, const Eigen::ArrayXd& values) {
+      [&](std::size_t material, std::size_t, std::span<const Eigen::ArrayXd> parts) {
         if (grams[material][0].size() == 0) grams[material] = zeros();
-        for (int mode = 0; mode < 3; ++mode) addGram(values.data(), sizes, mode, grams[material][std::size_t(mode)]);
+        for (const Eigen::ArrayXd& values : parts)
+          for (int mode = 0; mode < 3; ++mode) addGram(values.data(), sizes, mode, grams[material][std::size_t(mode)]);
       },
       [&](std::size_t material) {
         for (std::size_t mode = 0; mode < 3; ++mode) total[mode] += grams[material][mode];
@@ -61,7 +68,7 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
 }
 
 void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
-                       const std::function<void(std::size_t signal, std::span<const double> block)>& work,
+                       const std::function<void(std::size_t signal, std::span<const double> blocks)>& work,
                        const TaskControl& control) {
   const Sizes sizes = modeSizes(materials.grid);
   const ModeMatrices<double> bases = leadingColumns(subspace);
@@ -75,13 +82,18 @@ void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materi
   std::vector<double> energies(signals), projected(signals);
   forEachSignal(
       materials, options,
-      [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
+      [&](std::size_t, std::size_t signal, std::span<const Eigen::ArrayXd> parts) {
         thread_local Workspace<double> workspace;
-        energies[signal] = values.square().sum();
-        const double* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
-        const auto size = Eigen::Index(count(subspace.ranks));
-        projected[signal] = Eigen::Map<const Eigen::VectorXd>(block, size).squaredNorm();
-        work(signal, {block, std::size_t(size)});
+        thread_local std::vector<double> blocks;
+        blocks.clear();
+        const std::size_t size = count(subspace.ranks);
+        for (const Eigen::ArrayXd& values : parts) {
+          energies[signal] += values.square().sum();
+          const double* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
+          projected[signal] += Eigen::Map<const Eigen::VectorXd>(block, Eigen::Index(size)).squaredNorm();
+          blocks.insert(blocks.end(), block, block + size);
+        }
+        work(signal, blocks);
       },
       [](std::size_t) {}, control);
   const double total = std::accumulate(energies.begin(), energies.end(), 0.0);
@@ -91,10 +103,9 @@ void forEachProjection(SharedSubspace& subspace, const TrainingMaterials& materi
 
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,
-    const std::function<void(std::size_t material, std::size_t signal, const Eigen::ArrayXd& values)>& work,
+    const std::function<void(std::size_t material, std::size_t signal, std::span<const Eigen::ArrayXd> parts)>& work,
     const std::function<void(std::size_t material)>& finished, const TaskControl& control) {
   constexpr std::size_t atATime = 8;  // bounds what waits for finished()
-  const auto geometry = GridGeometry::of(materials.grid);
   const std::size_t total = materials.names.size();
   for (std::size_t begin = 0; begin < total; begin += atATime) {
     const std::size_t end = std::min(begin + atATime, total);
@@ -102,10 +113,25 @@ void forEachSignal(
                       [&](std::size_t offset, std::size_t) {
                         const std::size_t material = begin + offset;
                         const auto table = materials.load(material);
+                        const HalfDifferenceGrid& grid = table->grid();
+                        const bool hasBothOrders = grid != materials.grid;
+                        assert(!hasBothOrders || grid == materials.grid.wholeCircle());
+                        const auto geometry = GridGeometry::of(grid);
                         std::size_t signal = material * options.signalsPerMaterial();
                         for (const DataTransform transform : options.transforms) {
-                          const auto signals = signalsOf(*table, transform, *geometry, options.scaled);
-                          for (int c = 0; c < 3; ++c) work(material, signal++, signals[std::size_t(c)]);
+                          if (hasBothOrders && !contains(options.transformsOfBothOrders, transform)) {
+                            for (int c = 0; c < 3; ++c) work(material, signal++, {});
+                            continue;
+                          }
+                          auto signals = signalsOf(*table, transform, *geometry, options.scaled);
+                          for (Eigen::ArrayXd& values : signals) {
+                            const double energy = values.square().sum() / (hasBothOrders ? 2 : 1);
+                            if (options.normalised && energy > 0) values /= std::sqrt(energy);
+                            if (hasBothOrders)
+                              work(material, signal++, partsOfOrders(values, grid.phiDCount));
+                            else
+                              work(material, signal++, {&values, 1});
+                          }
                         }
                       },
                       {.stop = control.stop});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 
 #include "core/brdf/weighted_sum.h"
@@ -12,7 +13,6 @@
 #include "core/io/json_text.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
-#include "core/materials/dictionary_file.h"
 
 namespace gonio::documents {
 
@@ -34,6 +34,23 @@ interpolation::InterpolationSpace spaceFromJson(const JsonObject& object) {
                                interpolation::interpolationSpaceNames.end(), object.text("space"));
   if (found == interpolation::interpolationSpaceNames.end()) object.fail("space", "the name of an interpolation space");
   return interpolation::InterpolationSpace(found - interpolation::interpolationSpaceNames.begin());
+}
+
+/// That of version 0.2.0, which documents do not name.
+std::uint64_t firstDictionary() { return materials::bundledIds().back(); }
+
+std::string hexOf(std::uint64_t id) {
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(id));
+  return text;
+}
+
+std::uint64_t dictionaryFromJson(const JsonObject& object) {
+  if (!object.contains("dictionary")) return firstDictionary();
+  const auto ids = materials::bundledIds();
+  const auto found = std::ranges::find(ids, object.text("dictionary"), hexOf);
+  if (found == ids.end()) object.fail("dictionary", "the id of a dictionary of this version of Gonio");
+  return *found;
 }
 
 /// The JSON that identifies one material: the hash of its file and its edits.
@@ -79,7 +96,8 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
                                          editing::bakeEdits(table, edits, {control.stop, {}}), edits));
   }
   const auto interpolation = interpolation::prepareInterpolation(
-      blend.space, ends, blendOptions(blend.model, blend.preserveDetail), control.between(readFraction, 0.9));
+      blend.space, ends, blendOptions(blend.model, blend.preserveDetail, blend.dictionary),
+      control.between(readFraction, 0.9));
   return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 
@@ -92,6 +110,7 @@ interpolation::InterpolationMaterial interpolationMaterial(const materials::Mate
                                                            const editing::EditList& edits) {
   interpolation::InterpolationMaterial end{
       .table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+  if (end.code) end.ensemble = {material.dictionary, &material.dictionary->ensemble};
   if (!formOf<TabulatedBrdf>(*base)) {
     end.base = base;
     end.edits = edits;
@@ -99,12 +118,13 @@ interpolation::InterpolationMaterial interpolationMaterial(const materials::Mate
   return end;
 }
 
-interpolation::InterpolationOptions blendOptions(const models::Model* model, bool preserveDetail) {
+interpolation::InterpolationOptions blendOptions(const models::Model* model, bool preserveDetail,
+                                                 std::uint64_t dictionary) {
   interpolation::InterpolationOptions options;
   options.preserveDetail = preserveDetail;
   options.model = model;
-  const auto dictionary = materials::bundledEnsemble();
-  options.ensemble = {dictionary, &dictionary->ensemble};
+  const auto named = materials::bundledEnsemble(dictionary);
+  options.ensemble = {named, &named->ensemble};
   options.pdv.terms = 3;  // what a frame costs grows with them, twice as fast as with the terms of one material
   return options;
 }
@@ -126,6 +146,8 @@ nlohmann::json toJson(const BlendSource& blend) {
   if (hasModel(blend.space) && blend.model) json["model"] = blend.model->spec().id;
   // Left out where it has no effect: the hashes of blends in older documents stay the same.
   if (interpolation::losesDetail(blend.space) && blend.preserveDetail) json["keepDetail"] = true;
+  if (blend.space == interpolation::InterpolationSpace::dictionary && blend.dictionary != firstDictionary())
+    json["dictionary"] = hexOf(blend.dictionary);
   return json;
 }
 
@@ -138,6 +160,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
   blend->space = spaceFromJson(object);
   if (hasModel(blend->space)) blend->model = &modelFromJson(object);
   blend->preserveDetail = object.contains("keepDetail") && object.flag("keepDetail");
+  blend->dictionary = dictionaryFromJson(object);
   const nlohmann::json& materials = object.array("materials");
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const JsonObject material(materials[i], object.place("materials") + "[" + std::to_string(i) + "]");

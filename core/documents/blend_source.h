@@ -4,6 +4,7 @@
 
 #include "core/documents/edit_document.h"
 #include "core/interpolation/interpolation.h"
+#include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 
 namespace gonio::documents {
@@ -11,18 +12,22 @@ namespace gonio::documents {
 /// The source of a document without a material file of its own: a blend of materials. In a document's "source":
 ///   {"blend": {"space": "parameters", "model": "ggx", "keepDetail": true, "materials": [
 ///      {"weight": 0.4, "source": {..}, "edits": [..]}, ..]}, "sha256": ..}
-/// "model" is present in spaces that use one, "keepDetail" in blends that preserve measured detail; documents of
-/// version 0.2.0 have none. The materials are documents themselves and may be blends.
+/// "model" is present in spaces that use one, "keepDetail" in blends that preserve measured detail, "dictionary" (the
+/// id in hexadecimal) in blends of codes over another ensemble than that of version 0.2.0; documents of that version
+/// have none of the last two. The materials are documents themselves and may be blends.
 struct BlendSource {
   interpolation::InterpolationSpace space = interpolation::InterpolationSpace::linear;
   const models::Model* model = nullptr;  ///< for the spaces `parameters` and `differential`; ignored in others
   bool preserveDetail = true;            ///< InterpolationOptions::preserveDetail
-  std::vector<EditDocument> materials;   ///< their views are ignored
+  std::uint64_t dictionary = materials::bundledIds().front();  ///< id of the ensemble for the space `dictionary`
+  std::vector<EditDocument> materials;                         ///< their views are ignored
   std::vector<double> weights;
 };
 
-/// The options of blends in the editor: the bundled dictionary (read at the first call, 0.1 s) and three PDV terms.
-interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr, bool preserveDetail = true);
+/// The options of blends in the editor: a bundled ensemble (read at the first call, 0.1 s) and three PDV terms.
+/// @param dictionary one of materials::bundledIds().
+interpolation::InterpolationOptions blendOptions(const models::Model* model = nullptr, bool preserveDetail = true,
+                                                 std::uint64_t dictionary = materials::bundledIds().front());
 
 /// A material to blend, with its sparse code if no edit changes it. @param base the material in its native form, read
 /// with the displayed incident direction. @param unedited its table. @param edited the table with `edits`; the same

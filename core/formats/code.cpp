@@ -91,6 +91,13 @@ CodeFile readCode(const std::filesystem::path& path) {
   return withFileInErrors(path, [&] { return readCode(io::FileSource(path)); });
 }
 
+std::shared_ptr<const materials::NamedEnsemble> bundledDictionaryOf(const CodeFile& code) {
+  const auto found = materials::bundledEnsemble(code.dictionaryId);
+  const auto dictionary = found ? found : materials::bundledEnsemble();
+  checkDictionary(code, *dictionary);
+  return dictionary;
+}
+
 void checkDictionary(const CodeFile& code, const materials::NamedEnsemble& dictionary) {
   if (code.dictionaryId != dictionary.id)
     throw Error("the code was encoded with another dictionary; decode it with goniotool decode --dictionary");
@@ -101,14 +108,13 @@ namespace {
 
 void sniffCode(const io::ByteSource& source) { io::expectSignature(source, codeContainer); }
 
-/// Decodes a code over materials::bundledEnsemble(), under 50 ms.
+/// Decodes a code over a bundled ensemble, under 50 ms.
 void readCodeMaterial(const io::ByteSource& source, const TaskControl&, materials::Material& material) {
   const CodeFile file = readCode(source);
-  const auto dictionary = materials::bundledEnsemble();
-  checkDictionary(file, *dictionary);
+  material.dictionary = bundledDictionaryOf(file);
   const SparseCode& code = file.code;
   material.code = std::make_shared<const SparseCode>(code);
-  material.table = dictionary::decode(dictionary->ensemble, code);
+  material.table = dictionary::decode(material.dictionary->ensemble, code);
   material.brdf = material.table;
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
   material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +

@@ -36,6 +36,8 @@ struct CodeFile {
 CodeFile readCode(const std::filesystem::path& path);
 CodeFile readCode(const io::ByteSource& source);
 
+/// The bundled ensemble of a code. @throws Error if it belongs to another one, or does not fit it (checkCode()).
+std::shared_ptr<const materials::NamedEnsemble> bundledDictionaryOf(const CodeFile& code);
 /// @throws Error if the code belongs to another ensemble.
 void checkDictionary(const CodeFile& code, const materials::NamedEnsemble& dictionary);
 

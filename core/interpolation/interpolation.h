@@ -47,9 +47,10 @@ struct InterpolationMaterial {
   std::shared_ptr<const TabulatedBrdf> table;
   /// The factors of a material that consists of PDV factors; they are used unchanged. Null: the table is factorised.
   std::shared_ptr<const factorization::PdvFactors> factors = nullptr;
-  /// The code of a material that is a code over the ensemble. If null, or if its transform or cell scaling differs from
-  /// that of the first code, the table is encoded.
+  /// The code of a material that is a code. If null, or if its ensemble, transform or cell scaling differs from that of
+  /// the first code, the table is encoded.
   std::shared_ptr<const dictionary::SparseCode> code = nullptr;
+  std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< of `code`; null: InterpolationOptions::ensemble
   /// The material in its native form, without `edits`, if `table` was sampled from it (such as RGL and UTIA files).
   /// Null: the material is the table.
   std::shared_ptr<const Brdf> base = nullptr;
@@ -69,9 +70,10 @@ struct InterpolationOptions {
   /// For `factors`, if no material consists of factors; otherwise tables are factorised with the form, transform, terms
   /// and nodes of the first material that does. Without nodes of |Dp|, all materials share deviationNodes() of the set.
   factorization::PdvOptions pdv = {};
-  std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< required for `dictionary`
-  dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< for tables
-  std::size_t codeCoefficients = 1024;  ///< per channel, of a blended code: the largest remain
+  /// For `dictionary`; not used if a material is a code over an ensemble of its own (InterpolationMaterial::ensemble).
+  std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;
+  dictionary::EncodeOptions encode = {.coefficients = 1024};  ///< for tables
+  std::size_t codeCoefficients = 1024;                        ///< per channel, of a blended code: the largest remain
 };
 
 /// A table of transformed values, which may be negative.

@@ -281,11 +281,17 @@ class DictionaryInterpolation final : public Interpolation {
   std::shared_ptr<const TransformedMixture> mixture_;  ///< with preserved detail
 };
 
-/// The code whose transform and scale all have: the first one. Null if there is none.
-const SparseCode* givenCode(std::span<const InterpolationMaterial> ends) {
+/// The material that is a code whose ensemble, transform and scale all have: the first one. Null if there is none.
+const InterpolationMaterial* givenCode(std::span<const InterpolationMaterial> ends) {
   for (const InterpolationMaterial& end : ends)
-    if (end.code) return end.code.get();
+    if (end.code) return &end;
   return nullptr;
+}
+
+std::shared_ptr<const Ensemble> ensembleOf(std::span<const InterpolationMaterial> ends,
+                                           const InterpolationOptions& options) {
+  const InterpolationMaterial* const given = givenCode(ends);
+  return given && given->ensemble ? given->ensemble : options.ensemble;
 }
 
 /// The index of the transform with the least gamma error, summed over the materials.
@@ -296,26 +302,27 @@ std::size_t bestTransform(std::span<const dictionary::EncodeResult> encoded, std
   return std::size_t(std::min_element(errors.begin(), errors.end()) - errors.begin());
 }
 
-std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMaterial> ends,
+std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMaterial> ends, const Ensemble& ensemble,
                                             const InterpolationOptions& options, const TaskControl& control) {
-  const dictionary::Encoder encoder(*options.ensemble);
+  const dictionary::Encoder encoder(ensemble);
   dictionary::EncodeOptions encode = options.encode;
-  const SparseCode* const given = givenCode(ends);
+  const InterpolationMaterial* const given = givenCode(ends);
   if (given) {
-    encode.transforms = {given->transform};
-    encode.scaled = given->scaled;
+    encode.transforms = {given->code->transform};
+    encode.scaled = given->code->scaled;
   }
   std::vector<SparseCode> codes(ends.size());
   std::vector<dictionary::EncodeResult> encoded;
   std::vector<std::size_t> materials;  // of `encoded`
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (ends[i].code && ends[i].code->transform == given->transform && ends[i].code->scaled == given->scaled) {
+    if (ends[i].code && ends[i].ensemble == given->ensemble && ends[i].code->transform == given->code->transform &&
+        ends[i].code->scaled == given->code->scaled) {
       codes[i] = *ends[i].code;
-      dictionary::checkCode(*options.ensemble, codes[i]);
+      dictionary::checkCode(ensemble, codes[i]);
       continue;
     }
     const double begin = double(i) / double(ends.size()), end = double(i + 1) / double(ends.size());
-    const auto table = dictionary::onCodeGrid(ends[i].table, *options.ensemble, {.stop = control.stop});
+    const auto table = dictionary::onCodeGrid(ends[i].table, ensemble, {.stop = control.stop});
     encoded.push_back(encoder.encode(*table, encode, control.between(begin, end)));
     materials.push_back(i);
   }
@@ -331,10 +338,11 @@ std::vector<SparseCode> codesOfOneTransform(std::span<const InterpolationMateria
 std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationMaterial> ends,
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
-  if (!options.ensemble || options.ensemble->dictionaries.empty())
+  const auto ensemble = ensembleOf(ends, options);
+  if (!ensemble || ensemble->dictionaries.empty())
     throw Error("interpolation in the space dictionary: found no dictionary, expected one");
-  return std::make_shared<const DictionaryInterpolation>(ends, options.ensemble,
-                                                         codesOfOneTransform(ends, options, control),
+  return std::make_shared<const DictionaryInterpolation>(ends, ensemble,
+                                                         codesOfOneTransform(ends, *ensemble, options, control),
                                                          options.codeCoefficients, options.preserveDetail);
 }
 

@@ -2,6 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/materials/dictionary_file.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <mutex>
+
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
 #include "core/io/sha256.h"
@@ -9,14 +14,11 @@
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 
-extern "C" {
-extern const std::byte gonioBundledDictionary[];
-extern const std::byte gonioBundledDictionaryEnd[];
-}
+/// The first byte of each bundled dictionary file, in the order of bundledIds(), and the end of the last one: included
+/// by the build (bundled_files.S).
+extern "C" const std::byte* const gonioDictionaryFiles[];
 
 namespace gonio::materials {
-
-// The first byte of the bundled dictionary file, which the build includes (bundled_files.S).
 
 namespace {
 
@@ -80,10 +82,28 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
   return withFileInErrors(path, [&] { return readDictionary(io::FileSource(path)); });
 }
 
-std::shared_ptr<const NamedEnsemble> bundledEnsemble() {
-  static const std::shared_ptr<const NamedEnsemble> dictionary = readDictionary(
-      io::MemorySource({gonioBundledDictionary, std::size_t(gonioBundledDictionaryEnd - gonioBundledDictionary)}));
-  return dictionary;
+namespace {
+
+/// In the order of the list in CMakeLists.txt.
+constexpr std::uint64_t ids[] = {0x6bebf51c078c57af};
+
+}  // namespace
+
+std::span<const std::uint64_t> bundledIds() { return ids; }
+
+std::shared_ptr<const NamedEnsemble> bundledEnsemble(std::uint64_t id) {
+  struct Bundled {
+    std::once_flag read;
+    std::shared_ptr<const NamedEnsemble> dictionary;
+  };
+  static std::array<Bundled, std::size(ids)> bundled;
+  const auto i = std::size_t(std::ranges::find(ids, id) - std::begin(ids));
+  if (i == bundled.size()) return nullptr;
+  std::call_once(bundled[i].read, [&] {
+    const std::byte* const begin = gonioDictionaryFiles[i];
+    bundled[i].dictionary = readDictionary(io::MemorySource({begin, gonioDictionaryFiles[i + 1]}));
+  });
+  return bundled[i].dictionary;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/dictionary/training.h"
@@ -28,8 +29,10 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
 /// The same for bytes; errors name no file.
 std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source);
 
-/// The ensemble bundled with Gonio, read at the first call (about 0.1 s).
-std::shared_ptr<const NamedEnsemble> bundledEnsemble();
+/// The ids of the ensembles bundled with Gonio: first the one for new codes, last that of version 0.2.0.
+std::span<const std::uint64_t> bundledIds();
+/// The bundled ensemble with an id, read at the first call (about 0.1 s); null if none has the id.
+std::shared_ptr<const NamedEnsemble> bundledEnsemble(std::uint64_t id = bundledIds().front());
 
 /// Writes a checkpoint of a training, atomically: a container (core/io/container.h) "GONIOCKP", version 1, with a
 /// description that identifies the training, and the state in double precision. @param training text that identifies

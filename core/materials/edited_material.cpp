@@ -42,6 +42,7 @@ Material withEdits(const Material& base, std::span<const editing::Edit> edits, c
   Material material = base;
   if (editing::isIdentity(edits)) return material;
   material.code = nullptr;
+  material.dictionary = nullptr;
   const bool anisotropic =
       std::ranges::any_of(edits, [](const editing::Edit& edit) { return editing::isAnisotropic(edit); });
   // A material that is not a table is not sampled: the edits are applied to its BRDF.

@@ -14,6 +14,8 @@
 
 namespace gonio::materials {
 
+struct NamedEnsemble;
+
 /// The origin of a material.
 struct MaterialSource {
   std::filesystem::path path;      ///< of the file, absolute; "library:sgd/chrome" for a bundled material
@@ -31,7 +33,8 @@ struct Material {
   std::shared_ptr<const Brdf> brdf;            ///< evaluates the file in its own parameterisation
   std::shared_ptr<const TabulatedBrdf> table;  ///< the same object if the file is a table, else null; for a table with
                                                ///< anisotropic edits the mean over the azimuths
-  std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over bundledEnsemble(), else null
+  std::shared_ptr<const dictionary::SparseCode> code;  ///< for a sparse code over a bundled ensemble, else null
+  std::shared_ptr<const NamedEnsemble> dictionary;     ///< of `code`
 
   /// `table`, or the BRDF sampled on the MERL grid; if it is not reciprocal, over the whole circle of phi_d (both
   /// orders of the directions) and with its negative values. About 1 s for an RGL file or factors. Methods for

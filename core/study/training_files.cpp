@@ -61,14 +61,16 @@ HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files) {
   return table ? table->grid() : HalfDifferenceGrid();
 }
 
-dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files, const HalfDifferenceGrid& grid) {
+dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files, const HalfDifferenceGrid& grid,
+                                                TrainingOrders orders) {
   dictionary::TrainingMaterials materials;
   materials.grid = grid;
   for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
-  materials.load = [files, grid](std::size_t m) {
+  materials.load = [files, grid, orders](std::size_t m) {
     auto table = documents::openMaterial(files[m]).tabulated();
-    if (grid.reciprocal) table = meanOfOrders(table);
-    if (!(table->grid() == grid))
+    const bool hasBothOrders = orders == TrainingOrders::both && !table->isReciprocal();
+    if (grid.reciprocal && !hasBothOrders) table = meanOfOrders(table);
+    if (!(table->grid() == (hasBothOrders ? grid.wholeCircle() : grid)))
       throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
                   " as for all materials of the training set");
     return table;

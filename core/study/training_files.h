@@ -27,8 +27,16 @@ std::vector<std::string> trainingFilesOrLibrary(const std::vector<std::string>& 
 /// editing::openMaterial().
 HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files);
 
-/// The tables of the files; `load` throws Error that names a file with another grid than `grid`.
+/// What a method learns from materials that are not reciprocal.
+enum class TrainingOrders {
+  mean,  ///< the mean of both orders of the directions, as from a MERL file
+  both   ///< both orders: the tables of these materials cover the whole circle of phi_d
+};
+
+/// The tables of the files; `load` throws Error that names a file with another grid than `grid`, or than its whole
+/// circle where the table has both orders of the directions.
 dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files,
-                                                const HalfDifferenceGrid& grid = {});
+                                                const HalfDifferenceGrid& grid = {},
+                                                TrainingOrders orders = TrainingOrders::mean);
 
 }  // namespace gonio::study

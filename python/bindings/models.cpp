@@ -68,11 +68,14 @@ PyMaterialPtr editFactors(const PyMaterial& material, const PyFactors& original,
 using Blends = std::shared_ptr<const interpolation::Interpolation>;
 
 /// The input of an interpolation for a material, with its factors or code if it consists of them.
-/// @param bundled whether the interpolation uses the bundled dictionary; the code is left out otherwise.
+/// @param bundled whether the interpolation uses bundled dictionaries; the code is left out otherwise.
 interpolation::InterpolationMaterial endOf(const PyMaterial& material, bool bundled, const TaskControl& control) {
   interpolation::InterpolationMaterial end{.table = material.table(control)};
   end.factors = factorization::pdvFactorsOf(*material.brdf());
-  if (bundled) end.code = material.shown().code;
+  if (const materials::Material& shown = material.shown(); bundled && shown.code) {
+    end.code = shown.code;
+    end.ensemble = {shown.dictionary, &shown.dictionary->ensemble};
+  }
   if (!material.shown().table) end.base = material.brdf();
   return end;
 }

@@ -192,8 +192,11 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
 
 PyCode readCode(const std::string& path, const PyDictionaryPtr& given) {
   const formats::CodeFile file = formats::readCode(path);
-  PyCode result{.code = file.code, .dictionary = orBundled(given)};
-  formats::checkDictionary(file, *result.dictionary);
+  PyCode result{.code = file.code, .dictionary = given};
+  if (given)
+    formats::checkDictionary(file, *given);
+  else
+    result.dictionary = formats::bundledDictionaryOf(file);
   result.bytes = formats::encodeCode(file.code, file.dictionaryId, file.precision).size();
   return result;
 }

@@ -89,7 +89,9 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
   options.seed = seed;
   const auto result = resultOf(progress, [&](const TaskControl& control) {
     const std::vector<std::string> files = study::trainingFiles(sources, excluded);
-    auto trained = dictionary::train(study::trainingMaterials(files, study::trainingGrid(files)), options, control);
+    const auto orders = asPublished ? study::TrainingOrders::mean : study::TrainingOrders::both;
+    auto trained =
+        dictionary::train(study::trainingMaterials(files, study::trainingGrid(files), orders), options, control);
     if (trained.complete) materials::writeDictionary(trained.ensemble, out);
     return trained;
   });

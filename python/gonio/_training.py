@@ -22,7 +22,8 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
     """Learns an ensemble of orthonormal dictionaries from a training set, writes it to a file and opens it: alternately, each
     signal is assigned to the dictionary that represents it best, and each dictionary is fitted to its signals (Miandji et al.
     2019; Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition, section 4.3.2). A
-    signal is one channel of a material after one transform. 137 materials take about 6 minutes on two cores; a
+    signal is one channel of a material after one transform, in both orders of the directions if the material is not
+    reciprocal (with as_published, their mean). 137 materials take about 6 minutes on two cores; a
     training that is interrupted writes nothing (`goniotool dictionary train --checkpoint` can resume one).
 
     Args:

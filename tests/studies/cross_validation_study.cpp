@@ -15,15 +15,17 @@
 //
 // gonio_studies cross_validation --fold K FOLDER...: the names of fold K of 5, for `goniotool dictionary train
 // --exclude`: the files of each folder in the order of their names, folder after folder; number i belongs to fold i
-// mod 5.
+// mod 5. The measured file NAME_rgb.bsdf belongs to the fold of the near-measured copy NAME.binary, if there is one.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
@@ -42,7 +44,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int folds = 5;
+constexpr std::size_t folds = 5;
+constexpr char copySuffix[] = ".binary";
+constexpr std::string_view rglSuffix = "_rgb";
 constexpr int counts[] = {64, 128, 262, 512, 1024};
 constexpr char ours[] = "ensemble", bySquares[] = "ensemble-squared";
 
@@ -86,7 +90,10 @@ class Fold {
       : dictionary_(materials::readDictionary(dictionary)), encoder_(dictionary_->ensemble) {
     const std::vector<std::string>& seen = dictionary_->ensemble.learnedFrom;
     for (const fs::path& file : files)
-      (std::ranges::find(seen, file.stem().string()) == seen.end() ? heldOut_ : learnedFrom_).push_back(file);
+      if (std::ranges::find(seen, file.stem().string()) != seen.end())
+        learnedFrom_.push_back(file);
+      else if (file.extension() == copySuffix)
+        heldOut_.push_back(file);
     if (learnedFrom_.size() != seen.size())
       throw Error(dictionary.string() + ": learned from " + std::to_string(seen.size()) +
                   " materials, of which the folders hold " + std::to_string(learnedFrom_.size()));
@@ -222,10 +229,20 @@ class Trial {
   std::optional<ComparisonJudge> court_;
 };
 
+/// The name of what a file was measured from: that of RGL files has a suffix for the colours.
+std::string materialOf(const fs::path& file) {
+  std::string name = file.stem().string();
+  if (file.extension() != copySuffix && name.ends_with(rglSuffix)) name.resize(name.size() - rglSuffix.size());
+  return name;
+}
+
 void printFold(const std::vector<fs::path>& files, int fold) {
   std::string names;
-  for (std::size_t i = std::size_t(fold); i < files.size(); i += folds)
-    names += (names.empty() ? "" : ",") + files[i].stem().string();
+  std::map<std::string, std::size_t> numbers;
+  for (const fs::path& file : files) {
+    const std::size_t number = numbers.try_emplace(materialOf(file), numbers.size()).first->second;
+    if (number % folds == std::size_t(fold)) names += (names.empty() ? "" : ",") + file.stem().string();
+  }
   std::printf("%s\n", names.c_str());
 }
 
@@ -237,7 +254,7 @@ int run(const Options& options) {
                  "       gonio_studies cross_validation --fold K FOLDER...\n");
     return 2;
   }
-  const std::vector<fs::path> files = filesIn(options.folders, {".binary"});
+  const std::vector<fs::path> files = filesIn(options.folders, {copySuffix, ".bsdf"});
   if (options.fold) {
     printFold(files, *options.fold);
     return 0;

@@ -11,7 +11,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-using Coefficients = std::vector<Coefficient<double>>;
+using Coefficients = std::vector<std::vector<Coefficient<double>>>;  // of the parts of a signal
 
 /// A pass over the signals.
 class Pass {
@@ -31,13 +31,17 @@ class Pass {
     std::vector<double> energies(signals);
     forEachSignal(
         materials_, options_,
-        [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
+        [&](std::size_t, std::size_t signal, std::span<const Eigen::ArrayXd> parts) {
           thread_local Workspace<double> workspace;
-          energies[signal] = values.square().sum();
+          for (const Eigen::ArrayXd& values : parts) energies[signal] += values.square().sum();
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
-            selectLargestProjections(values.data(), sizes_, matrices(e, signal), std::size_t(ensembles_[e].sparsity),
-                                     workspace, coefficients[e][signal]);
-            coefficients[e][signal].shrink_to_fit();
+            const auto sparsity = std::size_t(ensembles_[e].sparsity);
+            Coefficients& selected = coefficients[e][signal];
+            selected.resize(parts.size());
+            for (std::size_t p = 0; p < parts.size(); ++p)
+              selectLargestProjections(parts[p].data(), sizes_, matrices(e, signal), sparsity, workspace, selected[p]);
+            keepLargest(selected, sparsity);
+            for (std::vector<Coefficient<double>>& part : selected) part.shrink_to_fit();
           }
         },
         [](std::size_t) {}, control_);
@@ -54,11 +58,13 @@ class Pass {
       sums[e].assign(ensembles_[e].dictionaries.size(), Eigen::MatrixXd::Zero(size, size));
     forEachSignal(
         materials_, options_,
-        [&](std::size_t material, std::size_t signal, const Eigen::ArrayXd& values) {
+        [&](std::size_t material, std::size_t signal, std::span<const Eigen::ArrayXd> signalParts) {
           thread_local Workspace<double> workspace;
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             Eigen::MatrixXd& z = parts[material].emplace_back(Eigen::MatrixXd::Zero(size, size));
-            addCorrelation(values.data(), sizes_, matrices(e, signal), mode, coefficients[e][signal], workspace, z);
+            for (std::size_t p = 0; p < signalParts.size(); ++p)
+              addCorrelation(signalParts[p].data(), sizes_, matrices(e, signal), mode, coefficients[e][signal][p],
+                             workspace, z);
           }
         },
         [&](std::size_t material) {
@@ -84,8 +90,10 @@ class Pass {
     for (const std::vector<Coefficients>& ensemble : coefficients) {
       double total = 0, left = 0;
       for (std::size_t s = 0; s < energies.size(); ++s) {
+        double captured = 0;
+        for (const std::vector<Coefficient<double>>& part : ensemble[s]) captured += energy<double>(part);
         total += energies[s];
-        left += std::max(0.0, energies[s] - energy<double>(ensemble[s]));
+        left += std::max(0.0, energies[s] - captured);
       }
       result.push_back(total > 0 ? left / total : 0);
     }

@@ -143,8 +143,8 @@ PatchDictionary learnPatchDictionary(const TrainingMaterials& materials, const P
   const std::size_t signals = materials.names.size() * signalOptions.signalsPerMaterial();
   const std::size_t each = std::max<std::size_t>(1, options.samples / std::max<std::size_t>(1, signals));
   std::vector<Eigen::MatrixXd> drawn(signals);
-  const auto draw = [&](std::size_t, std::size_t signal, const Eigen::ArrayXd& values) {
-    const Eigen::MatrixXd patches = patchesOf(values, sizes, options.patch);
+  const auto draw = [&](std::size_t, std::size_t signal, std::span<const Eigen::ArrayXd> parts) {
+    const Eigen::MatrixXd patches = patchesOf(parts.front(), sizes, options.patch);
     std::mt19937_64 random(options.kSvd.seed + signal);
     drawn[signal].resize(patches.rows(), Index(each));
     for (auto column : drawn[signal].colwise()) column = patches.col(Index(random() % std::uint64_t(patches.cols())));

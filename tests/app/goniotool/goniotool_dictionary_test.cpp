@@ -59,6 +59,15 @@ class GoniotoolDictionaryTest : public QObject {
     const ToolResult foreign = runTool({"info", code});
     QCOMPARE(foreign.code, 1);
     QVERIFY(foreign.error.contains("plastic.code") && foreign.error.contains("another dictionary"));
+
+    // Extended: the numbers of the learned dictionaries follow.
+    const QString more = folder_.path("more.dictionary");
+    VERIFY_SUCCESS(runJson({"dictionary", "train", rough_, "--extend", out, "--normalise", "--dictionaries", "2",
+                            "--sparsities", "7", "--iterations", "1", "--subspace-loss", "0.001", "--out", more}));
+    const ToolResult extended = runJson({"dictionary", "info", more});
+    VERIFY_SUCCESS(extended);
+    QVERIFY(extended.json["sparsities"] == nlohmann::json({40, 7, 7}));
+    QVERIFY(extended.json["learnedFrom"] == nlohmann::json({"plastic", "rough"}));
   }
 
   /// Without the scale, of the dictionary or of the code alone; by basis pursuit; by principal components. Each file

@@ -18,17 +18,6 @@ using namespace gonio::dictionary::test_support;
 
 const HalfDifferenceGrid circle = smallGrid.wholeCircle();
 
-/// Differs in both orders of the directions, and is negative at grazing light in red.
-std::shared_ptr<const TabulatedBrdf> oneWayTable() {
-  const test::FunctionBrdf oneWay(
-      [](const Direction& wi, const Direction& wo) {
-        const double along = wi.x * wo.x + wi.y * wo.y;
-        return Rgb(0.3 * wi.z - 0.2, 0.2 + 0.4 * wo.z * wo.z + 0.1 * along, 3 * std::exp(-4 * wi.z) + 0.05 * wo.z);
-      },
-      true, false);
-  return bakeTable(oneWay, circle, {}, 1, NegativeValues::stay);
-}
-
 double largestDifference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
   double largest = 0;
   for (std::size_t cell = 0; cell < a.values().size(); ++cell)

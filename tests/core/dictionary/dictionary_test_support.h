@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -84,6 +85,18 @@ inline TrainingMaterials ggxMaterials(int materials) {
   }
   result.load = [tables](std::size_t m) { return tables[m]; };
   return result;
+}
+
+/// Over the whole circle of smallGrid. Differs in both orders of the directions, and is negative at grazing light in
+/// red.
+inline std::shared_ptr<const TabulatedBrdf> oneWayTable() {
+  const test::FunctionBrdf oneWay(
+      [](const Direction& wi, const Direction& wo) {
+        const double along = wi.x * wo.x + wi.y * wo.y;
+        return Rgb(0.3 * wi.z - 0.2, 0.2 + 0.4 * wo.z * wo.z + 0.1 * along, 3 * std::exp(-4 * wi.z) + 0.05 * wo.z);
+      },
+      true, false);
+  return bakeTable(oneWay, smallGrid.wholeCircle(), {}, 1, NegativeValues::stay);
 }
 
 }  // namespace gonio::dictionary::test_support

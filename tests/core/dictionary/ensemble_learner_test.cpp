@@ -4,6 +4,8 @@
 
 #include <QTest>
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
@@ -23,11 +25,11 @@ void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
     for (const Eigen::MatrixXd& mode : dictionary) QVERIFY(orthonormalityError(mode) < 1e-10);
 }
 
-/// Without loss.
-std::vector<CompactSignal<double>> compactSignals(const Eigen::MatrixXd& signals) {
-  std::vector<CompactSignal<double>> compact;
+/// Without loss, each of one part.
+std::vector<EnsembleLearner::Signal> compactSignals(const Eigen::MatrixXd& signals) {
+  std::vector<EnsembleLearner::Signal> compact;
   for (Eigen::Index s = 0; s < signals.cols(); ++s)
-    compact.push_back(compactSignal<double>(signals.col(s).data(), sizes, 0));
+    compact.push_back({compactSignal<double>(signals.col(s).data(), sizes, 0)});
   return compact;
 }
 
@@ -113,6 +115,64 @@ class EnsembleLearnerTest : public QObject {
           QVERIFY(cosines.row(atom).maxCoeff() > 1 - 1e-9);
         }
       }
+  }
+
+  /// The two parts of a signal of both orders are represented as its code over the whole circle: by the dictionary with
+  /// the least error, and by the largest coefficients over inBothOrders() of it. The parts have half of its energy.
+  void partsShareADictionaryAndCoefficients() {
+    const Sizes circle{2 * sizes[0], sizes[1], sizes[2]};
+    const std::size_t kept = 20;
+    std::mt19937_64 random(3);
+    const auto planted = plantedSignals(circle, {randomDictionary(circle, random)}, 60, 24, random);
+    std::vector<EnsembleLearner::Signal> signals;
+    for (Eigen::Index s = 0; s < planted.cols(); ++s) {
+      EnsembleLearner::Signal& signal = signals.emplace_back();
+      for (const Eigen::ArrayXd& part : partsOfOrders(planted.col(s).array(), circle[0]))
+        signal.push_back(compactSignal<double>(part.data(), sizes, 0));
+    }
+    EnsembleLearner learner(signals, sizes, 3, int(kept));
+    learner.start(7);
+    double before = 1;
+    for (int round = 0; round < 6; ++round) {
+      const double error = learner.iterate({}, 2);
+      QVERIFY2(error <= before * (1 + 1e-9), qPrintable(QString::number(round)));
+      before = error;
+    }
+    learner.assign();
+    verifyOrthonormal(learner.dictionaries());
+    for (Eigen::Index s = 0; s < planted.cols(); ++s) {
+      std::vector<double> errors;
+      for (const ModeMatrices<double>& modes : learner.dictionaries()) {
+        const ModeMatrices<double> both = inBothOrders(Dictionary{modes, 0}).modes;
+        Tensor projection = tensorOf(planted.col(s).data(), circle);
+        for (int mode = 0; mode < 3; ++mode)
+          projection = transposedModeProduct(projection, both[std::size_t(mode)], mode);
+        std::vector<double> squares;
+        for (std::size_t i = 0; i < projection.count(); ++i) squares.push_back(projection[i] * projection[i]);
+        std::ranges::sort(squares, std::greater<>());
+        errors.push_back(std::accumulate(squares.begin() + kept, squares.end(), 0.0) / 2);
+      }
+      const auto smallest = std::ranges::min_element(errors);
+      QCOMPARE(learner.memberships()[std::size_t(s)], int(smallest - errors.begin()));
+      QVERIFY(std::abs(learner.errors()[std::size_t(s)] - *smallest) < 1e-12 * planted.col(s).squaredNorm());
+    }
+  }
+
+  /// A second part that is 0, as that of a reciprocal material, changes no bit.
+  void aSecondPartOfZerosTeachesNothing() {
+    const Eigen::MatrixXd signals = Eigen::MatrixXd::Random(Eigen::Index(count(sizes)), 20);
+    const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(signals.rows());
+    const auto alone = compactSignals(signals);
+    auto padded = alone;
+    for (EnsembleLearner::Signal& signal : padded) signal.push_back(compactSignal<double>(zeros.data(), sizes, 0));
+    EnsembleLearner expected(alone, sizes, 3, 12), learner(padded, sizes, 3, 12);
+    for (EnsembleLearner* one : {&expected, &learner}) {
+      one->start(5);
+      for (int round = 0; round < 4; ++round) one->iterate({}, 2);
+    }
+    for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t mode = 0; mode < 3; ++mode)
+        QVERIFY(learner.dictionaries()[d][mode] == expected.dictionaries()[d][mode]);
   }
 
   /// All coefficients: nothing is left over in any dictionary.

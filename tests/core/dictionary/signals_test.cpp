@@ -38,6 +38,22 @@ Eigen::ArrayXd signalOf(const TabulatedBrdf& table, DataTransform transform) {
 class SignalsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// The parts add up to one order and differ by the other, along phi_d, which runs fastest.
+  void partsOfOrdersAreTheirMeanAndHalfTheirDifference() {
+    const HalfDifferenceGrid circle = smallGrid.wholeCircle();
+    const Eigen::ArrayXd signal = Eigen::ArrayXd::LinSpaced(Eigen::Index(circle.size()), 3, 40).square();
+    const auto parts = partsOfOrders(signal, circle.phiDCount);
+    for (const Eigen::ArrayXd& part : parts) QCOMPARE(part.size(), Eigen::Index(smallGrid.size()));
+    for (const auto& [i, j, k] :
+         {std::array{0, 0, 0}, std::array{0, 0, 15}, std::array{5, 3, 7}, std::array{11, 11, 15}}) {
+      const auto cell = Eigen::Index(smallGrid.index(i, j, k));
+      const double first = signal[Eigen::Index(circle.index(i, j, k))],
+                   second = signal[Eigen::Index(circle.index(i, j, k + smallGrid.phiDCount))];
+      QVERIFY(std::abs(parts[0][cell] + parts[1][cell] - first) < 1e-12 * first);
+      QVERIFY(std::abs(parts[0][cell] - parts[1][cell] - second) < 1e-12 * second);
+    }
+  }
+
   /// Small values do not cancel, large ones do not overflow; back in double and in single precision.
   void hardCase16DynamicRange() {
     const int count = 151;

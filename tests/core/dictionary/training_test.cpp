@@ -3,6 +3,9 @@
 #include "core/dictionary/training.h"
 
 #include <QTest>
+#include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "core/dictionary/alternatives/full_sweep.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
@@ -52,6 +55,62 @@ class TrainingTest : public QObject {
       QVERIFY(result.state.subspace.ranks[mode] < modeSizes(smallGrid)[mode]);
     for (std::size_t e = 0; e < 2; ++e) QVERIFY(result.errorsAfter[e] < result.errorsBefore[e]);
     QVERIFY(orthonormalityError(result.ensemble) < 1e-10);
+  }
+
+  /// What is learned from, by brute force: the signals of reciprocal materials, and those of both orders over the whole
+  /// circle, which have half of the energy, in the cosine-log alone; with `normalised` all have the same energy.
+  void errorsAreThoseOfAllSignals_data() {
+    QTest::addColumn<bool>("normalised");
+    QTest::newRow("as they are") << false;
+    QTest::newRow("normalised") << true;
+  }
+  void errorsAreThoseOfAllSignals() {
+    QFETCH(bool, normalised);
+    TrainingMaterials materials = ggxMaterials(2);
+    const auto tables = std::array{materials.load(0), materials.load(1), oneWayTable()};
+    materials.names.push_back("one way");
+    materials.load = [&](std::size_t m) { return tables[m]; };
+    TrainingOptions one{.dictionaries = 1, .sparsities = {12}, .iterations = 3, .tolerance = 0};
+    one.signals.normalised = normalised;
+    const TrainingResult result = train(materials, one);
+    const Dictionary& learned = result.ensemble.dictionaries.at(0);
+    double left = 0, total = 0;
+    for (const auto& table : tables)
+      for (const DataTransform transform : one.signals.transforms) {
+        const bool isReciprocal = table->isReciprocal();
+        if (!isReciprocal && transform != DataTransform::cosineLog) continue;
+        const auto modes = isReciprocal ? learned.modes : inBothOrders(learned).modes;
+        for (const Eigen::ArrayXd& signal : signalsOf(*table, transform, *GridGeometry::of(table->grid()))) {
+          factorization::Tensor projection = tensorOf(signal.data(), modeSizes(table->grid()));
+          for (int mode = 0; mode < 3; ++mode)
+            projection = factorization::transposedModeProduct(projection, modes[std::size_t(mode)], mode);
+          std::vector<double> squares;
+          for (std::size_t i = 0; i < projection.count(); ++i) squares.push_back(projection[i] * projection[i]);
+          std::ranges::sort(squares, std::greater<>());
+          const double energy = signal.square().sum();
+          const double weight = normalised ? 1 / energy : isReciprocal ? 1 : 0.5;
+          left += weight * std::accumulate(squares.begin() + 12, squares.end(), 0.0);
+          total += weight * energy;
+        }
+      }
+    QVERIFY(left > 1e-6 * total);
+    QVERIFY(std::abs(result.errorsAfter.at(0) / (left / total) - 1) < 1e-9);
+  }
+
+  /// Those of the first ensemble keep their numbers.
+  void joinedEnsembles() {
+    Ensemble first = randomEnsemble(2), second = randomEnsemble(3);
+    first.learnedFrom = {"a", "b"};
+    second.learnedFrom = {"b", "c"};
+    const Ensemble both = joined(first, second);
+    QCOMPARE(both.dictionaries.size(), std::size_t(5));
+    QVERIFY(both.dictionaries[1].modes[0] == first.dictionaries[1].modes[0]);
+    QVERIFY(both.dictionaries[4].modes[2] == second.dictionaries[2].modes[2]);
+    QVERIFY((both.learnedFrom == std::vector<std::string>{"a", "b", "c"}));
+    second.scaled = false;
+    QVERIFY_EXCEPTION_THROWN(joined(first, second), Error);
+    second = inBothOrders(randomEnsemble(1));
+    QVERIFY_EXCEPTION_THROWN(joined(first, second), Error);
   }
 
   void resumesWithTheSameBits() {

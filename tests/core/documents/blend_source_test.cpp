@@ -274,6 +274,23 @@ class BlendSourceTest : public QObject {
     QVERIFY(refused(outer, 34));
   }
 
+  /// A blend of codes names its ensemble, unless that is the one of version 0.2.0, whose documents name none.
+  void theDictionaryOfABlendIsStored() {
+    for (const std::uint64_t id : materials::bundledIds()) {
+      EditDocument document = blendDocument({0.25, 0.75}, InterpolationSpace::dictionary);
+      auto blend = std::make_shared<BlendSource>(*document.blend);
+      blend->dictionary = id;
+      document.blend = blend;
+      nlohmann::json json = toJson(document);
+      QCOMPARE(json["source"]["blend"].contains("dictionary"), id != materials::bundledIds().back());
+      QCOMPARE(documentFromJson(json).blend->dictionary, id);
+      json["source"]["blend"]["dictionary"] = "0123456789abcdef";
+      QVERIFY(QString::fromStdString(errorOf(json)).contains("source.blend.dictionary"));
+    }
+    QCOMPARE(blendOptions(nullptr, true, materials::bundledIds().back()).ensemble.get(),
+             &materials::bundledEnsemble(materials::bundledIds().back())->ensemble);
+  }
+
   /// Files that are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
   void codesAreBlendedAsTheyAre() {
     std::vector<InterpolationMaterial> ends;
@@ -291,7 +308,7 @@ class BlendSourceTest : public QObject {
     const InterpolationOptions options = blendOptions();
     const auto blend = prepareInterpolation(InterpolationSpace::dictionary, ends, options)->code(weights);
     const dictionary::SparseCode expected =
-        dictionary::interpolateCodes(*options.ensemble, codes, weights, options.codeCoefficients);
+        dictionary::interpolateCodes(*ends.front().ensemble, codes, weights, options.codeCoefficients);
     for (std::size_t c = 0; c < 3; ++c) {
       QCOMPARE(blend->channels[c].dictionary, expected.channels[c].dictionary);
       QCOMPARE(blend->channels[c].coefficients.size(), expected.channels[c].coefficients.size());

@@ -160,6 +160,25 @@ class DictionaryFileTest : public QObject {
     QVERIFY(contains(errorOf([&] { materials::readMaterial(path); }),
                      "bundled.code: the code was encoded with another dictionary"));
   }
+
+  /// Every bundled one is found by its id, the hash of its file, and decodes the codes that have this id.
+  void bundledDictionariesAreFoundByTheirIds() {
+    SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
+    for (ChannelCode& channel : code.channels) channel.coefficients = {{0, 30.0f}, {200, -2.0f}};
+    const auto path = outputPath("dictionary/of_id.code");
+    for (const std::uint64_t id : materials::bundledIds()) {
+      const auto dictionary = materials::bundledEnsemble(id);
+      QVERIFY(dictionary);
+      QCOMPARE(dictionary->id, id);
+      QVERIFY(materials::bundledEnsemble(id) == dictionary);
+      formats::writeCode(code, id, path);
+      const materials::Material material = materials::readMaterial(path);
+      QVERIFY(material.dictionary == dictionary);
+      QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, formats::readCode(path).code)));
+    }
+    QCOMPARE(materials::bundledEnsemble()->id, materials::bundledIds().front());
+    QVERIFY(!materials::bundledEnsemble(materials::bundledIds().front() + 1));
+  }
 };
 
 GONIO_TEST(DictionaryFileTest)
