@@ -22,7 +22,7 @@ class RenderMaterial {
 
   /// The density is `density` if given and the BRDF has no importance sampling of its own (or DensityUse::always).
   /// Otherwise it is the BRDF's own (models, factors, RGL files), a TabulatedDensity or its closed-form density,
-  /// whichever gives the least noise at equal time. Takes a few ms; up to 50 ms for a sparse code, about 0.1 s for
+  /// whichever gives the least noise at equal time. Takes a few ms; about 0.3 s for a sparse code, about 0.1 s for
   /// anisotropic materials.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingDensity> density = std::nullopt,
                           DensityUse use = DensityUse::whereNeeded);
