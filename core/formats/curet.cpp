@@ -85,6 +85,7 @@ constexpr std::string_view curetSuffixes[] = {".dat"};
 ScatteredSamples readCuret(const io::ByteSource& source) {
   const auto [rows, notation] = rowsOf(source);
   std::vector<std::array<double, angles>> directions;
+  directions.reserve(rows.size());
   for (const std::vector<double>& row : rows) directions.push_back({row[0], row[1], row[2], row[3]});
   const AngleUnit unit = AngleUnit::guessed(directions, "write all angles in degrees, such as 90 for a quarter turn");
   ScatteredSamples samples;

@@ -388,10 +388,12 @@ Rgb ColourColumns::value(const CsvText& csv, const CsvText::Row& row) const {
 }
 
 std::optional<double> wavelengthOf(const std::string& name) {
+  std::string text = name;
+  std::ranges::replace(text, ',', '.');
   double value = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc()) return std::nullopt;
-  const std::string_view unit = trimmed({end, std::size_t(name.data() + name.size() - end)}, " ");
+  const std::string_view unit = trimmed({end, std::size_t(text.data() + text.size() - end)}, " ");
   if (unit == "um" || unit == "\u00b5m" || unit == "\u03bcm")  // micro sign, Greek mu
     value *= 1000;
   else if (!unit.empty() && unit != "nm")

@@ -88,6 +88,8 @@ class ScatteredFilesTest : public QObject {
     QCOMPARE(read("650nm", "0.5").values[0], Rgb(0.5));
     const Rgb spectrum = read("450nm,550nm,650nm", "0.1,0.2,0.4").values[0];
     QCOMPARE(read("0.45um,0.55 um,0.65 \u00b5m", "0.1,0.2,0.4").values[0], spectrum);
+    QCOMPARE(astm("NUM_POINTS 1\nVARS theta_i;theta_s;phi_s;0,45um;0,55um;0,65um\n0,1;0,2;3;0,1;0,2;0,4\n").values[0],
+             spectrum);
     QVERIFY(spectrum.x > 0.3 && spectrum.z < 0.2);
     QVERIFY(contains(read("wavelength,BRDF", "650,0.5").notes.at(1), "not used: 'wavelength'"));
     for (const auto& [names, values] : {std::pair<std::string, std::string>{"650nm,532nm", "0.5,0.6"},
