@@ -19,15 +19,16 @@ namespace gonio::materials {
 namespace {
 
 /// A note if the albedo exceeds 1 by more than 5 % for a viewer at 0 to 60 degrees, as for values in another unit, with
-/// the cosine or from a wrong column. At grazing angles measurements are too noisy for it. About 10 ms.
+/// the cosine or from a wrong column. At grazing angles measurements are too noisy for it. About 10 ms, and the time of
+/// Brdf::valueBound().
 void noteAlbedo(Material& material) {
   constexpr double limit = 1.05;
   // The first estimate is rough, and confirmed.
   constexpr std::uint32_t few = 1 << 10, many = 1 << 14;
-  const SamplingDensity density = estimateSamplingDensity(*material.brdf);
+  const DirectionalAlbedo estimate(*material.brdf, few);
   for (const int angle : {0, 20, 40, 60}) {
-    if (!(maxChannel(directionalAlbedo(*material.brdf, radians(angle), density, few)) > limit)) continue;
-    const double albedo = maxChannel(directionalAlbedo(*material.brdf, radians(angle), density, many));
+    if (!(maxChannel(estimate(radians(angle))) > limit)) continue;
+    const double albedo = maxChannel(DirectionalAlbedo(*material.brdf, many)(radians(angle)));
     if (!(albedo > limit)) continue;
     material.source.notes.push_back("warning: the albedo at " + std::to_string(angle) + " degrees is " +
                                     numberText(float(albedo)) +
