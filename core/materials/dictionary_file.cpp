@@ -85,7 +85,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
 namespace {
 
 /// In the order of the list in CMakeLists.txt.
-constexpr std::uint64_t ids[] = {0x6bebf51c078c57af};
+constexpr std::uint64_t ids[] = {0x35974214a2211932, 0x6bebf51c078c57af};
 
 }  // namespace
 

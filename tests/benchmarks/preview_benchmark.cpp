@@ -153,7 +153,7 @@ void environmentDictionaryBlend(benchmark::State& state) {
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code
 /// with so many coefficients per channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
-  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledEnsemble();
+  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledEnsemble(materials::bundledIds().back());
   dictionary::SparseCode code;
   GLuint texture = 0;
 

@@ -123,7 +123,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
 
   /// A code of many coefficients, at every node of a MERL grid, in both transforms.
   void codeOfAMetallicPaint() {
-    const auto bundled = materials::bundledEnsemble();
+    const auto bundled = materials::bundledEnsemble(materials::bundledIds().back());
     SparseCode code = test::readCodeFile("ilm_solo_m_68");
     QVERIFY(code.coefficients() > 1000);
     compareWithCore(bundled->ensemble, code);

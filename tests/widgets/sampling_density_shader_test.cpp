@@ -22,7 +22,8 @@ constexpr int side = 64, count = side * side;
 
 /// A measured material with a sharp highlight, which no single density samples well.
 std::shared_ptr<const TabulatedBrdf> sharpMaterial() {
-  return dictionary::decode(materials::bundledEnsemble()->ensemble, test::readCodeFile("ilm_solo_m_68"));
+  return dictionary::decode(materials::bundledEnsemble(materials::bundledIds().back())->ensemble,
+                            test::readCodeFile("ilm_solo_m_68"));
 }
 
 /// What the shader draws for a viewer and three numbers, and its density there.

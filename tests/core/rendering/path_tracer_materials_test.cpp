@@ -198,7 +198,7 @@ class PathTracerMaterialsTest : public QObject {
 
   void codesAgreeWithTheirTable() {
     const dictionary::SparseCode paper = test::readCodeFile("paper_blue");
-    const auto& ensemble = materials::bundledEnsemble()->ensemble;
+    const auto& ensemble = materials::bundledEnsemble(materials::bundledIds().back())->ensemble;
     const Scene scene = openScene("sphere-under-lamp");
     const Tiles code = tracedTiles(scene, traced(dictionary::makeCodeBrdf(ensemble, paper)),
                                    {.size = 12, .samples = 16}, 1),
