@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/fitting/fit_parameters.h"
@@ -21,24 +22,27 @@ constexpr double referenceFraction = 0.02;
 /// Fraction of a representation's progress that making it takes; the rest is measuring it.
 constexpr double buildFraction = 0.6;
 constexpr std::size_t maxFrames = 3;
-constexpr double enoughSeconds = 1;
 
-/// Renders frames until their time is known.
-double frameMilliseconds(const rendering::RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
+/// Renders frames until their time is known, or has taken enough.
+double frameMilliseconds(double enoughSeconds, const std::function<void()>& render) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> frames;
   double total = 0;
   while (frames.size() < maxFrames && total < 1000 * enoughSeconds) {
     const auto start = Clock::now();
-    comparison.trace(brdf, stop);
+    render();
     frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     total += frames.back();
   }
   return quantile(std::move(frames), 0.5);
 }
 
-UseCost useCost(const rendering::RenderedComparison& comparison, const Brdf& brdf, const TaskControl& stop) {
-  return {measureEvaluation(brdf, stop), frameMilliseconds(comparison, brdf, stop)};
+/// For frames: of a study, and of a single act, which a user waits for.
+constexpr double enoughForStudy = 1, enoughForAct = 0.25;
+
+UseCost useCost(const rendering::RenderedComparison& comparison, const Brdf& brdf, double enoughSeconds,
+                const TaskControl& stop) {
+  return {measureEvaluation(brdf, stop), frameMilliseconds(enoughSeconds, [&] { comparison.trace(brdf, stop); })};
 }
 
 /// The pictures of a study: measured, and shown where other pictures are.
@@ -68,7 +72,7 @@ MeasuredRepresentation measure(const Representation& representation, const Built
   StudyRecord& record = studied.record;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const UseCost cost =
-      options.timed ? useCost(pictures.measured, *built.brdf, stop) : UseCost{{none, none, none}, none};
+      options.timed ? useCost(pictures.measured, *built.brdf, enoughForStudy, stop) : UseCost{{none, none, none}, none};
   record.evaluation = cost.evaluation;
   record.frameMilliseconds = cost.frameMilliseconds;
   rendering::ComparisonPicture picture = pictures.measured.render(*built.brdf, stop);
@@ -88,8 +92,16 @@ MeasuredRepresentation measure(const Representation& representation, const Built
 }  // namespace
 
 UseCost measureUse(const Brdf& brdf, const TaskControl& control) {
-  const rendering::RenderedComparison comparison(brdf, rendering::smallComparisonPicture(), control.between(0, 0.5));
-  return useCost(comparison, brdf, {control.stop, {}});
+  const TaskControl stop{control.stop, {}};
+  const rendering::Scene scene = rendering::comparisonScene();
+  rendering::RenderOptions picture = rendering::smallComparisonPicture();
+  picture.density = estimateSamplingDensity(brdf);
+  control.report(0.3);
+  UseCost cost{measureEvaluation(brdf, stop)};
+  control.report(0.5);
+  cost.frameMilliseconds =
+      frameMilliseconds(enoughForAct, [&] { rendering::renderPicture(brdf, scene, picture, stop); });
+  return cost;
 }
 
 MaterialQuality measureQuality(const Brdf& measurement, const Brdf& used, const TabulatedBrdf* decoded,
@@ -104,7 +116,7 @@ MaterialQuality measureQuality(const Brdf& measurement, const Brdf& used, const 
   stop.throwIfStopped();
   quality.brdfSnr = metrics::brdfSignalToNoiseRatio(measurement, compared);
   control.report(0.8);
-  quality.cost = useCost(comparison, used, stop);
+  quality.cost = useCost(comparison, used, enoughForAct, stop);
   return quality;
 }
 
