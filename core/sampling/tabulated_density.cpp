@@ -221,15 +221,15 @@ bool addNarrowPeaks(const Brdf& brdf, NodeEnergies& energies) {
   return std::ranges::find(found, 1) != found.end();
 }
 
-SliceStack<float> densities(const Brdf& brdf, bool& hasNarrowPeaks, bool& isBlack) {
+SliceStack<float> densities(const Brdf& brdf, bool& isBlack) {
   NodeEnergies energies = nodeEnergies(brdf);
-  hasNarrowPeaks = addNarrowPeaks(brdf, energies);
+  const bool hasNarrowPeaks = addNarrowPeaks(brdf, energies);
   isBlack = !hasNarrowPeaks && std::ranges::find(energies.isDark, 0) == energies.isDark.end();
   return std::move(energies.stack);
 }
 
 /// Whether samples of a closed form find everything that the tabulated one knows, for each viewer: probes at fixed
-/// angles of the viewer miss peaks of others.
+/// angles of the viewer miss peaks of others, and narrow peaks.
 bool coversAllViewers(const SamplingDensity& closedForm, const MarginalWarp& warp) {
   constexpr double mostMoment = 32, cells = nodesPerArea;
   for (std::size_t viewer = 0; viewer < TabulatedDensity::viewerCount; ++viewer) {
@@ -255,12 +255,11 @@ bool coversAllViewers(const SamplingDensity& closedForm, const MarginalWarp& war
 }  // namespace
 
 TabulatedDensity::TabulatedDensity(const Brdf& brdf)
-    : warp_(densities(brdf, hasNarrowPeaks_, isBlack_), "density"),
+    : warp_(densities(brdf, isBlack_), "density"),
       grain_(estimateGrainDensity(brdf, *this, cosineFraction)),
       alongGrain_(grain_.rotated()) {
   if (isBlack_) symmetricDensity_ = SamplingDensity{.specularFraction = 0};
-  // The probes for the moments miss narrow peaks, as the closed form does.
-  if (isBlack_ || hasNarrowPeaks_) return;
+  if (isBlack_) return;
   const std::vector<MomentProbe> probes = momentProbes(brdf);
   const SamplingDensity symmetric = estimateSamplingDensity(brdf);
   if (samplerMoment(probes, symmetric) < samplerMoment(probes, tabulatedMixture(*this)) * cost &&

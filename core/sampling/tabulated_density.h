@@ -37,13 +37,13 @@ class TabulatedDensity {
   const GrainDensity& grain() const { return grain_; }
   const RotatedDensity<VisibleNormalDensity>& alongGrain() const { return alongGrain_; }
   /// The closed-form, rotationally symmetric density to use instead of the table, if it gives less noise at equal time
-  /// and the BRDF has no narrow peaks; cosine-weighted directions for a black BRDF. Empty otherwise.
+  /// and finds all narrow peaks; cosine-weighted directions for a black BRDF. Empty otherwise.
   const std::optional<SamplingDensity>& symmetricDensity() const { return symmetricDensity_; }
   /// Approximate rendering time per sample, relative to a closed-form density.
   static constexpr double cost = 1.2;
 
  private:
-  bool hasNarrowPeaks_ = false, isBlack_ = false;
+  bool isBlack_ = false;
   MarginalWarp warp_;
   GrainDensity grain_;
   RotatedDensity<VisibleNormalDensity> alongGrain_;

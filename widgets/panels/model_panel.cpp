@@ -94,8 +94,9 @@ ModelPanel::ModelPanel(QWidget* parent)
 void ModelPanel::setModel(const models::Model* model) { m_models->setModel(model); }
 
 void ModelPanel::setCosts(const QString& line, const QString& details) {
-  m_costs->setText(line);
-  m_costs->setToolTip(details);
+  // Equal texts too would make a label and its tooltip anew, at each step of a slider.
+  if (line != m_costs->text()) m_costs->setText(line);
+  if (details != m_costs->toolTip()) m_costs->setToolTip(details);
 }
 
 void ModelPanel::setBusy(bool busy) { m_fit->setText(busy ? tr("Fitting") : tr("Fit")); }
