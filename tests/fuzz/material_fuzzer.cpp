@@ -10,7 +10,8 @@ namespace {
 bool isReconstructed(std::span<const std::byte> bytes) {
   namespace formats = gonio::formats;
   const auto* format = &gonio::materials::sniffFormat(gonio::io::MemorySource(bytes));
-  return format == &formats::astmFormat || format == &formats::goniophotometerFormat || format == &formats::curetFormat;
+  return format == &formats::astmFormat || format == &formats::goniophotometerFormat ||
+         format == &formats::curetFormat || format == &formats::csvFormat || format == &formats::refletFormat;
 }
 
 }  // namespace

@@ -159,7 +159,8 @@ std::vector<const materials::MaterialFormat*> readAsMaterials() {
   std::vector<const materials::MaterialFormat*> result;
   for (const materials::MaterialFormat* format : materials::materialFormats())
     if (!std::ranges::count(std::array{&formats::astmFormat, &formats::goniophotometerFormat, &formats::curetFormat,
-                                       &formats::pdvFormat, &formats::codeFormat, &formats::neuralFormat},
+                                       &formats::csvFormat, &formats::refletFormat, &formats::pdvFormat,
+                                       &formats::codeFormat, &formats::neuralFormat},
                             format))
       result.push_back(format);
   return result;
@@ -173,6 +174,10 @@ class ReaderMutationTest : public QObject {
     readScatteredBytes<formats::readAstm>(astmSeed());
     readScatteredBytes<formats::readGoniophotometer>(goniophotometerSeed());
     readScatteredBytes<formats::readCuret>(curetSeed());
+    readScatteredBytes<formats::readCsvPoints>(csvSeed());
+    readScatteredBytes<formats::readCsvPoints>(csvGridSeed());
+    readScatteredBytes<formats::readReflet>(refletSeed());
+    readMaterialBytes(rotatedZemaxSeed());
     readPdvBytes(pdvSeed());
     readNeuralBytes(neuralSeed());
     readNpfBytes(npfSeed());
@@ -213,6 +218,10 @@ class ReaderMutationTest : public QObject {
     check("points.txt", goniophotometerSeed(), readScatteredBytes<formats::readGoniophotometer>);
   }
   void curet() { check("points.dat", curetSeed(), readScatteredBytes<formats::readCuret>); }
+  void csv() { check("points.csv", csvSeed(), readScatteredBytes<formats::readCsvPoints>); }
+  void csvGrid() { check("grid.csv", csvGridSeed(), readScatteredBytes<formats::readCsvPoints>); }
+  void reflet() { check("reflet.txt", refletSeed(), readScatteredBytes<formats::readReflet>); }
+  void rotatedZemax() { check("rotated.bsdf", rotatedZemaxSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void neural() { check("network.nbrdf", neuralSeed(), readNeuralBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }

@@ -59,6 +59,47 @@ inline Bytes goniophotometerSeed() {
   return test::goniophotometerFile(seedReflectance, light, {{0, 0, 1}, fromSpherical(0.6, 0.1), fromSpherical(2, 1)});
 }
 
+inline Bytes refletSeed() {
+  std::string text;
+  for (const double light : {10.0, 30.0, 60.0}) {
+    text +=
+        "Name / Comment :\tseed\t\nDate:\t7/12/2011 11:51:11 PM\t\nData file type :\tIntensity BRDF\t\nTheta sample "
+        ":\t0\t\nPhi measure beginning :\t-90\t\nPhi measure end :\t90\t\nPhi measure step :\t45\t\nTheta "
+        "Lighting\t" +
+        numberText(light) + "\n";
+    for (const double theta : {-60.0, -30.0, 0.0, 30.0, 60.0})
+      text += test::rowText({theta, 0.1, 0.2, 0.3, 0.2, 0.1}, "\t");
+  }
+  return bytesOf(text + "\t\t\n");
+}
+
+/// Zemax with sample rotations.
+inline Bytes rotatedZemaxSeed() {
+  return bytesOf(
+      "Symmetry Asymmetrical4D\nSpectralContent Monochrome\nScatterType BRDF\nSampleRotation 3\n0 90 360\n"
+      "AngleOfIncidence 2\n10 60\nScatterAzimuth 3\n0 120 240\nScatterRadial 2\n0 30\nMonochrome\nDataBegin\n"
+      "TIS 1\n1 2\n1 3\n1 4\nTIS 1\n1 2\n1 3\n1 4\nTIS 1\n5 2\n5 3\n5 4\nTIS 1\n6 2\n6 3\n6 4\n"
+      "TIS 1\n1 2\n1 3\n1 4\nTIS 1\n1 2\n1 3\n1 4\nDataEnd\n");
+}
+
+/// Rows of a grid: polar angles of the light and of the viewer, azimuths between them; degrees.
+inline std::string csvRows(const std::string& names, const char* separator) {
+  std::string text = names + "\n";
+  for (const double thetaI : {0.0, 30.0, 60.0})
+    for (const double thetaO : {0.0, 25.0, 50.0, 75.0})
+      for (const double difference : {0.0, 45.0, 90.0, 135.0, 180.0})
+        text += test::rowText({thetaI, thetaO, difference, 0.1 + 0.001 * thetaI + 0.002 * thetaO}, separator);
+  return text;
+}
+inline Bytes csvGridSeed() { return bytesOf(csvRows("# grid\ntheta_i,theta_o,dphi,BRDF", ",")); }
+
+/// With a byte order mark, semicolons, decimal commas and a spectrum.
+inline Bytes csvSeed() {
+  return bytesOf(
+      "\xEF\xBB\xBFindex;theta_i [deg];phi_i;theta_r;phi_r;450nm;550nm;650nm\r\n1;10,5;0;20;180;0,1;0,2;0,3\r\n"
+      "2;20;0;0;0;2e-1;3;4\r\n3;30;0;60,25;90;1;2;3\r\n");
+}
+
 inline Bytes curetSeed() { return test::curetFile(seedReflectance, test::scatteredPairs(205)); }
 
 inline Bytes zemaxSeed() { return test::zemaxFile(seedReflectance, {{0, 30, 60}, {0, 90, 180}, {0, 10, 40, 90}}); }
@@ -95,12 +136,13 @@ inline Bytes neuralSeed() {
 /// A file of a format of materials: one as other programs write it, or a small one; of other formats what Gonio writes.
 inline Bytes formatSeed(const materials::MaterialFormat& format) {
   const std::map<const materials::MaterialFormat*, Bytes (*)()> seeds{
-      {&formats::merlFormat, merlSeed},   {&formats::merlCircleFormat, merlCircleSeed},
-      {&formats::rglFormat, rglSeed},     {&formats::utiaFormat, utiaSeed},
-      {&formats::zemaxFormat, zemaxSeed}, {&formats::lightToolsFormat, lightToolsSeed},
-      {&formats::astmFormat, astmSeed},   {&formats::goniophotometerFormat, goniophotometerSeed},
-      {&formats::curetFormat, curetSeed}, {&formats::pdvFormat, pdvSeed},
-      {&formats::codeFormat, codeSeed},   {&formats::neuralFormat, neuralSeed}};
+      {&formats::merlFormat, merlSeed},     {&formats::merlCircleFormat, merlCircleSeed},
+      {&formats::rglFormat, rglSeed},       {&formats::utiaFormat, utiaSeed},
+      {&formats::zemaxFormat, zemaxSeed},   {&formats::lightToolsFormat, lightToolsSeed},
+      {&formats::astmFormat, astmSeed},     {&formats::goniophotometerFormat, goniophotometerSeed},
+      {&formats::curetFormat, curetSeed},   {&formats::csvFormat, csvSeed},
+      {&formats::refletFormat, refletSeed}, {&formats::pdvFormat, pdvSeed},
+      {&formats::codeFormat, codeSeed},     {&formats::neuralFormat, neuralSeed}};
   if (const auto found = seeds.find(&format); found != seeds.end()) return found->second();
   const auto material = materials::unedited("ggx", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.04));
   return materials::encode(material, format, {.snr = 20, .pictureSize = 16, .samples = 4}).bytes;

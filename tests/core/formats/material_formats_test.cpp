@@ -45,9 +45,10 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(!format->encode == !format->isOwnForm);
       QVERIFY(names.insert(format->name).second);
       for (const std::string_view suffix : format->suffixes)
-        // Both grids of MERL files share one, RGL and the two formats of optical design programs another.
+        // Both grids of MERL files share one, RGL and the two formats of optical design programs another, and two kinds
+        // of goniophotometers a third.
         QVERIFY(suffix.starts_with('.') &&
-                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary"));
+                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary" || suffix == ".txt"));
     }
   }
 

@@ -100,6 +100,21 @@ class SharedFilesTest : public QObject {
     QVERIFY(albedoError("zemax-beyond-last-angle/lambert.bsdf", Rgb(pi * 0.0637)) < 1e-4);
   }
 
+  /// What they are, and one value of each that was taken from the file by hand.
+  void filesOfOtherPrograms() {
+    SKIP_WITHOUT(data / "formats");
+    const auto open = [](const char* name) { return documents::openMaterial((data / "formats" / name).string()); };
+    const materials::Material reflet = open("rt300s_lighttools.txt");
+    QCOMPARE(reflet.source.format, std::string("REFLET"));
+    QVERIFY(contains(reflet.source.notes.at(1), "no value of the file is above 0"));
+    const materials::Material sensor = open("IMX455.bsdf");
+    QVERIFY(!sensor.brdf->isIsotropic());
+    QCOMPARE(sensor.source.grid, (std::vector<int>{36, 4, 37, 21}));
+    // At rotation 0, the first row: 5 degrees from the mirror direction of light at 10 degrees, toward the normal.
+    QVERIFY(std::abs(sensor.brdf->evaluate(fromSpherical(radians(10), pi), fromSpherical(radians(5), 0)).x - 2.957e-3) <
+            1e-8);
+  }
+
   void environments() {
     SKIP_WITHOUT(cases);
     QVERIFY(glm::length(firstPixel("exr-chromaticities/white_xyz.exr") - glm::vec3(1)) < 2e-3f);
