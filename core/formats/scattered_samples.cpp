@@ -256,6 +256,14 @@ std::optional<PairNode> nodeOf(const IncidenceTable& table, const PairAngles& at
 
 /// The nodes of a measurement, without values. Empty if they are too far apart or too many for the measurement.
 std::optional<IncidenceTable> nodesOf(std::vector<PairAngles>& pairs) {
+  const auto isOn = [&](auto isSide) {
+    return std::ranges::all_of(pairs, [&](const PairAngles& at) {
+      return at.isLightAtNormal() || at.isViewerAtNormal() || isSide(at.difference);
+    });
+  };
+  // One side of the plane of incidence is as good as the other.
+  if (isOn([](double angle) { return !(angle > angleTolerance) || angle > pi - angleTolerance; }))
+    for (PairAngles& at : pairs) at.difference = positiveAzimuth(2 * pi - at.difference);
   std::vector<double> lights, viewers, azimuths, differences;
   for (const PairAngles& at : pairs) {
     lights.push_back(at.thetaI);

@@ -110,6 +110,15 @@ ScatteredSamples readCuret(const io::ByteSource& source);
 /// @throws io::FormatMismatch for transmission; Error that names the line, for a tilted sample, azimuths that are not
 /// in whole steps and rows of another length; Error if there is no row of reflection.
 ScatteredSamples readReflet(const io::ByteSource& source);
+/// @throws Error that names the line, for coordinates or values of another kind, a dimension that does not fit, rows of
+/// another length and vectors that are not unit vectors; Error for binary data or without a point above the horizon.
+ScatteredSamples readAlta(const io::ByteSource& source);
+/// @throws Error that names the row of the table, for numbers that are not finite or out of range, a value that is
+/// there twice and directions without a value for each wavelength.
+ScatteredSamples readOpenMaterial(const io::ByteSource& source);
+/// @throws io::FormatMismatch for transmission; Error that names the line, for a word that is not a number, or what was
+/// found of the spectrum and the angles; Error for binary data.
+ScatteredSamples readSpeos(const io::ByteSource& source);
 /// @throws io::FormatMismatch for a table without polar angles, a plan or readings; Error that names line and column.
 ScatteredSamples readCsvPoints(const io::ByteSource& source);
 

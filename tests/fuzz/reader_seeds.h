@@ -73,6 +73,70 @@ inline Bytes refletSeed() {
   return bytesOf(text + "\t\t\n");
 }
 
+inline Bytes altaSeed() {
+  return bytesOf(
+      "#ALTA_BEGIN_HEADER\n#DIM 4 3\n#PARAM_IN RUSIN_TH_PH_TD_PD\n#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n#VS 2 0\n"
+      "#ALTA_END_HEADER\n0.1 0.2 0.3 0.4 1 2 3 0.9 1.1\n0.2 0 0.3 2 0.1 0.2 0.3\n");
+}
+
+inline Bytes openMaterialSeed() {
+  std::string rows;
+  for (const double wavelength : {4.5e-7, 5.5e-7, 6.5e-7})
+    for (const double thetaI : {0.0, 0.5, 1.0})
+      for (const double thetaO : {0.1, 0.5, 1.0})
+        for (const double phi : {0.0, 0.7, 1.4, 2.1, 2.8}) {
+          std::string row = test::rowText({wavelength, thetaI, thetaO, phi, 0.1}, ",");
+          row.pop_back();
+          rows += (rows.empty() ? "[" : ",[") + row + "]";
+        }
+  return bytesOf(R"({"metadata": {"name": "seed"}, "brdf": {"wavelengths": [], "lookupTable": [)" + rows + "]}}");
+}
+
+inline Bytes speosSeed() {
+  std::string text =
+      "OPTIS - Anisotropic BSDF surface file v8.0\n0\nA "
+      "comment\n4\nText\n0\t1\t0\n1\t0\n0\n1\n0\n3\n10\t30\t50\n30\t0\n\n"
+      "2\n400\t10\n700\t30\n";
+  for (int block = 0; block < 3; ++block) {
+    text += "4 5\n\t0\t45\t90\t135\t180\n";
+    for (const double theta : {0.0, 25.0, 50.0, 75.0}) text += test::rowText({theta, 0.1, 0.2, 0.3, 0.2, 0.1}, "\t");
+  }
+  return bytesOf(text + "End of file\n");
+}
+
+/// Trees of both ranks: branches, grids, single values.
+inline Bytes tensorTreeSeed(int rank) {
+  std::string tree = "{";
+  for (int child = 0; child < 1 << rank; ++child) {
+    tree += "{";
+    for (int i = 0; i < (child % 3 == 1 ? 1 << rank : 1); ++i) tree += child % 4 == 2 ? "{0.1}" : ".2, ";
+    if (child % 4 == 2 && child % 3 != 1) tree = tree.substr(0, tree.size() - 5) + "-1e-3";
+    tree += "}\n";
+  }
+  return bytesOf("<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree" +
+                 std::to_string(rank) +
+                 "</IncidentDataStructure></DataDefinition><WavelengthData><Wavelength>Visible</Wavelength>"
+                 "<WavelengthDataBlock><WavelengthDataDirection>Reflection Back</WavelengthDataDirection>"
+                 "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" +
+                 tree + "}</ScatteringData></WavelengthDataBlock></WavelengthData></Layer></Optical></WindowElement>");
+}
+
+/// A quarter basis, in colour.
+inline Bytes radianceSeed() {
+  std::string values, data;
+  for (int i = 0; i < 41 * 41; ++i) values += i % 7 == 3 ? "-.1," : ".2 ";
+  for (const char* wavelength : {"Visible", "CIE-X", "CIE-Z"})
+    data += std::string("<WavelengthData><Wavelength>") + wavelength +
+            "</Wavelength><WavelengthDataBlock><WavelengthDataDirection>Reflection Front</WavelengthDataDirection>"
+            "<ColumnAngleBasis>LBNL/Klems Quarter</ColumnAngleBasis><RowAngleBasis>LBNL/Klems Quarter</RowAngleBasis>"
+            "<ScatteringData>" +
+            values + "</ScatteringData></WavelengthDataBlock></WavelengthData>\n";
+  return bytesOf(
+      "<?xml version=\"1.0\"?><WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>Columns"
+      "</IncidentDataStructure></DataDefinition>" +
+      data + "</Layer></Optical></WindowElement>");
+}
+
 /// Zemax with sample rotations.
 inline Bytes rotatedZemaxSeed() {
   return bytesOf(
@@ -136,13 +200,24 @@ inline Bytes neuralSeed() {
 /// A file of a format of materials: one as other programs write it, or a small one; of other formats what Gonio writes.
 inline Bytes formatSeed(const materials::MaterialFormat& format) {
   const std::map<const materials::MaterialFormat*, Bytes (*)()> seeds{
-      {&formats::merlFormat, merlSeed},     {&formats::merlCircleFormat, merlCircleSeed},
-      {&formats::rglFormat, rglSeed},       {&formats::utiaFormat, utiaSeed},
-      {&formats::zemaxFormat, zemaxSeed},   {&formats::lightToolsFormat, lightToolsSeed},
-      {&formats::astmFormat, astmSeed},     {&formats::goniophotometerFormat, goniophotometerSeed},
-      {&formats::curetFormat, curetSeed},   {&formats::csvFormat, csvSeed},
-      {&formats::refletFormat, refletSeed}, {&formats::pdvFormat, pdvSeed},
-      {&formats::codeFormat, codeSeed},     {&formats::neuralFormat, neuralSeed}};
+      {&formats::merlFormat, merlSeed},
+      {&formats::merlCircleFormat, merlCircleSeed},
+      {&formats::rglFormat, rglSeed},
+      {&formats::utiaFormat, utiaSeed},
+      {&formats::zemaxFormat, zemaxSeed},
+      {&formats::lightToolsFormat, lightToolsSeed},
+      {&formats::astmFormat, astmSeed},
+      {&formats::goniophotometerFormat, goniophotometerSeed},
+      {&formats::curetFormat, curetSeed},
+      {&formats::csvFormat, csvSeed},
+      {&formats::refletFormat, refletSeed},
+      {&formats::altaFormat, altaSeed},
+      {&formats::openMaterialFormat, openMaterialSeed},
+      {&formats::radianceFormat, radianceSeed},
+      {&formats::speosFormat, speosSeed},
+      {&formats::pdvFormat, pdvSeed},
+      {&formats::codeFormat, codeSeed},
+      {&formats::neuralFormat, neuralSeed}};
   if (const auto found = seeds.find(&format); found != seeds.end()) return found->second();
   const auto material = materials::unedited("ggx", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.04));
   return materials::encode(material, format, {.snr = 20, .pictureSize = 16, .samples = 4}).bytes;
