@@ -56,9 +56,8 @@ IncidenceBracket bracketOf(const std::vector<double>& nodes, double at) {
 }
 
 /// The bracket of an azimuth in (-pi, pi]: the last node is followed by the first one plus 2 pi.
-IncidenceBracket azimuthBracket(const IncidenceTable& table, double azimuth) {
-  const std::vector<double>& nodes = table.azimuths;
-  if (table.symmetric) return bracketOf(nodes, std::abs(azimuth));
+IncidenceBracket circleBracket(const std::vector<double>& nodes, double azimuth) {
+  if (nodes.size() == 1) return {0, 0, 0};
   const double at = azimuth < 0 ? azimuth + 2 * pi : azimuth;
   if (at >= nodes.front() && at <= nodes.back()) return bracketOf(nodes, at);
   const double gap = nodes.front() + 2 * pi - nodes.back();
@@ -80,7 +79,9 @@ void checkIncidences(const IncidenceTable& table) {
   checkNodes(table.incident, halfPi, "angle of incidence");
   checkNodes(table.azimuths, table.symmetric ? pi : 2 * pi, "azimuth");
   checkNodes(table.polars, pi, "polar angle");
-  const std::size_t expected = table.incident.size() * table.azimuths.size() * table.polars.size();
+  checkNodes(table.rotations, 2 * pi, "azimuth of the light");
+  const std::size_t expected =
+      table.rotations.size() * table.incident.size() * table.azimuths.size() * table.polars.size();
   if (table.values.size() != expected)
     throw Error("found " + std::to_string(table.values.size()) + " values, expected " + std::to_string(expected));
   for (std::size_t i = 0; i < expected; ++i)
@@ -102,7 +103,7 @@ std::size_t cutNegative(std::vector<glm::vec3>& values) {
 void uniteAxis(IncidenceTable& table) {
   if (table.polars.front() > 0) return;
   const std::size_t azimuths = table.azimuths.size(), polars = table.polars.size();
-  for (std::size_t i = 0; i < table.incident.size(); ++i) {
+  for (std::size_t i = 0; i < table.rotations.size() * table.incident.size(); ++i) {
     glm::dvec3 mean(0);
     for (std::size_t a = 0; a < azimuths; ++a) mean += glm::dvec3(table.values[(i * azimuths + a) * polars]);
     for (std::size_t a = 0; a < azimuths; ++a) table.values[(i * azimuths + a) * polars] = mean / double(azimuths);
@@ -112,8 +113,8 @@ void uniteAxis(IncidenceTable& table) {
 std::vector<std::uint8_t> nodesAboveHorizon(const IncidenceTable& table) {
   std::vector<std::uint8_t> result;
   result.reserve(table.values.size());
-  for (const double thetaI : table.incident) {
-    const Frame frame(table.axis, thetaI);
+  for (std::size_t light = 0; light < table.rotations.size() * table.incident.size(); ++light) {
+    const Frame frame(table.axis, table.incident[light % table.incident.size()]);
     for (const double azimuth : table.azimuths)
       for (const double polar : table.polars)
         result.push_back(frame.direction(polar, azimuth).z >= -incidenceTolerance);
@@ -136,12 +137,14 @@ IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(
   aboveHorizon_ = nodesAboveHorizon(table_);
 }
 
-IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, double polar, double azimuth) const {
-  const IncidenceBracket p = bracketOf(table_.polars, polar), a = azimuthBracket(table_, azimuth);
+IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t light, double polar, double azimuth) const {
+  const IncidenceBracket p = bracketOf(table_.polars, polar), a = table_.symmetric
+                                                                      ? bracketOf(table_.azimuths, std::abs(azimuth))
+                                                                      : circleBracket(table_.azimuths, azimuth);
   Weighted result;
   for (const auto& [node, weightA] : {std::pair(a.below, 1 - a.fraction), {a.above, a.fraction}})
     for (const auto& [step, weightP] : {std::pair(p.below, 1 - p.fraction), {p.above, p.fraction}}) {
-      const std::size_t index = (incident * table_.azimuths.size() + node) * table_.polars.size() + step;
+      const std::size_t index = (light * table_.azimuths.size() + node) * table_.polars.size() + step;
       if (!aboveHorizon_[index]) continue;
       result.sum += weightA * weightP * Rgb(table_.values[index]);
       result.weight += weightA * weightP;
@@ -149,7 +152,7 @@ IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, do
   // Between azimuths far apart all four may be below the horizon: then those nearest to the axis that are not.
   for (std::size_t step = p.below; !(result.weight > 0) && step-- > 0;)
     for (const auto& [node, weight] : {std::pair(a.below, 1 - a.fraction), {a.above, a.fraction}}) {
-      const std::size_t index = (incident * table_.azimuths.size() + node) * table_.polars.size() + step;
+      const std::size_t index = (light * table_.azimuths.size() + node) * table_.polars.size() + step;
       if (!aboveHorizon_[index]) continue;
       result.sum += weight * Rgb(table_.values[index]);
       result.weight += weight;
@@ -158,32 +161,35 @@ IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, do
 }
 
 /// What is seen of the highlight under an angle of incidence, at angles about the mirror direction.
-IncidenceTableBrdf::Weighted IncidenceTableBrdf::seenAt(std::size_t incident, double polar, double turn) const {
-  if (table_.axis == Axis::mirror) return lookup(incident, polar, turn);
-  const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
+/// @param light index of its azimuth and polar angle.
+IncidenceTableBrdf::Weighted IncidenceTableBrdf::seenAt(std::size_t light, double polar, double turn) const {
+  if (table_.axis == Axis::mirror) return lookup(light, polar, turn);
+  const Direction seen = Frame(Axis::mirror, table_.incident[light % table_.incident.size()]).direction(polar, turn);
   const Frame normal(Axis::normal, 0);
-  return lookup(incident, normal.polar(seen), normal.azimuth(seen));
+  return lookup(light, normal.polar(seen), normal.azimuth(seen));
 }
 
 Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
-  const double thetaI = polarAngle(pair.wi);
-  const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);
+  const double thetaI = polarAngle(pair.wi), phiI = azimuth(pair.wi);
+  const Direction wo = AzimuthRotation(-phiI)(pair.wo);
   const Frame mirror(Axis::mirror, thetaI);
   const double polar = mirror.polar(wo), turn = mirror.azimuth(wo);
-  const IncidenceBracket bracket = bracketOf(table_.incident, thetaI);
+  const IncidenceBracket bracket = bracketOf(table_.incident, thetaI), about = circleBracket(table_.rotations, phiI);
   Weighted result;
   for (const auto& [incident, fraction] :
-       {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}}) {
-    if (!(fraction > 0)) continue;
-    const double horizon = horizonPolar(table_.incident[incident], turn);
-    // Between two angles of incidence one of them has the direction above its horizon.
-    const bool isBeyond = bracket.below == bracket.above;
-    if (!isBeyond && polar > horizon + incidenceTolerance) continue;
-    const Weighted found = seenAt(incident, std::min(polar, horizon), turn);
-    if (!(found.weight > 0)) continue;
-    result.sum += fraction * found.sum / found.weight;
-    result.weight += fraction;
-  }
+       {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}})
+    for (const auto& [rotation, weight] :
+         {std::pair(about.below, fraction * (1 - about.fraction)), {about.above, fraction * about.fraction}}) {
+      if (!(weight > 0)) continue;
+      const double horizon = horizonPolar(table_.incident[incident], turn);
+      // Between two angles of incidence one of them has the direction above its horizon.
+      const bool isBeyond = bracket.below == bracket.above;
+      if (!isBeyond && polar > horizon + incidenceTolerance) continue;
+      const Weighted found = seenAt(rotation * table_.incident.size() + incident, std::min(polar, horizon), turn);
+      if (!(found.weight > 0)) continue;
+      result.sum += weight * found.sum / found.weight;
+      result.weight += weight;
+    }
   return result.weight > 0 ? result.sum / result.weight : Rgb(0);
 }
 
@@ -194,7 +200,7 @@ void IncidenceTableBrdf::evaluate(std::span<const DirectionPair> pairs, std::spa
 
 namespace {
 
-/// Over the angles of incidence and, about the mirror direction, the polar angle.
+/// Over the angles of incidence and, about the mirror direction, the polar angle; of all azimuths of the light.
 class IncidenceBound final : public ValueBound {
  public:
   explicit IncidenceBound(const IncidenceTableBrdf& brdf)
@@ -206,7 +212,8 @@ class IncidenceBound final : public ValueBound {
     for (std::size_t node = 0; node < table.values.size(); ++node) {
       const std::size_t polar = node % table.polars.size();
       // A node below the horizon counts for nothing.
-      extrema_.include(int(node / table.polars.size() / table.azimuths.size()), polars_.size() > 1 ? int(polar) : 0,
+      extrema_.include(int(node / table.polars.size() / table.azimuths.size() % incident_.size()),
+                       polars_.size() > 1 ? int(polar) : 0,
                        brdf.isAboveHorizon(node) ? Rgb(table.values[node]) : Rgb(0));
     }
   }

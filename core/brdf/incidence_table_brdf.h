@@ -19,21 +19,22 @@ struct IncidenceTable {
   };
 
   Axis axis = Axis::mirror;
-  bool symmetric = true;          ///< the two sides of the plane of incidence are mirror images: azimuths in [0, pi]
-  std::vector<double> incident;   ///< polar angles of the light, [0, pi/2]
-  std::vector<double> azimuths;   ///< about the axis, counter-clockwise seen from outside, [0, 2 pi]
-  std::vector<double> polars;     ///< from the axis, [0, pi]
-  std::vector<glm::vec3> values;  ///< [incident][azimuth][polar], linear RGB, 1/sr, without the cosine
+  bool symmetric = true;             ///< the two sides of the plane of incidence are mirror images: azimuths in [0, pi]
+  std::vector<double> incident;      ///< polar angles of the light, [0, pi/2]
+  std::vector<double> azimuths;      ///< about the axis, counter-clockwise seen from outside, [0, 2 pi]
+  std::vector<double> polars;        ///< from the axis, [0, pi]
+  std::vector<glm::vec3> values;     ///< [rotation][incident][azimuth][polar], linear RGB, 1/sr, without the cosine
+  std::vector<double> rotations{0};  ///< azimuths of the light about the normal, [0, 2 pi); one: isotropic
 };
 
-/// An isotropic BRDF that interpolates an IncidenceTable: linearly in polar angle and azimuth about the axis, and
-/// between two angles of incidence linearly at equal angles about the mirror direction, so that a highlight moves with
-/// the light. Nodes below the horizon are dropped and the weights renormalised. All values at polar angle 0 belong to
-/// one direction and are replaced by their mean. Beyond the first and last angle of incidence or polar angle the value
-/// is constant and hasData() is false; directions that are below the horizon at that angle of incidence have the value
-/// at its horizon, at the same azimuth about the mirror direction. Azimuths wrap around; in a symmetric table the value
-/// is constant beyond the first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3
-/// us per pair.
+/// A BRDF that interpolates an IncidenceTable: linearly in polar angle and azimuth about the axis, and between two
+/// angles of incidence and two azimuths of the light linearly at equal angles about the mirror direction, so that a
+/// highlight moves with the light. Isotropic if the light has one azimuth; several wrap around. Nodes below the horizon
+/// are dropped and the weights renormalised. All values at polar angle 0 belong to one direction and are replaced by
+/// their mean. Beyond the first and last angle of incidence or polar angle the value is constant and hasData() is
+/// false; directions that are below the horizon at that angle of incidence have the value at its horizon, at the same
+/// azimuth about the mirror direction. Azimuths wrap around; in a symmetric table the value is constant beyond the
+/// first and last azimuth, where hasData() remains true. Not reciprocal, as measured. About 0.3 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
   /// Negative values become 0 (clampedCount()). @throws Error if angles are out of range or not ascending, the number
@@ -42,6 +43,7 @@ class IncidenceTableBrdf final : public Brdf {
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
+  bool isIsotropic() const override { return table_.rotations.size() == 1; }
   bool isReciprocal() const override { return false; }
   bool hasData(const DirectionPair& pair) const override;
   std::shared_ptr<const ValueBound> valueBound() const override;
@@ -55,8 +57,8 @@ class IncidenceTableBrdf final : public Brdf {
 
  private:
   struct Weighted;
-  Weighted lookup(std::size_t incident, double polar, double azimuth) const;
-  Weighted seenAt(std::size_t incident, double polar, double turn) const;
+  Weighted lookup(std::size_t light, double polar, double azimuth) const;
+  Weighted seenAt(std::size_t light, double polar, double turn) const;
   Rgb value(const DirectionPair& pair) const;
 
   IncidenceTable table_;

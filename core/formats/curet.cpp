@@ -24,7 +24,7 @@ namespace gonio::formats {
 
 namespace {
 
-constexpr std::size_t measurements = 205, angles = 4;
+constexpr std::size_t measurements = 205, curetAngles = 4;
 /// 205 rows of seven numbers in any notation.
 constexpr std::uint64_t maxCuretBytes = 1 << 17;
 /// Maximum size of the file of one channel: 61 rows of 206 numbers.
@@ -65,7 +65,7 @@ CuretRows rowsOf(const io::ByteSource& source) {
     const std::vector<std::string_view> fields = io::words(io::withoutComment(line->text), notation);
     if (fields.empty()) continue;
     const std::size_t columns = rows.empty() ? fields.size() : rows[0].size();
-    if (fields.size() != columns || (columns != angles + 1 && columns != angles + 3) ||
+    if (fields.size() != columns || (columns != curetAngles + 1 && columns != curetAngles + 3) ||
         !std::ranges::all_of(fields,
                              [&](std::string_view field) { return io::finiteNumber(field, notation).has_value(); }))
       throw io::FormatMismatch("line " + std::to_string(line->number) + ", which has another layout", expectedCuret);
@@ -84,18 +84,19 @@ constexpr std::string_view curetSuffixes[] = {".dat"};
 
 ScatteredSamples readCuret(const io::ByteSource& source) {
   const auto [rows, notation] = rowsOf(source);
-  std::vector<std::array<double, angles>> directions;
+  std::vector<std::array<double, curetAngles>> directions;
   directions.reserve(rows.size());
   for (const std::vector<double>& row : rows) directions.push_back({row[0], row[1], row[2], row[3]});
   const AngleUnit unit = AngleUnit::guessed(directions, "write all angles in degrees, such as 90 for a quarter turn");
   ScatteredSamples samples;
-  samples.notes.push_back("read as: angles in " + std::string(unit.name) +
-                          " (the file states no unit); BRDF in 1/sr as " +
-                          (rows[0].size() == angles + 1 ? "grey" : "R, G, B (linear sRGB)") + "; " + notation.text());
+  samples.notes.push_back(
+      "read as: angles in " + std::string(unit.name) + " (the file states no unit); BRDF in 1/sr as " +
+      (rows[0].size() == curetAngles + 1 ? "grey" : "R, G, B (linear sRGB)") + "; " + notation.text());
   for (const std::vector<double>& row : rows)
     samples.add({fromSpherical(unit.radians * row[0], unit.radians * row[1]),
                  fromSpherical(unit.radians * row[2], unit.radians * row[3])},
-                row.size() == angles + 1 ? Rgb(row[angles]) : Rgb(row[angles], row[angles + 1], row[angles + 2]));
+                row.size() == curetAngles + 1 ? Rgb(row[curetAngles])
+                                              : Rgb(row[curetAngles], row[curetAngles + 1], row[curetAngles + 2]));
   return samples;
 }
 

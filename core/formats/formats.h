@@ -11,12 +11,14 @@ namespace gonio::formats {
 using materials::MaterialFormat;
 
 extern const MaterialFormat rglFormat, merlFormat, merlCircleFormat, utiaFormat, zemaxFormat, lightToolsFormat,
-    astmFormat, goniophotometerFormat, curetFormat, pdvFormat, codeFormat, neuralFormat;
+    astmFormat, goniophotometerFormat, refletFormat, altaFormat, curetFormat, pdvFormat, codeFormat, neuralFormat,
+    radianceFormat, openMaterialFormat, speosFormat, csvFormat;
 
 /// All rows, in the order of lists for people. Of formats with the same suffix, the first is written and names a
-/// damaged file.
+/// damaged file. The last one reports tables that no format accepts.
 inline constexpr const MaterialFormat* allFormats[] = {
-    &merlFormat, &merlCircleFormat,      &rglFormat,   &utiaFormat, &zemaxFormat, &lightToolsFormat,
-    &astmFormat, &goniophotometerFormat, &curetFormat, &pdvFormat,  &codeFormat,  &neuralFormat};
+    &merlFormat, &merlCircleFormat,      &rglFormat,      &utiaFormat,         &zemaxFormat, &lightToolsFormat,
+    &astmFormat, &goniophotometerFormat, &refletFormat,   &altaFormat,         &curetFormat, &pdvFormat,
+    &codeFormat, &neuralFormat,          &radianceFormat, &openMaterialFormat, &speosFormat, &csvFormat};
 
 }  // namespace gonio::formats

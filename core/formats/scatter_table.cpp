@@ -102,6 +102,14 @@ void ScatterBlock::add(std::size_t channel, std::span<const double> values) {
   ++counts[channel];
 }
 
+void ScatterBlock::add(const ScatterBlock& other) {
+  for (std::size_t channel = 0; channel < sums.size(); ++channel) {
+    if (other.counts[channel] == 0) continue;
+    add(channel, other.sums[channel]);
+    counts[channel] += other.counts[channel] - 1;
+  }
+}
+
 std::vector<glm::vec3> ScatterBlock::colours(const ScatterHeader& header) const {
   for (std::size_t channel = 0; channel < header.channels(); ++channel)
     if (counts[channel] == 0)
@@ -137,6 +145,8 @@ void setIncidenceTable(IncidenceTable table, const ScatterHeader& header, const 
       (header.content == SpectralContent::xyz ? "X, Y, Z (white of D65 at Y = 1)" : "monochrome as grey") + "; " +
       notation.text());
   material.source.grid = {int(table.incident.size()), int(table.azimuths.size()), int(table.polars.size())};
+  if (table.rotations.size() > 1)
+    material.source.grid.insert(material.source.grid.begin(), int(table.rotations.size()));
   const auto brdf = std::make_shared<const IncidenceTableBrdf>(std::move(table));
   if (brdf->clampedCount() > 0)
     material.source.notes.push_back(std::to_string(brdf->clampedCount()) + " negative values were set to 0");

@@ -69,12 +69,14 @@ struct ScatterHeader {
   void check() const;
 };
 
-/// Sums of the values of a file for one angle of incidence, over sample rotations and wavelengths.
+/// Sums of the values of a file for one direction of incidence, over repeated measurements and wavelengths.
 struct ScatterBlock {
   std::array<std::vector<double>, 3> sums;  ///< per channel: monochrome in the first, or X, Y, Z; empty: no values
   std::array<int, 3> counts{};
 
   void add(std::size_t channel, std::span<const double> values);
+  /// All values of another block.
+  void add(const ScatterBlock& other);
   /// Means as linear sRGB, in the order of the values. @throws Error if a channel has no values.
   std::vector<glm::vec3> colours(const ScatterHeader& header) const;
 };

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/brdf/incidence_table_brdf.h"
 #include "core/materials/material.h"
 #include "core/math/types.h"
 
@@ -54,6 +56,17 @@ struct ScatteredSamples {
 /// bundledBasis() at the first call. @throws Error if no point lies where the bundled materials have values; Cancelled.
 void setScattered(const ScatteredSamples& samples, const TaskControl& control, materials::Material& material);
 
+/// The measurement as a table about the normal, if its pairs are all nodes of a grid that is dense enough to be
+/// interpolated: each combination of at least three polar angles of the light and three of the viewer, in steps of at
+/// most 30 degrees, and of azimuths between them in steps of at most 45 degrees, on one side of the plane of incidence,
+/// which then are symmetric, or on both. If the light has several azimuths, at most 45 degrees apart, the table is
+/// anisotropic. Angles that differ by less than 1e-5 rad are one; values at one pair are averaged. O(n log n).
+std::optional<IncidenceTable> gridOf(const ScatteredSamples& samples);
+
+/// Makes a material of a measurement at pairs of directions: of gridOf(), which returns the values of the file at its
+/// directions, or else as setScattered(). @throws as setScattered().
+void setPoints(const ScatteredSamples& samples, const TaskControl& control, materials::Material& material);
+
 /// The unit of angles that a file does not state.
 struct AngleUnit {
   double radians = 1;  ///< of one unit
@@ -65,6 +78,9 @@ struct AngleUnit {
   /// row. @param choice how to state the unit, for the error.
   /// @throws Error if a polar angle exceeds a quarter turn, but other angles look like radians.
   static AngleUnit guessed(std::span<const std::array<double, 4>> angles, const std::string& choice);
+  /// Degrees. Parameters as guessed(). @throws Error if no angle exceeds a full turn in radians and one is a simple
+  /// fraction of a turn in radians.
+  static AngleUnit degreesUnlessRadians(std::span<const std::array<double, 4>> angles, const std::string& choice);
 };
 
 /// MaterialFormat::read of a format of single pairs of directions.
@@ -72,6 +88,13 @@ template <ScatteredSamples (*read)(const io::ByteSource& source)>
 void readScattered(const io::ByteSource& source, const TaskControl& control, materials::Material& material) {
   control.throwIfStopped();
   setScattered(read(source), control, material);
+}
+
+/// The same where the pairs are often a grid: setPoints().
+template <ScatteredSamples (*read)(const io::ByteSource& source)>
+void readPoints(const io::ByteSource& source, const TaskControl& control, materials::Material& material) {
+  control.throwIfStopped();
+  setPoints(read(source), control, material);
 }
 
 /// The readers of the formats; their files document them.
@@ -84,5 +107,19 @@ ScatteredSamples readAstm(const io::ByteSource& source);
 ScatteredSamples readGoniophotometer(const io::ByteSource& source);
 /// @throws io::FormatMismatch that names a line which is not a row of finite numbers, or if there are not 205 rows.
 ScatteredSamples readCuret(const io::ByteSource& source);
+/// @throws io::FormatMismatch for transmission; Error that names the line, for a tilted sample, azimuths that are not
+/// in whole steps and rows of another length; Error if there is no row of reflection.
+ScatteredSamples readReflet(const io::ByteSource& source);
+/// @throws Error that names the line, for coordinates or values of another kind, a dimension that does not fit, rows of
+/// another length and vectors that are not unit vectors; Error for binary data or without a point above the horizon.
+ScatteredSamples readAlta(const io::ByteSource& source);
+/// @throws Error that names the row of the table, for numbers that are not finite or out of range, a value that is
+/// there twice and directions without a value for each wavelength.
+ScatteredSamples readOpenMaterial(const io::ByteSource& source);
+/// @throws io::FormatMismatch for transmission; Error that names the line, for a word that is not a number, or what was
+/// found of the spectrum and the angles; Error for binary data.
+ScatteredSamples readSpeos(const io::ByteSource& source);
+/// @throws io::FormatMismatch for a table without polar angles, a plan or readings; Error that names line and column.
+ScatteredSamples readCsvPoints(const io::ByteSource& source);
 
 }  // namespace gonio::formats

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <cmath>
+#include <map>
+
 #include "core/formats/formats.h"
 #include "core/formats/scatter_table.h"
 #include "core/io/byte_source.h"
@@ -28,7 +31,11 @@
 /// counter-clockwise with 0 toward the normal. There is a block per sample rotation and angle of incidence: the total
 /// integrated scatter (not used), then one row per azimuth and one column per radial angle, BRDF in 1/sr, without the
 /// cosine. With SpectralContent XYZ the blocks TristimulusX, TristimulusY and TristimulusZ follow one another, with D65
-/// white at Y = 1. Sample rotations are averaged: the BRDF is isotropic. Lines that begin with # are comments.
+/// white at Y = 1. Lines that begin with # are comments.
+///
+/// A sample that is turned by its rotation, counter-clockwise about the normal, is lit from an azimuth that is less by
+/// this angle. At rotation 0 the light travels along the tangent (x): it stands at azimuth 180 degrees, as in the files
+/// of ua-loft/bsdf-tools; the specification leaves it open. Several rotations make the BRDF anisotropic.
 namespace gonio::formats {
 
 using materials::Material;
@@ -73,28 +80,49 @@ std::size_t channelOf(std::string_view name, const ZemaxHeader& header, const Wo
 }
 
 /// The blocks of one channel, between DataBegin and DataEnd.
+/// @param blocks [rotation][incident].
 void readChannel(WordReader& words, const ZemaxHeader& header, std::size_t channel, std::vector<ScatterBlock>& blocks) {
   if (const std::string_view word = words.word("DataBegin"); word != "DataBegin") words.fail(word, "DataBegin");
-  for (std::size_t rotation = 0; rotation < header.rotations.size(); ++rotation)
-    for (ScatterBlock& block : blocks) {
-      if (const std::string_view word = words.word("TIS"); word != "TIS") words.fail(word, "TIS");
-      words.number("total integrated scatter");
-      block.add(channel, words.numbers(header.common.values(), "a value of the block"));
-    }
+  for (ScatterBlock& block : blocks) {
+    if (const std::string_view word = words.word("TIS"); word != "TIS") words.fail(word, "TIS");
+    words.number("total integrated scatter");
+    block.add(channel, words.numbers(header.common.values(), "a value of the block"));
+  }
   if (const std::string_view word = words.word("DataEnd"); word != "DataEnd") words.fail(word, "DataEnd");
 }
 
+/// The azimuths of the light in [0, 2 pi), ascending, and the rotations that have them: 0 and 360 degrees are one.
+std::map<double, std::vector<std::size_t>> lightAzimuths(const std::vector<double>& rotations) {
+  std::map<double, std::vector<std::size_t>> result;
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    double azimuth = std::fmod(180 - rotations[i], 360);
+    if (azimuth < 0) azimuth += 360;
+    result[radians(azimuth)].push_back(i);
+  }
+  return result;
+}
+
+/// @param blocks [rotation][incident].
 IncidenceTable zemaxTable(const ZemaxHeader& header, const std::vector<ScatterBlock>& blocks) {
   IncidenceTable table{.axis = IncidenceTable::Axis::mirror,
                        .symmetric = header.common.symmetry == ScatterSymmetry::plane,
                        .incident = inRadians(header.incident),
                        .azimuths = inRadians(header.common.azimuths),
                        .polars = inRadians(header.common.radials),
-                       .values = {}};
-  for (const ScatterBlock& block : blocks) {
-    const std::vector<glm::vec3> colours = block.colours(header.common);
-    table.values.insert(table.values.end(), colours.begin(), colours.end());
+                       .values = {},
+                       .rotations = {}};
+  const std::size_t incidents = header.incident.size();
+  for (const auto& [azimuth, rotations] : lightAzimuths(header.rotations)) {
+    table.rotations.push_back(azimuth);
+    for (std::size_t incident = 0; incident < incidents; ++incident) {
+      ScatterBlock mean;
+      for (const std::size_t rotation : rotations) mean.add(blocks[rotation * incidents + incident]);
+      const std::vector<glm::vec3> colours = mean.colours(header.common);
+      table.values.insert(table.values.end(), colours.begin(), colours.end());
+    }
   }
+  // An isotropic material may be lit from anywhere.
+  if (table.rotations.size() == 1) table.rotations = {0};
   return table;
 }
 
@@ -114,12 +142,22 @@ void readZemax(const io::ByteSource& source, const TaskControl& control, Materia
   std::string_view name = readZemaxHeader(words, header);
   header.common.check();
   if (header.incident.empty()) throw Error("found no AngleOfIncidence before the data, expected its angles");
-  std::vector<ScatterBlock> blocks(header.incident.size());
+  // A value takes two bytes or more.
+  const double values =
+      double(header.rotations.size()) * double(header.incident.size()) * double(header.common.values());
+  if (values > double(text.size()) / 2)
+    throw Error("found " + std::to_string(header.rotations.size()) + " sample rotations, " +
+                std::to_string(header.incident.size()) + " angles of incidence and " +
+                std::to_string(header.common.values()) + " values of each, expected a file of more than " +
+                std::to_string(text.size()) + " bytes");
+  std::vector<ScatterBlock> blocks(header.rotations.size() * header.incident.size());
   for (; !name.empty(); name = words.next()) readChannel(words, header, channelOf(name, header, words), blocks);
-  if (header.rotations.size() > 1)
-    material.source.notes.push_back("values are the mean of " + std::to_string(header.rotations.size()) +
-                                    " sample rotations; the material is treated as isotropic");
-  setIncidenceTable(zemaxTable(header, blocks), header.common, words.notation(), material);
+  IncidenceTable table = zemaxTable(header, blocks);
+  if (table.rotations.size() > 1)
+    material.source.notes.push_back(std::to_string(table.rotations.size()) +
+                                    " sample rotations: the material is anisotropic; at rotation 0 the light is at "
+                                    "azimuth 180 degrees");
+  setIncidenceTable(std::move(table), header.common, words.notation(), material);
 }
 
 constexpr std::string_view zemaxSuffixes[] = {".bsdf"};
@@ -130,7 +168,7 @@ constinit const MaterialFormat zemaxFormat{.name = "Zemax",
                                            .label = "Zemax BSDF",
                                            .suffixes = zemaxSuffixes,
                                            .isMeasurement = true,
-                                           .holds = {.nonReciprocal = true},
+                                           .holds = {.nonReciprocal = true, .anisotropic = true},
                                            .sniff = sniffZemax,
                                            .read = readZemax};
 

@@ -231,7 +231,8 @@ std::array<std::string, 3> colourChannels(const Imf::ChannelList& channels) {
   if (!channels.findChannel("R") && channels.findChannel("Y")) colours.fill("Y");
   for (const std::string& colour : colours) {
     const Imf::Channel* channel = channels.findChannel(colour);
-    if (!channel) throw Error("found the channels " + names + ", expected R, G, B or Y");
+    if (!channel)
+      throw Error("found the channels " + names + ", expected R, G, B or Y (channels of layers are not read)");
     if (channel->xSampling != 1 || channel->ySampling != 1)
       throw Error("found the channel " + colour + " with fewer samples than pixels, expected one per pixel");
   }

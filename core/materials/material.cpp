@@ -52,6 +52,19 @@ Material readFormat(const io::ByteSource& source, const TaskControl& control) {
   return material;
 }
 
+/// @throws Error that names the format, if it is one that is not read.
+Material readKnownFormat(const std::filesystem::path& path, const TaskControl& control) {
+  try {
+    return readMaterial(io::FileSource(path, control.stop), control);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    const std::string unread = unreadFormat(path);
+    if (unread.empty()) throw;
+    throw Error("found " + unread + ", which Gonio does not read\n  " + error.what());
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& control) const {
@@ -82,7 +95,7 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string(), control);
   if (isNpfRow(path)) return readNpfRow(path);
   return withFileInErrors(path, [&] {
-    Material material = readMaterial(io::FileSource(path, control.stop), control);
+    Material material = readKnownFormat(path, control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();
     return material;

@@ -27,6 +27,36 @@ const MaterialFormat* formatOfFile(const std::filesystem::path& path) {
 
 bool isMaterialFile(const std::filesystem::path& path) { return formatBySuffix(path) || formatOfFile(path); }
 
+namespace {
+
+/// Formats that people have and Gonio does not read, by suffix or by the start of their text.
+struct UnreadFormat {
+  std::string_view suffix, start, name;
+};
+constexpr UnreadFormat unreadFormats[] = {{".pbsdf", {}, "a polarimetric BSDF (.pbsdf)"},
+                                          {".jdv", {}, "a JDV file (.jdv)"},
+                                          {".rtd", {}, "an RTD file (.rtd)"},
+                                          {{}, "type bsdf_data", "a FRED BSDF"},
+                                          {{}, "OPTIS - ", "an Ansys Speos file other than .anisotropicbsdf"}};
+
+/// By content; empty for other files.
+std::string unreadFormat(const io::ByteSource& source) {
+  std::string head(std::size_t(std::min<std::uint64_t>(source.size(), 16)), '\0');
+  source.readAt(0, std::as_writable_bytes(std::span(head)));
+  for (const UnreadFormat& format : unreadFormats)
+    if (!format.start.empty() && std::string_view(head).starts_with(format.start)) return std::string(format.name);
+  return {};
+}
+
+}  // namespace
+
+std::string unreadFormat(const std::filesystem::path& path) {
+  const std::string suffix = lowerCase(path.extension().string());
+  for (const UnreadFormat& format : unreadFormats)
+    if (!format.suffix.empty() && suffix == format.suffix) return std::string(format.name);
+  return {};
+}
+
 const MaterialFormat& sniffFormat(const io::ByteSource& source) {
   if (source.size() == 0) throw Error("the file is empty, expected a material");
   std::string refusals, verdict;
@@ -41,6 +71,8 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
         verdict = mismatch.verdict() + " (" + std::string(format->name) + ")";
     }
   }
+  if (const std::string unread = unreadFormat(source); verdict.empty() && !unread.empty())
+    verdict = "found " + unread + ", which Gonio does not read";
   throw Error((verdict.empty() ? "this file could not be read: it matches no format that Gonio supports" : verdict) +
               refusals);
 }

@@ -67,6 +67,10 @@ bool isMaterialFile(const std::filesystem::path& path);
 /// The format by content. @throws Error that lists what each format found, if none accepts the bytes.
 const MaterialFormat& sniffFormat(const io::ByteSource& source);
 
+/// What a file is by its suffix, if Gonio knows its format but does not read it: "a polarimetric BSDF (.pbsdf)"; empty
+/// for other suffixes. sniffFormat() names such files that it recognises by content.
+std::string unreadFormat(const std::filesystem::path& path);
+
 /// The suffixes of formats as text, each once: ".binary, .bsdf, .pdv or .code". @param conjunction "or" or "and".
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction);
 inline bool isAnyFormat(const MaterialFormat&) { return true; }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <array>
+
 #include "core/formats/formats.h"
 #include "tests/fuzz/reader_targets.h"
 
@@ -10,7 +13,10 @@ namespace {
 bool isReconstructed(std::span<const std::byte> bytes) {
   namespace formats = gonio::formats;
   const auto* format = &gonio::materials::sniffFormat(gonio::io::MemorySource(bytes));
-  return format == &formats::astmFormat || format == &formats::goniophotometerFormat || format == &formats::curetFormat;
+  return std::ranges::count(std::array{&formats::astmFormat, &formats::goniophotometerFormat, &formats::refletFormat,
+                                       &formats::altaFormat, &formats::curetFormat, &formats::openMaterialFormat,
+                                       &formats::speosFormat, &formats::csvFormat},
+                            format) > 0;
 }
 
 }  // namespace

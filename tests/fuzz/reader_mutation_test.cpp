@@ -158,9 +158,11 @@ void check(const std::string& name, const Bytes& seed, const Target& target) {
 std::vector<const materials::MaterialFormat*> readAsMaterials() {
   std::vector<const materials::MaterialFormat*> result;
   for (const materials::MaterialFormat* format : materials::materialFormats())
-    if (!std::ranges::count(std::array{&formats::astmFormat, &formats::goniophotometerFormat, &formats::curetFormat,
-                                       &formats::pdvFormat, &formats::codeFormat, &formats::neuralFormat},
-                            format))
+    if (!std::ranges::count(
+            std::array{&formats::astmFormat, &formats::goniophotometerFormat, &formats::curetFormat,
+                       &formats::csvFormat, &formats::refletFormat, &formats::altaFormat, &formats::openMaterialFormat,
+                       &formats::speosFormat, &formats::pdvFormat, &formats::codeFormat, &formats::neuralFormat},
+            format))
       result.push_back(format);
   return result;
 }
@@ -173,6 +175,14 @@ class ReaderMutationTest : public QObject {
     readScatteredBytes<formats::readAstm>(astmSeed());
     readScatteredBytes<formats::readGoniophotometer>(goniophotometerSeed());
     readScatteredBytes<formats::readCuret>(curetSeed());
+    readScatteredBytes<formats::readCsvPoints>(csvSeed());
+    readScatteredBytes<formats::readCsvPoints>(csvGridSeed());
+    readScatteredBytes<formats::readReflet>(refletSeed());
+    readScatteredBytes<formats::readAlta>(altaSeed());
+    readScatteredBytes<formats::readOpenMaterial>(openMaterialSeed());
+    readScatteredBytes<formats::readSpeos>(speosSeed());
+    for (const int rank : {3, 4}) readMaterialBytes(tensorTreeSeed(rank));
+    readMaterialBytes(rotatedZemaxSeed());
     readPdvBytes(pdvSeed());
     readNeuralBytes(neuralSeed());
     readNpfBytes(npfSeed());
@@ -213,6 +223,15 @@ class ReaderMutationTest : public QObject {
     check("points.txt", goniophotometerSeed(), readScatteredBytes<formats::readGoniophotometer>);
   }
   void curet() { check("points.dat", curetSeed(), readScatteredBytes<formats::readCuret>); }
+  void csv() { check("points.csv", csvSeed(), readScatteredBytes<formats::readCsvPoints>); }
+  void csvGrid() { check("grid.csv", csvGridSeed(), readScatteredBytes<formats::readCsvPoints>); }
+  void reflet() { check("reflet.txt", refletSeed(), readScatteredBytes<formats::readReflet>); }
+  void alta() { check("points.alta", altaSeed(), readScatteredBytes<formats::readAlta>); }
+  void openMaterial() { check("table.xompt", openMaterialSeed(), readScatteredBytes<formats::readOpenMaterial>); }
+  void speos() { check("speos.anisotropicbsdf", speosSeed(), readScatteredBytes<formats::readSpeos>); }
+  void tensorTree3() { check("tree3.xml", tensorTreeSeed(3), readMaterialBytes); }
+  void tensorTree4() { check("tree4.xml", tensorTreeSeed(4), readMaterialBytes); }
+  void rotatedZemax() { check("rotated.bsdf", rotatedZemaxSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void neural() { check("network.nbrdf", neuralSeed(), readNeuralBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }

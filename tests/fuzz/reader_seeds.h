@@ -59,6 +59,111 @@ inline Bytes goniophotometerSeed() {
   return test::goniophotometerFile(seedReflectance, light, {{0, 0, 1}, fromSpherical(0.6, 0.1), fromSpherical(2, 1)});
 }
 
+inline Bytes refletSeed() {
+  std::string text;
+  for (const double light : {10.0, 30.0, 60.0}) {
+    text +=
+        "Name / Comment :\tseed\t\nDate:\t7/12/2011 11:51:11 PM\t\nData file type :\tIntensity BRDF\t\nTheta sample "
+        ":\t0\t\nPhi measure beginning :\t-90\t\nPhi measure end :\t90\t\nPhi measure step :\t45\t\nTheta "
+        "Lighting\t" +
+        numberText(light) + "\n";
+    for (const double theta : {-60.0, -30.0, 0.0, 30.0, 60.0})
+      text += test::rowText({theta, 0.1, 0.2, 0.3, 0.2, 0.1}, "\t");
+  }
+  return bytesOf(text + "\t\t\n");
+}
+
+inline Bytes altaSeed() {
+  return bytesOf(
+      "#ALTA_BEGIN_HEADER\n#DIM 4 3\n#PARAM_IN RUSIN_TH_PH_TD_PD\n#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n#VS 2 0\n"
+      "#ALTA_END_HEADER\n0.1 0.2 0.3 0.4 1 2 3 0.9 1.1\n0.2 0 0.3 2 0.1 0.2 0.3\n");
+}
+
+inline Bytes openMaterialSeed() {
+  std::string rows;
+  for (const double wavelength : {4.5e-7, 5.5e-7, 6.5e-7})
+    for (const double thetaI : {0.0, 0.5, 1.0})
+      for (const double thetaO : {0.1, 0.5, 1.0})
+        for (const double phi : {0.0, 0.7, 1.4, 2.1, 2.8}) {
+          std::string row = test::rowText({wavelength, thetaI, thetaO, phi, 0.1}, ",");
+          row.pop_back();
+          rows += (rows.empty() ? "[" : ",[") + row + "]";
+        }
+  return bytesOf(R"({"metadata": {"name": "seed"}, "brdf": {"wavelengths": [], "lookupTable": [)" + rows + "]}}");
+}
+
+inline Bytes speosSeed() {
+  std::string text =
+      "OPTIS - Anisotropic BSDF surface file v8.0\n0\nA "
+      "comment\n4\nText\n0\t1\t0\n1\t0\n0\n1\n0\n3\n10\t30\t50\n30\t0\n\n"
+      "2\n400\t10\n700\t30\n";
+  for (int block = 0; block < 3; ++block) {
+    text += "4 5\n\t0\t45\t90\t135\t180\n";
+    for (const double theta : {0.0, 25.0, 50.0, 75.0}) text += test::rowText({theta, 0.1, 0.2, 0.3, 0.2, 0.1}, "\t");
+  }
+  return bytesOf(text + "End of file\n");
+}
+
+/// Trees of both ranks: branches, grids, single values.
+inline Bytes tensorTreeSeed(int rank) {
+  std::string tree = "{";
+  for (int child = 0; child < 1 << rank; ++child) {
+    tree += "{";
+    for (int i = 0; i < (child % 3 == 1 ? 1 << rank : 1); ++i) tree += child % 4 == 2 ? "{0.1}" : ".2, ";
+    if (child % 4 == 2 && child % 3 != 1) tree = tree.substr(0, tree.size() - 5) + "-1e-3";
+    tree += "}\n";
+  }
+  return bytesOf("<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>TensorTree" +
+                 std::to_string(rank) +
+                 "</IncidentDataStructure></DataDefinition><WavelengthData><Wavelength>Visible</Wavelength>"
+                 "<WavelengthDataBlock><WavelengthDataDirection>Reflection Back</WavelengthDataDirection>"
+                 "<AngleBasis>LBNL/Shirley-Chiu</AngleBasis><ScatteringData>" +
+                 tree + "}</ScatteringData></WavelengthDataBlock></WavelengthData></Layer></Optical></WindowElement>");
+}
+
+/// A quarter basis, in colour.
+inline Bytes radianceSeed() {
+  std::string values, data;
+  for (int i = 0; i < 41 * 41; ++i) values += i % 7 == 3 ? "-.1," : ".2 ";
+  for (const char* wavelength : {"Visible", "CIE-X", "CIE-Z"})
+    data += std::string("<WavelengthData><Wavelength>") + wavelength +
+            "</Wavelength><WavelengthDataBlock><WavelengthDataDirection>Reflection Front</WavelengthDataDirection>"
+            "<ColumnAngleBasis>LBNL/Klems Quarter</ColumnAngleBasis><RowAngleBasis>LBNL/Klems Quarter</RowAngleBasis>"
+            "<ScatteringData>" +
+            values + "</ScatteringData></WavelengthDataBlock></WavelengthData>\n";
+  return bytesOf(
+      "<?xml version=\"1.0\"?><WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>Columns"
+      "</IncidentDataStructure></DataDefinition>" +
+      data + "</Layer></Optical></WindowElement>");
+}
+
+/// Zemax with sample rotations.
+inline Bytes rotatedZemaxSeed() {
+  return bytesOf(
+      "Symmetry Asymmetrical4D\nSpectralContent Monochrome\nScatterType BRDF\nSampleRotation 3\n0 90 360\n"
+      "AngleOfIncidence 2\n10 60\nScatterAzimuth 3\n0 120 240\nScatterRadial 2\n0 30\nMonochrome\nDataBegin\n"
+      "TIS 1\n1 2\n1 3\n1 4\nTIS 1\n1 2\n1 3\n1 4\nTIS 1\n5 2\n5 3\n5 4\nTIS 1\n6 2\n6 3\n6 4\n"
+      "TIS 1\n1 2\n1 3\n1 4\nTIS 1\n1 2\n1 3\n1 4\nDataEnd\n");
+}
+
+/// Rows of a grid: polar angles of the light and of the viewer, azimuths between them; degrees.
+inline std::string csvRows(const std::string& names, const char* separator) {
+  std::string text = names + "\n";
+  for (const double thetaI : {0.0, 30.0, 60.0})
+    for (const double thetaO : {0.0, 25.0, 50.0, 75.0})
+      for (const double difference : {0.0, 45.0, 90.0, 135.0, 180.0})
+        text += test::rowText({thetaI, thetaO, difference, 0.1 + 0.001 * thetaI + 0.002 * thetaO}, separator);
+  return text;
+}
+inline Bytes csvGridSeed() { return bytesOf(csvRows("# grid\ntheta_i,theta_o,dphi,BRDF", ",")); }
+
+/// With a byte order mark, semicolons, decimal commas and a spectrum.
+inline Bytes csvSeed() {
+  return bytesOf(
+      "\xEF\xBB\xBFindex;theta_i [deg];phi_i;theta_r;phi_r;450nm;550nm;650nm\r\n1;10,5;0;20;180;0,1;0,2;0,3\r\n"
+      "2;20;0;0;0;2e-1;3;4\r\n3;30;0;60,25;90;1;2;3\r\n");
+}
+
 inline Bytes curetSeed() { return test::curetFile(seedReflectance, test::scatteredPairs(205)); }
 
 inline Bytes zemaxSeed() { return test::zemaxFile(seedReflectance, {{0, 30, 60}, {0, 90, 180}, {0, 10, 40, 90}}); }
@@ -95,12 +200,24 @@ inline Bytes neuralSeed() {
 /// A file of a format of materials: one as other programs write it, or a small one; of other formats what Gonio writes.
 inline Bytes formatSeed(const materials::MaterialFormat& format) {
   const std::map<const materials::MaterialFormat*, Bytes (*)()> seeds{
-      {&formats::merlFormat, merlSeed},   {&formats::merlCircleFormat, merlCircleSeed},
-      {&formats::rglFormat, rglSeed},     {&formats::utiaFormat, utiaSeed},
-      {&formats::zemaxFormat, zemaxSeed}, {&formats::lightToolsFormat, lightToolsSeed},
-      {&formats::astmFormat, astmSeed},   {&formats::goniophotometerFormat, goniophotometerSeed},
-      {&formats::curetFormat, curetSeed}, {&formats::pdvFormat, pdvSeed},
-      {&formats::codeFormat, codeSeed},   {&formats::neuralFormat, neuralSeed}};
+      {&formats::merlFormat, merlSeed},
+      {&formats::merlCircleFormat, merlCircleSeed},
+      {&formats::rglFormat, rglSeed},
+      {&formats::utiaFormat, utiaSeed},
+      {&formats::zemaxFormat, zemaxSeed},
+      {&formats::lightToolsFormat, lightToolsSeed},
+      {&formats::astmFormat, astmSeed},
+      {&formats::goniophotometerFormat, goniophotometerSeed},
+      {&formats::curetFormat, curetSeed},
+      {&formats::csvFormat, csvSeed},
+      {&formats::refletFormat, refletSeed},
+      {&formats::altaFormat, altaSeed},
+      {&formats::openMaterialFormat, openMaterialSeed},
+      {&formats::radianceFormat, radianceSeed},
+      {&formats::speosFormat, speosSeed},
+      {&formats::pdvFormat, pdvSeed},
+      {&formats::codeFormat, codeSeed},
+      {&formats::neuralFormat, neuralSeed}};
   if (const auto found = seeds.find(&format); found != seeds.end()) return found->second();
   const auto material = materials::unedited("ggx", test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.04));
   return materials::encode(material, format, {.snr = 20, .pictureSize = 16, .samples = 4}).bytes;

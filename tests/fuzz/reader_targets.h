@@ -63,6 +63,7 @@ void readScatteredBytes(std::span<const std::byte> bytes) {
       if (const double value = samples.values[i][channel]; !std::isfinite(value) || value < 0)
         throw std::logic_error("a value that is no BRDF's");
   }
+  if (auto table = formats::gridOf(samples)) checkValues(IncidenceTableBrdf(std::move(*table)));
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {

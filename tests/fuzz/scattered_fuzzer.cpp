@@ -7,7 +7,12 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const auto bytes = std::as_bytes(std::span(data, size));
   for (const auto read : {gonio::fuzz::readScatteredBytes<gonio::formats::readAstm>,
                           gonio::fuzz::readScatteredBytes<gonio::formats::readGoniophotometer>,
-                          gonio::fuzz::readScatteredBytes<gonio::formats::readCuret>}) {
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readCuret>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readCsvPoints>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readReflet>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readAlta>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readOpenMaterial>,
+                          gonio::fuzz::readScatteredBytes<gonio::formats::readSpeos>}) {
     try {
       read(bytes);
     } catch (const gonio::Error&) {

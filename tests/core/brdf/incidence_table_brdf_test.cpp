@@ -79,6 +79,29 @@ class IncidenceTableBrdfTest : public QObject {
     }
   }
 
+  /// Several azimuths of the light, also across the seam: exact between all nodes of a function that is linear in them.
+  void azimuthsOfTheLight() {
+    const auto strength = [](double phi) { return 1 + tent(phi); };
+    IncidenceTable table = tableOf(
+        Axis::mirror, true, [](double i, double, double p) { return (1 + i) * (1 + p); }, steps(10, 15, 3),
+        steps(0, 45, 5), steps(0, 10, 4));
+    const std::vector<glm::vec3> one = table.values;
+    table.values.clear();
+    table.rotations = steps(0, 60, 6);
+    for (const double phi : table.rotations)
+      for (const glm::vec3& value : one) table.values.push_back(float(strength(phi)) * value);
+    const IncidenceTableBrdf brdf(table);
+    QVERIFY(!brdf.isIsotropic());
+    for (int n = 0; n < 72; ++n) {
+      const double phi = radians(5.0 * n), i = radians(20), p = radians(15);
+      const DirectionPair pair{rotateZ(fromSpherical(i, 0), phi), rotateZ(aboutMirror(i, 1, p), phi)};
+      QVERIFY(isClose(brdf.evaluate(pair.wi, pair.wo).x, strength(phi) * (1 + i) * (1 + p)));
+      QVERIFY(brdf.hasData(pair));
+    }
+    table.rotations.pop_back();
+    QCOMPARE(errorOf(table), std::string("found 360 values, expected 300"));
+  }
+
   /// About the normal: exact at the angles of incidence of the table.
   void multilinearAboutTheNormal() {
     const Function function = [](double i, double a, double p) { return (1 + i) * (1 + p * tent(a)); };

@@ -45,9 +45,10 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(!format->encode == !format->isOwnForm);
       QVERIFY(names.insert(format->name).second);
       for (const std::string_view suffix : format->suffixes)
-        // Both grids of MERL files share one, RGL and the two formats of optical design programs another.
+        // Both grids of MERL files share one, RGL and the two formats of optical design programs another, and two kinds
+        // of goniophotometers a third.
         QVERIFY(suffix.starts_with('.') &&
-                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary"));
+                (suffixes.insert(suffix).second || suffix == ".bsdf" || suffix == ".binary" || suffix == ".txt"));
     }
   }
 
@@ -123,7 +124,7 @@ class MaterialFormatsTest : public QObject {
       return format.suffixes.first(format.isMeasurement ? format.suffixes.size() : 0);
     };
     QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"), listed(all, "or"));
-    QVERIFY(listed(all, "or").starts_with(".binary, .bsdf, .bin, .exr, .astm, .txt, .dat, .pdv, .code"));
+    QVERIFY(listed(all, "or").starts_with(".binary, .bsdf, .bin, .exr, .astm, .txt, .alta, .dat, .pdv, .code"));
     QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), listed(measured, "and"));
     QCOMPARE(materials::writableSuffixText(), listed(written, "or"));
     QVERIFY(materials::writableSuffixText(".gonio").starts_with(".binary, .bsdf, .bin") &&
@@ -182,6 +183,27 @@ class MaterialFormatsTest : public QObject {
             contains(error, "\n  pgII: found a first line that does not begin with #") &&
             contains(error, "\n  CUReT: found line 1"),
         error.c_str());
+  }
+
+  /// Formats that Gonio knows and does not read are named, by suffix or content.
+  void unreadFormatsAreNamed() {
+    const auto named = [](const char* file, const Bytes& bytes, const std::string& name) {
+      const auto path = writeFile(std::string("materials/") + file, bytes);
+      const std::string error = errorOf([&] { materials::readMaterial(path); });
+      return error.starts_with(path.string() + ": found " + name + ", which Gonio does not read\n");
+    };
+    for (const char* suffix : {"pbsdf", "jdv", "rtd"})
+      QVERIFY(named(("x." + std::string(suffix)).c_str(), bytesOf("words"),
+                    suffix == std::string("pbsdf") ? "a polarimetric BSDF (.pbsdf)"
+                    : suffix == std::string("jdv") ? "a JDV file (.jdv)"
+                                                   : "an RTD file (.rtd)"));
+    // It has the container of RGL files.
+    Bytes tensors = fuzz::rglSeed();
+    tensors.resize(tensors.size() / 2);
+    QVERIFY(named("y.PBSDF", tensors, "a polarimetric BSDF (.pbsdf)"));
+    QVERIFY(named("fred.txt", bytesOf("type bsdf_data\nformat angles=deg bsdf=value scale=1\n0 0\n"), "a FRED BSDF"));
+    QVERIFY(named("speos.bsdf180", bytesOf(std::string_view("OPTIS - BSDF180 file v1\n\0\1", 26)),
+                  "an Ansys Speos file other than .anisotropicbsdf"));
   }
 
   /// What is wrong comes first, in one line.

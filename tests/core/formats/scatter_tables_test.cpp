@@ -125,15 +125,42 @@ class ScatterTablesTest : public QObject {
     QVERIFY(green.y > 0.1 && green.x == 0 && green.z == 0);
   }
 
-  void rotationsAreAveraged() {
-    const std::string one = textOf(zemaxFile(isotropic, small));
-    const auto at = one.find("TIS"), end = one.find("DataEnd");
-    std::string two = replaced(one, "SampleRotation  1\n0", "SampleRotation 2\n0 90");
-    two = replaced(two, "DataEnd", one.substr(at, end - at) + "DataEnd");
-    const Material file = zemax(two);
-    QVERIFY(contains(file.source.notes.at(0), "the mean of 2 sample rotations"));
-    const DirectionPair pair{fromSpherical(0.3, 0), fromSpherical(0.4, 3)};
-    QVERIFY(std::abs(file.brdf->evaluate(pair.wi, pair.wo).x - zemax(one).brdf->evaluate(pair.wi, pair.wo).x) < 1e-6);
+  /// Sample rotations are azimuths of the light: at the nodes, the closed form itself. 0 and 360 degrees are one.
+  void rotationsAreKept() {
+    const Reflectance brushed = [](const Direction& wi, const Direction& wo) {
+      return isotropic(wi, wo) * (1 + 0.5 * std::pow(wi.x + wo.x, 2) + 0.2 * wi.y);
+    };
+    const std::vector<double> rotations = steps(0, 45, 9);
+    std::string text, blocks;
+    for (const double rotation : rotations) {
+      // What the instrument sees of a sample that is turned.
+      const AzimuthRotation back(-radians(rotation));
+      const std::string one = textOf(
+          zemaxFile([&](const Direction& wi, const Direction& wo) { return brushed(back(wi), back(wo)); }, fine));
+      const auto at = one.find("TIS"), end = one.find("DataEnd");
+      if (text.empty()) text = one.substr(0, at);
+      blocks += one.substr(at, end - at);
+    }
+    text = replaced(text, "SampleRotation  1\n0", "SampleRotation 9\n0 45 90 135 180 225 270 315 360");
+    text = replaced(text, "Symmetry  PlaneSymmetrical", "Symmetry  Asymmetrical4D") + blocks + "DataEnd\n";
+    // Both sides of the plane of incidence differ, so that the rows of 0 to 180 degrees do not suffice.
+    const Material half = zemax(replaced(text, "Asymmetrical4D", "PlaneSymmetrical"));
+    QVERIFY(!half.brdf->isIsotropic() && contains(half.source.notes.at(0), "8 sample rotations"));
+    QCOMPARE(half.source.grid, (std::vector<int>{8, 16, 19, 31}));
+    for (const double rotation : rotations)
+      for (const double incident : {0.0, 30.0, 60.0})
+        for (const double radial : {0.0, 9.0, 27.0}) {
+          const double theta = radians(incident);
+          const Direction up = fromSpherical(radians(radial), radians(60));
+          const Direction wo(std::sin(theta) * up.z - std::cos(theta) * up.x, up.y,
+                             std::cos(theta) * up.z + std::sin(theta) * up.x);
+          const AzimuthRotation back(-radians(rotation));
+          const Direction wi = back(fromSpherical(theta, pi));
+          const double difference = std::abs(half.brdf->evaluate(wi, back(wo)).x / brushed(wi, back(wo)).x - 1);
+          // At the normal the light has no azimuth.
+          if (incident > 0) QVERIFY2(difference < 1e-6, numberText(difference).c_str());
+        }
+    VERIFY_REFUSED(zemax, replaced(text, "SampleRotation 9\n0", "SampleRotation 8\n"), "expected DataEnd");
   }
 
   /// The same values in every locale and with every separator.

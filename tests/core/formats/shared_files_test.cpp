@@ -100,6 +100,40 @@ class SharedFilesTest : public QObject {
     QVERIFY(albedoError("zemax-beyond-last-angle/lambert.bsdf", Rgb(pi * 0.0637)) < 1e-4);
   }
 
+  /// What they are, and one value of each that was taken from the file by hand.
+  void filesOfOtherPrograms() {
+    SKIP_WITHOUT(data / "formats");
+    const auto open = [](const char* name) { return documents::openMaterial((data / "formats" / name).string()); };
+    const materials::Material reflet = open("rt300s_lighttools.txt");
+    QCOMPARE(reflet.source.format, std::string("REFLET"));
+    QVERIFY(contains(reflet.source.notes.at(1), "no value of the file is above 0"));
+    const materials::Material sensor = open("IMX455.bsdf");
+    QVERIFY(!sensor.brdf->isIsotropic());
+    QCOMPARE(sensor.source.grid, (std::vector<int>{36, 4, 37, 21}));
+    const materials::Material alta = open("brdf_small_simu_two_layers_txt.alta");
+    QVERIFY(alta.source.format == "ALTA" && contains(alta.source.notes.at(1), "samples at"));
+    const materials::Material asphalt = open("example_material_camera_brdf.xompt");
+    QCOMPARE(asphalt.source.description, std::string("asphalt_brdf_for_camera"));
+    QVERIFY(contains(asphalt.source.notes.at(0), "32 wavelengths, 390 to 700 nm"));
+    // One material. The converter scaled each block to the total scatter that the Zemax file states, which is above its
+    // integral by 3 % at 15 degrees and by 20 % at 60.
+    const materials::Material zemax = open("test_13_planesymmetric_brdf_zemax.bsdf"),
+                              speos = open("test_13_planesymmetric_brdf_speos_reference.anisotropicbsdf");
+    for (const double incident : {15.0, 30.0, 60.0})
+      for (const double viewer : {0.0, 20.0, 40.0, 60.0}) {
+        const Direction wi = fromSpherical(radians(incident), 1), wo = fromSpherical(radians(viewer), 1 + pi);
+        const double ratio = speos.brdf->evaluate(wi, wo).x / zemax.brdf->evaluate(wi, wo).x;
+        QVERIFY2(std::abs(ratio / (incident == 15   ? 1.033
+                                   : incident == 30 ? 1.081
+                                                    : 1.198) -
+                          1) < 0.01,
+                 numberText(ratio).c_str());
+      }
+    // At rotation 0, the first row: 5 degrees from the mirror direction of light at 10 degrees, toward the normal.
+    QVERIFY(std::abs(sensor.brdf->evaluate(fromSpherical(radians(10), pi), fromSpherical(radians(5), 0)).x - 2.957e-3) <
+            1e-8);
+  }
+
   void environments() {
     SKIP_WITHOUT(cases);
     QVERIFY(glm::length(firstPixel("exr-chromaticities/white_xyz.exr") - glm::vec3(1)) < 2e-3f);

@@ -96,7 +96,8 @@ void IncidenceTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram
 
 bool IncidenceTextures::fits(const IncidenceTable& table) {
   constexpr std::size_t most = 2048;
-  return std::max({table.polars.size(), table.azimuths.size(), table.incident.size()}) <= most;
+  return table.rotations.size() == 1 &&
+         std::max({table.polars.size(), table.azimuths.size(), table.incident.size()}) <= most;
 }
 
 QStringList IncidenceTextures::definitions(const IncidenceTable& table) {

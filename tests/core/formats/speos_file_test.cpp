@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+
+#include "core/formats/formats.h"
+#include "core/formats/scattered_samples.h"
+#include "core/math/colour.h"
+#include "tests/core/formats/instrument_files.h"
+#include "tests/support/test_program.h"
+
+namespace speos_file_test {
+using namespace gonio;
+using namespace gonio::test;
+
+constexpr double percent = 20, unit = 7;  ///< of the reflected light; of the values of the file
+
+/// With azimuth 0 on the side of the mirror direction; polar angles in rad.
+double lobe(double thetaI, double thetaO, double phi) {
+  return 0.05 + 0.02 * std::cos(thetaI) * std::cos(thetaO) + 0.01 * (1 + std::cos(phi)) * std::sin(thetaO);
+}
+
+std::string speosFile(bool isIntensity, const std::string& spectrum) {
+  std::string text = "OPTIS - Anisotropic BSDF surface file v8.0\n0\n\n23\nMeasurement description\n0\t1\t0\n1\t0\n" +
+                     std::string(isIntensity ? "0" : "1") + "\n1\n0.0\t\n4\n0.0\t20.0\t40.0\t60.0\t\n20.0\t0\n\n" +
+                     spectrum;
+  for (const double incident : {0.0, 20.0, 40.0, 60.0}) {
+    text += "19 37\n";
+    for (int phi = 0; phi <= 360; phi += 10) text += "\t" + numberText(double(phi));
+    text += "\n";
+    for (int theta = 0; theta <= 90; theta += 5) {
+      text += numberText(double(theta));
+      const double thetaO = radians(theta);
+      for (int phi = 0; phi <= 360; phi += 10)
+        text += "\t" + numberText(unit * lobe(radians(incident), thetaO, radians(phi)) *
+                                  (isIntensity ? std::max(std::cos(thetaO), 0.0) : 1));
+      text += "\n";
+    }
+  }
+  return text + "End of file\n";
+}
+const std::string grey = "2\n350\t20\n850\t20\n";
+
+/// What the block at 20 degrees reflects, by trapezoids: the azimuths of the closed form by hand, the polar angles in
+/// steps of 5 degrees.
+double reflected() {
+  double sum = 0;
+  for (int theta = 0; theta < 90; theta += 5)
+    for (const double t : {radians(theta), radians(theta + 5)})
+      sum += radians(5) / 2 * std::sin(t) * std::cos(t) * 2 * pi *
+             (0.05 + 0.02 * std::cos(radians(20)) * std::cos(t) + 0.01 * std::sin(t));
+  return sum;
+}
+
+materials::Material material(const std::string& text) {
+  return materials::readMaterial(io::MemorySource(bytesOf(text)));
+}
+template <typename Reader>
+std::string refusal(Reader reader, const std::string& text) {
+  return errorOf([&] { reader(text); });
+}
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+#define VERIFY_REFUSED(reader, text, part) \
+  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
+
+class SpeosFileTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// At each node below the horizon's: scaled so that the incidence of the spectrum reflects 20 %.
+  void valuesAtTheNodes() {
+    for (const bool isIntensity : {false, true}) {
+      const materials::Material file = material(speosFile(isIntensity, grey));
+      QCOMPARE(file.source.format, std::string("Speos"));
+      QCOMPARE(file.source.grid, (std::vector<int>{4, 36, 18}));
+      QCOMPARE(contains(file.source.notes.at(0), "intensity, divided by cos theta"), isIntensity);
+      const double scale = percent / 100 / reflected();
+      for (const double incident : {20.0, 40.0, 60.0})
+        for (int theta = 5; theta <= 85; theta += 5)
+          for (int phi = 0; phi < 360; phi += 10) {
+            const Direction wi = fromSpherical(radians(incident), 1),
+                            wo = fromSpherical(radians(theta), 1 + pi + radians(phi));
+            const double expected = scale * lobe(radians(incident), radians(theta), radians(phi));
+            const Rgb value = file.brdf->evaluate(wi, wo);
+            QVERIFY2(glm::length(value - Rgb(expected)) < 1e-6,
+                     (numberText(value.x) + " " + numberText(expected)).c_str());
+          }
+    }
+  }
+
+  /// The spectrum colours all directions alike.
+  void spectrum() {
+    const std::vector<double> wavelengths{450, 550, 650}, percents{10, 20, 40};
+    const std::vector<Rgb> weights = spectrumWeights(wavelengths);
+    Rgb expected(0);
+    for (std::size_t i = 0; i < 3; ++i) expected += weights[i] * percents[i];
+    const materials::Material file = material(speosFile(false, "3\n450\t10\n550\t20\n650\t40\n"));
+    const Rgb value = file.brdf->evaluate(fromSpherical(radians(40), 0), fromSpherical(radians(10), 2));
+    QVERIFY(glm::length(value / value.y - expected / expected.y) < 1e-5);
+  }
+
+  void errorsSayWhatWasFound() {
+    const std::string text = speosFile(false, grey);
+    VERIFY_REFUSED(material, replaced(text, "v8.0\n0\n", "v8.0\n1\n"), "binary Speos files are not read");
+    VERIFY_REFUSED(material, replaced(text, "\n1\t0\n1\n", "\n0\t1\n1\n"), "found transmission; expected reflection");
+    VERIFY_REFUSED(material, replaced(text, "\n1\t0\n1\n", "\n1\t0\n2\n"), "line 8: found '2");
+    VERIFY_REFUSED(material, replaced(text, "\n20.0\t0\n", "\n25.0\t0\n"), "expected one of the angles of incidence");
+    VERIFY_REFUSED(material, replaced(text, "850\t20", "250\t20"), "expected ascending wavelengths");
+    VERIFY_REFUSED(material, replaced(text, "19 37", "19 36"), "found angles of the incidence 0.0");
+    VERIFY_REFUSED(material, replaced(text, "End of file", "7"), "expected End of file");
+    VERIFY_REFUSED(material, text.substr(0, text.size() / 2), "expected");
+    VERIFY_REFUSED(material, replaced(text, "\t10\t20\t30\t", "\t20\t10\t30\t"), "expected ascending angles");
+  }
+};
+
+GONIO_TEST(SpeosFileTest)
+}  // namespace speos_file_test
+
+#include "speos_file_test.moc"
