@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <QTest>
+#include <limits>
 
 #include "core/io/image_io.h"
 #include "tests/app/goniotool/goniotool_runner.h"
@@ -119,9 +120,9 @@ class GoniotoolErrorsTest : public QObject {
     QTest::newRow("dictionary") << QStringList{"encode", plastic_, "--dictionary", dictionary} << "missing.dictionary";
     const QString broken = folder_.path("broken.exr");
     Image image(2, 1);
-    image.pixels[1] = glm::vec3(-1);
+    image.pixels[1] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
     io::writeExr(image, broken.toStdString());
-    QTest::newRow("negative environment")
+    QTest::newRow("environment with NaN")
         << QStringList{"render", plastic_, "--environment", broken, "--out", folder_.path("x.png")} << "broken.exr";
     const QByteArray nested = QByteArray(250'000, '[') + QByteArray(250'000, ']');
     folder_.writeText("nested.json", nested);
