@@ -53,7 +53,7 @@ class AnisotropicPreviewTest : public test::SphereTest {
     QCOMPARE(subject.density->grain().fraction > 0, isSampledAlongIt);
     // Means of 8 x 8 pixels: the noise of single ones averages out, what a density that is not the shader's own adds or
     // loses does not.
-    constexpr int samples = 1024, side = test::OffscreenSpheres::side;
+    constexpr int samples = 1536, side = test::OffscreenSpheres::side;
     const Image reference =
         renderPicture(*brdf, studio(), {.width = side, .height = side, .samples = 2 * samples, .seed = 7});
     const double snr =

@@ -118,7 +118,7 @@ class FigureDialogTest : public QObject {
     tick(0, false);
     tick(4, true);
     tick(0, true);
-    const std::vector<std::string> expected{"bytes", figures::figureNumbers()[4].id, "rendered-snr"};
+    const std::vector<std::string> expected{"bytes", "evaluation-time", figures::figureNumbers()[4].id, "rendered-snr"};
     QVERIFY(dialog->description().numbers == expected);
     for (int row = 0; row < list.count(); ++row)
       if (list.item(row)->flags() & Qt::ItemIsEnabled) tick(row, true);

@@ -36,6 +36,7 @@ FigureDescription quickFigure() {
     const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), roughness, 0.04), grid);
     if (!std::filesystem::exists(path)) test::writeTable(*table, path);
   }
+  figure.numbers = {"rendered-snr", "bytes"};  // no times
   figure.materials = {{(folder / "chrome.binary").string(), ""}, {(folder / "rubber.binary").string(), "blue rubber"}};
   return figure;
 }
@@ -45,7 +46,7 @@ std::vector<study::MeasuredRepresentation> studied(const FigureDescription& figu
   const materials::Material material = materials::readMaterial(figure.materials[row].path);
   std::vector<study::MeasuredRepresentation> all;
   study::StudyOptions options;
-  options.picture = {.width = figure.pictures.size, .height = figure.pictures.size, .samples = figure.pictures.samples};
+  options.shown = {.width = figure.pictures.size, .height = figure.pictures.size, .samples = figure.pictures.samples};
   options.timed = false;
   options.measured = [&](const study::MeasuredRepresentation& one) { all.push_back(one); };
   std::vector<study::Representation> representations;
