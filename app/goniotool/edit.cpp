@@ -9,7 +9,6 @@
 #include "app/goniotool/tool.h"
 #include "app/goniotool/usage.h"
 #include "core/documents/edit_document.h"
-#include "core/models/parameters_json.h"
 #include "core/support/error.h"
 
 namespace gonio::tool {

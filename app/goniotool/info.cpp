@@ -40,9 +40,8 @@ std::string text(const Json& json) {
            (grid.empty() ? "" : ", " + grid) + "\n";
   if (!json["description"].empty() && json["description"] != "")
     result += "  " + json["description"].get<std::string>() + "\n";
-  const char* names[] = {"red", "green", "blue"};
   for (std::size_t c = 0; c < 3; ++c)
-    result += std::string("  ") + names[c] + " " + number(json["channels"][c]["min"]) + " to " +
+    result += std::string("  ") + channelNames[c] + " " + number(json["channels"][c]["min"]) + " to " +
               number(json["channels"][c]["max"]) + " 1/sr\n";
   result += "  dynamic range " + number(json["dynamicRange"]) + ", invalid cells " +
             number(100 * json["invalidFraction"].get<double>()) + " %\n";

@@ -274,10 +274,9 @@ void addWarnings(const FactorMeasurement& m, FactorSupport& support) {
   if (isHighlightMissed(m))
     support.warnings.push_back(
         "The highlight is narrower than the spacing of its readings. Use more readings around the mirror direction.");
-  constexpr std::array names{"red", "green", "blue"};
   for (std::size_t c = 0; c < 3; ++c)
     if (m.unscaled[c] && m.highest[c] > 0)
-      support.warnings.push_back(std::string("Unreliable in ") + names[c] +
+      support.warnings.push_back(std::string("Unreliable in ") + channelNames[c] +
                                  ": the mirror direction is black at the fixed angle, so the readings around the "
                                  "mirror direction are used for all angles. Use another fixed angle.");
 }

@@ -236,6 +236,8 @@ class IncidenceBound final : public ValueBound {
     if (!isSeamMarked_) polar.low = 0;
     return extrema_.over(nodes(thetaI, incident_), nodes(polar, polars_));
   }
+  /// About the normal, the bound is that of a whole angle of incidence.
+  bool isLocal() const override { return polars_.size() > 1; }
 
  private:
   using Axis = IncidenceTable::Axis;

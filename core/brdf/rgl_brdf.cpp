@@ -218,6 +218,7 @@ class RglBound final : public ValueBound {
     if (incident_ != IncidentDirection::viewer) include(ofIncident(box.thetaI(), box.cosO, box));
     return result;
   }
+  bool isLocal() const override { return false; }
 
  private:
   RgbRange ofIncident(const Range& theta, const Range& cosOut, const PairBox& box) const {

@@ -88,6 +88,10 @@ class ValueBound {
   /// isotropic BRDFs that are symmetric about the plane of the viewer as measured or not, it also holds for the
   /// mirrored set (-psi). The bounds may be infinite.
   virtual RgbRange over(const PairBox& box) const = 0;
+
+  /// Whether the bound of a small set is near the values there. If not, it also rests on values of other directions, so
+  /// that a large bound does not indicate a peak.
+  virtual bool isLocal() const { return true; }
 };
 
 }  // namespace gonio

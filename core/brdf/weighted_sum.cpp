@@ -55,6 +55,9 @@ class SumBound final : public ValueBound {
     }
     return sum;
   }
+  bool isLocal() const override {
+    return std::ranges::all_of(terms_, [](const auto& term) { return term->isLocal(); });
+  }
 
  private:
   std::vector<std::shared_ptr<const ValueBound>> terms_;

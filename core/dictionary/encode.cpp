@@ -317,7 +317,6 @@ EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficient
 }
 
 std::vector<std::string> lostPeaks(const TabulatedBrdf& table, const TabulatedBrdf& decoded) {
-  constexpr std::array channelNames{"red", "green", "blue"};
   constexpr float keptFraction = 0.1f;
   std::vector<std::string> sentences;
   for (int channel = 0; channel < 3; ++channel) {

@@ -149,6 +149,11 @@ class EditedBound final : public ValueBound {
     }
     return result;
   }
+  bool isLocal() const override {
+    const auto local = [](const std::shared_ptr<const ValueBound>& bound) { return !bound || bound->isLocal(); };
+    return local(base_) &&
+           std::ranges::all_of(edits_, [&](const EditBound& edit) { return local(edit.edited) && local(edit.fitted); });
+  }
 
  private:
   static std::array<Range, 3> channels(const RgbRange& range) {

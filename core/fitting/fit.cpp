@@ -69,8 +69,6 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
   return parameters;
 }
 
-constexpr std::array colourNames{"red", "green", "blue"};
-
 /// To three digits.
 std::string threeDigits(double value) {
   char digits[32];
@@ -101,7 +99,7 @@ void describeConstants(const FitData& data, const Brdf& fitted, std::vector<std:
     }
     const std::string low = threeDigits(least), high = threeDigits(most), given = threeDigits(*constant);
     warnings.push_back(
-        "All cells have the same value in " + std::string(colourNames[std::size_t(channel)]) + ", " + given +
+        "All cells have the same value in " + std::string(channelNames[std::size_t(channel)]) + ", " + given +
         " 1/sr; the fit has " +
         (low == high ? (low == given ? "the same value" : low + " 1/sr") : low + " to " + high + " 1/sr") + ".");
   }
@@ -116,7 +114,7 @@ void describeLimits(const models::ModelSpec& spec, const models::ParameterValues
     std::string names;
     for (int channel = 0; channel < 3; ++channel)
       if (values.values[i][channel] >= parameter.hardMax)
-        names += (names.empty() ? "" : ", ") + std::string(colourNames[std::size_t(channel)]);
+        names += (names.empty() ? "" : ", ") + std::string(channelNames[std::size_t(channel)]);
     warnings.push_back("The parameter " + std::string(parameter.id) + " is at its maximum, " +
                        threeDigits(parameter.hardMax) + ", in " + names +
                        ": the measurement is brighter than the model.");

@@ -16,8 +16,6 @@ namespace gonio::fitting {
 
 namespace {
 
-constexpr std::array<const char*, 3> channelNames{"red", "green", "blue"};
-
 constexpr double noticeableFraction = 0.01;
 constexpr std::size_t fewCells = 10;
 

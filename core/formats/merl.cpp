@@ -84,9 +84,9 @@ class BlockReader {
   double value = 0;
   source.readAt(merlHeaderBytes + index * sizeof(double), std::as_writable_bytes(std::span(&value, 1)));
   const std::size_t cell = index % grid.size(), phi = std::size_t(grid.phiDCount), td = std::size_t(grid.thetaDCount);
-  throw Error("value " + std::to_string(index) + " (" + std::array{"red", "green", "blue"}[index / grid.size()] +
-              ", theta_h " + std::to_string(cell / (phi * td)) + ", theta_d " + std::to_string(cell / phi % td) +
-              ", phi_d " + std::to_string(cell % phi) + ") is " + std::to_string(value) +
+  throw Error("value " + std::to_string(index) + " (" + channelNames[index / grid.size()] + ", theta_h " +
+              std::to_string(cell / (phi * td)) + ", theta_d " + std::to_string(cell / phi % td) + ", phi_d " +
+              std::to_string(cell % phi) + ") is " + std::to_string(value) +
               ", expected a finite number in the range of single precision");
 }
 

@@ -19,19 +19,21 @@ namespace gonio::materials {
 namespace {
 
 /// A note if the albedo exceeds 1 by more than 5 % for a viewer at 0 to 60 degrees, as for values in another unit, with
-/// the cosine or from a wrong column. At grazing angles measurements are too noisy for it. About 10 ms, and the time of
-/// Brdf::valueBound().
+/// the cosine or from a wrong column: then it does so without narrow peaks. At grazing angles measurements are too
+/// noisy for it. About 10 ms.
 void noteAlbedo(Material& material) {
   constexpr double limit = 1.05;
   // The first estimate is rough, and confirmed.
   constexpr std::uint32_t few = 1 << 10, many = 1 << 14;
-  const DirectionalAlbedo estimate(*material.brdf, few);
+  const auto albedo = [&](int angle, std::uint32_t samples) {
+    return maxChannel(DirectionalAlbedo(*material.brdf, samples, DirectionalAlbedo::Peaks::ignored)(radians(angle)));
+  };
   for (const int angle : {0, 20, 40, 60}) {
-    if (!(maxChannel(estimate(radians(angle))) > limit)) continue;
-    const double albedo = maxChannel(DirectionalAlbedo(*material.brdf, many)(radians(angle)));
-    if (!(albedo > limit)) continue;
+    if (!(albedo(angle, few) > limit)) continue;
+    const double confirmed = albedo(angle, many);
+    if (!(confirmed > limit)) continue;
     material.source.notes.push_back("warning: the albedo at " + std::to_string(angle) + " degrees is " +
-                                    numberText(float(albedo)) +
+                                    numberText(float(confirmed)) +
                                     ", more than 1: check the columns and units of the file (BRDF in 1/sr, without the "
                                     "cosine)");
     return;

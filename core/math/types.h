@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -17,6 +18,9 @@ namespace gonio {
 
 using Direction = glm::dvec3;
 using Rgb = glm::dvec3;
+
+/// Of an Rgb's channels, in messages.
+inline constexpr std::array channelNames{"red", "green", "blue"};
 
 inline constexpr double pi = std::numbers::pi;
 inline constexpr double halfPi = pi / 2;

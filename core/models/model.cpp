@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
+#include <string_view>
 
 #include "core/brdf/weighted_sum.h"
 #include "core/models/shader_arguments.h"
@@ -99,6 +101,30 @@ std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterV
     }
   }
   return clamped;
+}
+
+void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters) {
+  const auto text = [](double number) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%g", number);
+    return std::string(digits);
+  };
+  ParameterValues checked = parameters;
+  std::string sentence;
+  std::string_view last;
+  for (const ClampedParameter& one : clampToHardRange(spec, checked)) {
+    const std::size_t index = spec.find(one.id).value();
+    const ParameterSpec& parameter = spec.parameters[index];
+    const Rgb& value = parameters.values[index];
+    const bool isGrey = value == Rgb(value.x);
+    if (isGrey && one.id == last) continue;
+    last = one.id;
+    sentence += (sentence.empty() ? "" : "; ") + std::string(one.id) +
+                (isGrey ? "" : std::string(" (") + channelNames[std::size_t(one.channel)] + ")") + " is " +
+                text(one.given) + ", expected " + text(parameter.hardMin) + " to " + text(parameter.hardMax) +
+                (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
+  }
+  if (!sentence.empty()) throw Error(sentence);
 }
 
 ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> ends, std::span<const double> weights) {

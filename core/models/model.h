@@ -143,6 +143,9 @@ struct ClampedParameter {
 };
 /// Clamps the parameters to the hard ranges in place; returns the changes. @throws Error as Model::instantiate().
 std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters);
+/// For parameters that a user has entered. @throws Error with one sentence that names each value outside its hard range
+/// and the limits: "roughness is 2, expected 0.0001 to 1".
+void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters);
 
 /// Blends parameters of one model: weighted means; geometric means for parameters with a logarithmic scale if all
 /// values are positive. Choices must be equal. @param ends parameters of the materials, one per weight. @param weights

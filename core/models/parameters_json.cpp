@@ -2,10 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/models/parameters_json.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <string_view>
 
 #include "core/support/error.h"
 #include "core/support/json_object.h"
@@ -58,31 +55,6 @@ ParameterValues parametersFromJson(const ModelSpec& spec, const nlohmann::json& 
   for (const auto& [key, value] : json.items())
     if (!spec.find(key)) object.fail(key, "a parameter of the model " + std::string(spec.id) + " (" + ids + ")");
   return result;
-}
-
-void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters) {
-  const auto text = [](double number) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%g", number);
-    return std::string(digits);
-  };
-  constexpr std::array channelNames{"red", "green", "blue"};
-  ParameterValues checked = parameters;
-  std::string sentence;
-  std::string_view last;
-  for (const ClampedParameter& one : clampToHardRange(spec, checked)) {
-    const std::size_t index = spec.find(one.id).value();
-    const ParameterSpec& parameter = spec.parameters[index];
-    const Rgb& value = parameters.values[index];
-    const bool isGrey = value == Rgb(value.x);
-    if (isGrey && one.id == last) continue;
-    last = one.id;
-    sentence += (sentence.empty() ? "" : "; ") + std::string(one.id) +
-                (isGrey ? "" : std::string(" (") + channelNames[std::size_t(one.channel)] + ")") + " is " +
-                text(one.given) + ", expected " + text(parameter.hardMin) + " to " + text(parameter.hardMax) +
-                (parameter.unit.empty() ? "" : " " + std::string(parameter.unit));
-  }
-  if (!sentence.empty()) throw Error(sentence);
 }
 
 }  // namespace gonio::models

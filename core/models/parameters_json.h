@@ -20,8 +20,4 @@ nlohmann::json parametersToJson(const ModelSpec& spec, const ParameterValues& pa
 /// "edits[0].fitted". @throws Error that names the parameter, what was found and what was expected.
 ParameterValues parametersFromJson(const ModelSpec& spec, const nlohmann::json& json, const std::string& where);
 
-/// For parameters that a user has entered. @throws Error with one sentence that names each value outside its hard range
-/// and the limits: "roughness is 2, expected 0.0001 to 1".
-void checkHardRange(const ModelSpec& spec, const ParameterValues& parameters);
-
 }  // namespace gonio::models

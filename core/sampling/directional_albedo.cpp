@@ -71,8 +71,11 @@ Rgb integralOfPeaks(const Brdf& brdf, const std::vector<NarrowPeak>& peaks) {
 
 }  // namespace
 
-DirectionalAlbedo::DirectionalAlbedo(const Brdf& brdf, std::uint32_t sampleCount)
-    : brdf_(brdf), density_(estimateSamplingDensity(brdf)), sampleCount_(sampleCount), bound_(brdf.valueBound()) {}
+DirectionalAlbedo::DirectionalAlbedo(const Brdf& brdf, std::uint32_t sampleCount, Peaks peaks)
+    : brdf_(brdf),
+      density_(estimateSamplingDensity(brdf)),
+      sampleCount_(sampleCount),
+      bound_(peaks == Peaks::found ? brdf.valueBound() : nullptr) {}
 
 Rgb DirectionalAlbedo::operator()(double theta) const {
   // A fixed number of points for each of the density's two parts, each stratified on its own (multiple importance

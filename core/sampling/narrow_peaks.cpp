@@ -129,6 +129,7 @@ class PeakFinder {
 
 std::vector<NarrowPeak> narrowPeaks(const ValueBound& values, bool isotropic, const PeakSearch& search,
                                     const std::function<double(const DirectionPair&)>& density) {
+  if (!values.isLocal()) return {};
   return PeakFinder(values, isotropic, search, density).find();
 }
 

@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "core/study/accuracy_study.h"
+#include "core/study/study_plot.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/formula_text.h"
 
@@ -95,6 +97,13 @@ QString groupTitle(models::ParameterGroup group) {
       return ParameterText::tr("Conventions");
   }
   return {};
+}
+
+QString secondsText(double seconds) { return QString::fromStdString(study::shortQuantity(seconds, "s")); }
+
+QString timesText(const study::UseCost& cost) {
+  return ParameterText::tr("%1 per evaluation, %2 per frame")
+      .arg(secondsText(1e-9 * cost.evaluation.median), secondsText(1e-3 * cost.frameMilliseconds));
 }
 
 }  // namespace gonio::widgets

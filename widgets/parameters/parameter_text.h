@@ -7,7 +7,11 @@
 #include "core/math/types.h"
 #include "core/models/parameter_spec.h"
 
-/// Display texts of parameters, generated from their specs.
+namespace gonio::study {
+struct UseCost;
+}
+
+/// Display texts of parameters, generated from their specs, and of measured times.
 namespace gonio::widgets {
 
 /// The QString of UTF-8 text.
@@ -27,5 +31,10 @@ QString displayValue(const models::ParameterSpec& spec, const Rgb& value);
 /// Rich text: name and symbol, sentence, formula, unit and range, default, fitted value, source.
 QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted);
 QString groupTitle(models::ParameterGroup group);
+
+/// "1.2 ms".
+QString secondsText(double seconds);
+/// "52 ns per evaluation, 14 ms per frame".
+QString timesText(const study::UseCost& cost);
 
 }  // namespace gonio::widgets

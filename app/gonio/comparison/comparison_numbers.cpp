@@ -8,7 +8,6 @@
 
 #include "core/io/csv_text.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/study/study_plot.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -72,13 +71,6 @@ QString comparisonValue(double value) {
   if (std::isnan(value)) return ComparisonNumbersText::tr("undefined");
   if (std::isinf(value)) return QStringLiteral("∞");
   return QString::number(value, 'g', 4);
-}
-
-QString secondsText(double seconds) { return QString::fromStdString(study::shortQuantity(seconds, "s")); }
-
-QString timesText(const study::UseCost& cost) {
-  return ComparisonNumbersText::tr("%1 per evaluation, %2 per frame")
-      .arg(secondsText(1e-9 * cost.evaluation.median), secondsText(1e-3 * cost.frameMilliseconds));
 }
 
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference) {

@@ -44,10 +44,6 @@ struct ComparisonLine {
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers);
 /// Text of a value: "23.4", "∞" for equal pictures, "undefined" for NaN.
 QString comparisonValue(double value);
-/// "1.2 ms".
-QString secondsText(double seconds);
-/// "52 ns per evaluation, 14 ms per frame".
-QString timesText(const study::UseCost& cost);
 /// Comma-separated text: subjects and scene in comment lines, then one line with quantity, value and unit per number.
 QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference);
 

@@ -8,11 +8,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/gonio/comparison/comparison_numbers.h"
 #include "core/dictionary/decode.h"
 #include "core/formats/code.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/study_record.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
@@ -128,7 +128,8 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
                             "Gonio and is not counted.")},
       {MaterialCodeText::tr("Time"),
        MaterialCodeText::tr("%1, %2 to decode, %3 to encode")
-           .arg(timesText(code.quality.cost), secondsText(code.decodeSeconds), secondsText(code.encoded.seconds)),
+           .arg(widgets::timesText(code.quality.cost), widgets::secondsText(code.decodeSeconds),
+                widgets::secondsText(code.encoded.seconds)),
        MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, a frame of "
                             "the path tracer\n(sphere, 128 × 128 pixels, 32 samples per pixel) on all cores, decoding "
                             "of all cells, and the encoding")},

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/export/export_controller.h"
 #include "widgets/inputs/dialogs.h"
 #include "widgets/parameters/parameter_text.h"
@@ -303,7 +302,7 @@ void ExportDialog::showTrial() {
                               .arg(exportBytesText(shown->made.bytes())));
     if (shown->cost)
       m_cost->setText(m_cost->text() + QLatin1Char(' ') +
-                      tr("Evaluated by Gonio, the files take %1.").arg(timesText(*shown->cost)));
+                      tr("Evaluated by Gonio, the files take %1.").arg(widgets::timesText(*shown->cost)));
     for (const std::string& loss : shown->made.losses) warnings << tr("Note: %1.").arg(QString::fromStdString(loss));
     for (const std::string& warning : shown->made.warnings)
       warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));

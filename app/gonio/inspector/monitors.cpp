@@ -103,29 +103,45 @@ CostMonitor::CostMonitor(Document& document, BackgroundTasks& tasks, QObject* pa
   m_delay.setInterval(costDelayMilliseconds);
   connect(&m_delay, &QTimer::timeout, this, &CostMonitor::measure);
   connect(&document, &Document::materialChanged, this, &CostMonitor::materialChanged);
-  for (const auto signal : {&Document::stateChanged, &Document::selectionChanged, &Document::editChanged})
+  connect(&document, &Document::selectionChanged, this, &CostMonitor::selectionChanged);
+  for (const auto signal : {&Document::stateChanged, &Document::editChanged})
     connect(&document, signal, this, &CostMonitor::editsChanged);
 }
 
 void CostMonitor::materialChanged() {
   m_costs = {};
   m_fitted.reset();
+  m_fittedModel = nullptr;
   editsChanged();
 }
 
 void CostMonitor::editsChanged() {
-  m_tasks.drop(costKey);
+  adoptFit();
   m_costs.edited.reset();
+  restart();
+}
+
+/// Of the numbers, those of the fit alone depend on the selection.
+void CostMonitor::selectionChanged() {
+  if (adoptFit()) restart();
+}
+
+bool CostMonitor::adoptFit() {
   const auto* edit = m_document.active<editing::DifferentialEdit>();
-  if (!edit || edit->model != m_fittedModel || edit->fitted != m_fitted) {
-    m_fittedModel = edit ? edit->model : nullptr;
-    m_fitted = edit ? std::optional(edit->fitted) : std::nullopt;
-    m_costs.fitSnr.reset();
-    const auto symmetry = m_document.material() && !m_document.base()->isIsotropic()
-                              ? fitting::DataSymmetry::anisotropic
-                              : fitting::DataSymmetry::isotropic;
-    m_costs.fitBytes = edit ? fitting::fittedParameterCount(edit->model->spec(), symmetry) * sizeof(float) : 0;
-  }
+  const models::Model* model = edit ? edit->model : nullptr;
+  const auto fitted = edit ? std::optional(edit->fitted) : std::nullopt;
+  if (model == m_fittedModel && fitted == m_fitted) return false;
+  m_fittedModel = model;
+  m_fitted = fitted;
+  m_costs.fitSnr.reset();
+  const auto symmetry = m_document.material() && !m_document.base()->isIsotropic() ? fitting::DataSymmetry::anisotropic
+                                                                                   : fitting::DataSymmetry::isotropic;
+  m_costs.fitBytes = model ? fitting::fittedParameterCount(model->spec(), symmetry) * sizeof(float) : 0;
+  return true;
+}
+
+void CostMonitor::restart() {
+  m_tasks.drop(costKey);
   if (m_document.material())
     m_delay.start();
   else
@@ -144,6 +160,7 @@ void CostMonitor::measure() {
           costs.fitSnr = comparison.signalToNoiseRatio(comparison.render(*fit, control));
         }
         if (!costs.measured) costs.measured = study::measureUse(*base, control);
+        if (costs.edited) return costs;
         const auto edited = editing::applyEdits(base, edits);
         costs.edited = edited == base ? costs.measured : study::measureUse(*edited, control);
         return costs;

@@ -99,6 +99,10 @@ class CostMonitor : public QObject {
  private:
   void materialChanged();
   void editsChanged();
+  void selectionChanged();
+  /// Takes the fit of the active edit. @return whether it is another one.
+  bool adoptFit();
+  void restart();
   void measure();
 
   Document& m_document;

@@ -9,6 +9,7 @@
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "core/materials/bundled_library.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
@@ -131,7 +132,7 @@ QString closeness(double snr) {
 }
 
 QString timesOf(const QString& what, const std::optional<study::UseCost>& cost) {
-  return SourceFactsText::tr("%1: %2").arg(what, cost ? timesText(*cost) : SourceFactsText::tr("measuring"));
+  return SourceFactsText::tr("%1: %2").arg(what, cost ? widgets::timesText(*cost) : SourceFactsText::tr("measuring"));
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ QString costLine(const CostMonitor::Costs& costs) {
                               .arg(costs.fitBytes)
                         : SourceFactsText::tr("Fit: measuring. ");
   return text + SourceFactsText::tr("Frame: %1")
-                    .arg(costs.edited ? secondsText(1e-3 * costs.edited->frameMilliseconds)
+                    .arg(costs.edited ? widgets::secondsText(1e-3 * costs.edited->frameMilliseconds)
                                       : SourceFactsText::tr("measuring"));
 }
 

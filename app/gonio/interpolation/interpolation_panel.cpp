@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <cmath>
 
-#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/interpolation/blend_overview.h"
 #include "app/gonio/interpolation/blend_slots.h"
 #include "widgets/interpolation/blend_pad.h"
@@ -175,7 +174,7 @@ void InterpolationPanel::showExplanation() {
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
     text += '\n' + tr("The preview blends tables; a material that is not a table is sampled to one first.");
   if (const auto& cost = m_spaces.cost(m_space)) {
-    text += '\n' + tr("The blend takes %1. ").arg(timesText(cost->middle));
+    text += '\n' + tr("The blend takes %1. ").arg(widgets::timesText(cost->middle));
     text +=
         std::isfinite(cost->lowestEndSnr)
             ? tr("At its ends it differs from the materials: rendered SNR %1 dB.").arg(cost->lowestEndSnr, 0, 'f', 1)
@@ -304,3 +303,4 @@ void InterpolationPanel::hideEvent(QHideEvent* event) {
 }  // namespace gonio::app
 
 #include "moc_interpolation_panel.cpp"
+#include "widgets/parameters/parameter_text.h"

@@ -232,16 +232,16 @@ QString StudyModel::nameOf(int row) const {
 QString StudyModel::toolTip(int row) const {
   if (!isMeasured(row)) return tr("Not measured yet");
   const study::StudyRecord& one = record(row);
-  const auto nanoseconds = [](double value) { return secondsText(1e-9 * value); };
+  const auto nanoseconds = [](double value) { return widgets::secondsText(1e-9 * value); };
   QStringList lines{tr("<b>%1</b>").arg(QString::fromStdString(one.representation.fullLabel()).toHtmlEscaped()),
                     tr("rendered SNR %1 dB").arg(comparisonValue(one.renderedSnr))};
   if (!std::isnan(one.frameMilliseconds))
     lines << tr("%1 per evaluation (%2 to %3)")
                  .arg(nanoseconds(one.evaluation.median), nanoseconds(one.evaluation.lowerQuartile),
                       nanoseconds(one.evaluation.upperQuartile))
-          << tr("%1 per frame").arg(secondsText(1e-3 * one.frameMilliseconds));
+          << tr("%1 per frame").arg(widgets::secondsText(1e-3 * one.frameMilliseconds));
   lines << QLocale().formattedDataSize(qint64(one.bytes), 1, QLocale::DataSizeSIFormat)
-        << tr("encoded in %1").arg(secondsText(one.encodeSeconds));
+        << tr("encoded in %1").arg(widgets::secondsText(one.encodeSeconds));
   const Row& shown = m_rows[std::size_t(row)];
   const QString picture = shown.picture.isNull() ? QString() : tr("<p>%1</p>").arg(asHtmlImage(shown.picture));
   const models::Model* model = one.representation.kind->model;

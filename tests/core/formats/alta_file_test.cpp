@@ -28,16 +28,6 @@ std::string rgbFile(const std::string& input, int dimension, const std::string& 
 }
 
 ScatteredSamples read(const std::string& text) { return formats::readAlta(io::MemorySource(bytesOf(text))); }
-materials::Material material(const std::string& text) {
-  return materials::readMaterial(io::MemorySource(bytesOf(text)));
-}
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
 
 bool isClose(const Direction& a, const Direction& b) { return glm::length(a - b) < 1e-9; }
 
@@ -94,7 +84,7 @@ class AltaFileTest : public QObject {
     QVERIFY(glm::length(value("XYZ_COLOR", 3, "0.9505 1 1.089") - Rgb(1)) < 1e-3);
     // A confidence interval at the end of the row.
     const std::string interval = altaFile("ISOTROPIC_TV_TL_DPHI", 3, "INV_STERADIAN", 1, at + "0.5 0.4 0.6\n");
-    VERIFY_REFUSED(material, interval, "expected 3 coordinates and 1 values");
+    VERIFY_REFUSED(materialOfText, interval, "expected 3 coordinates and 1 values");
     const ScatteredSamples samples = read(std::string(interval).replace(interval.find("#VS 0"), 5, "#VS 2"));
     QVERIFY(samples.values[0] == Rgb(0.5) && contains(samples.notes.at(1), "confidence intervals"));
   }
@@ -111,7 +101,7 @@ class AltaFileTest : public QObject {
           const Rgb value = lobe(pair.wi, pair.wo);
           rows += rowText({radians(v), radians(l), radians(phi), value.x, value.y, value.z}, " ");
         }
-    const materials::Material file = material(rgbFile("ISOTROPIC_TV_TL_DPHI", 3, rows));
+    const materials::Material file = materialOfText(rgbFile("ISOTROPIC_TV_TL_DPHI", 3, rows));
     QCOMPARE(file.source.format, std::string("ALTA"));
     QCOMPARE(file.source.grid, (std::vector<int>{5, 7, 9}));
     for (const auto& [wi, wo] : pairs) QVERIFY(glm::length(file.brdf->evaluate(wi, wo) - lobe(wi, wo)) < 1e-6);
@@ -119,20 +109,23 @@ class AltaFileTest : public QObject {
 
   void errorsNameTheLine() {
     const std::string row = "0.5 0.25 1 1 2 3\n";
-    VERIFY_REFUSED(material, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, "0.5 0.25 1 1 2\n"),
+    VERIFY_REFUSED(materialOfText, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, "0.5 0.25 1 1 2\n"),
                    "line 7: found '0.5 0.25 1 1 2', expected 3 coordinates and 3 values");
-    VERIFY_REFUSED(material, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, "0.5 0.25 x 1 2 3\n"), "line 7: found 'x'");
-    VERIFY_REFUSED(material, rgbFile("STARK_3D", 3, row), "found the PARAM_IN 'STARK_3D', expected one of ISOTROPIC");
-    VERIFY_REFUSED(material, altaFile("CARTESIAN", 6, "ENERGY", 1, row),
+    VERIFY_REFUSED(materialOfText, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, "0.5 0.25 x 1 2 3\n"), "line 7: found 'x'");
+    VERIFY_REFUSED(materialOfText, rgbFile("STARK_3D", 3, row),
+                   "found the PARAM_IN 'STARK_3D', expected one of ISOTROPIC");
+    VERIFY_REFUSED(materialOfText, altaFile("CARTESIAN", 6, "ENERGY", 1, row),
                    "found the PARAM_OUT 'ENERGY', expected one of");
-    VERIFY_REFUSED(material, rgbFile("CARTESIAN", 3, row), "found 3 numbers for CARTESIAN, expected 6");
-    VERIFY_REFUSED(material, altaFile("CARTESIAN", 6, "INV_STERADIAN", 2, row), "expected 1 or 3");
-    VERIFY_REFUSED(material, rgbFile("CARTESIAN", 6, "0 0 2 0 0 1 1 2 3\n"), "expected unit vectors");
-    VERIFY_REFUSED(material, "#ALTA HEADER BEGIN\n#DIM 3 x\n#ALTA HEADER END\n" + row, "line 2: found '#DIM 3 x'");
-    VERIFY_REFUSED(material, "#ALTA HEADER BEGIN\n#DIM 3 3\n#ALTA HEADER END\n" + row,
+    VERIFY_REFUSED(materialOfText, rgbFile("CARTESIAN", 3, row), "found 3 numbers for CARTESIAN, expected 6");
+    VERIFY_REFUSED(materialOfText, altaFile("CARTESIAN", 6, "INV_STERADIAN", 2, row), "expected 1 or 3");
+    VERIFY_REFUSED(materialOfText, rgbFile("CARTESIAN", 6, "0 0 2 0 0 1 1 2 3\n"), "expected unit vectors");
+    VERIFY_REFUSED(materialOfText, "#ALTA HEADER BEGIN\n#DIM 3 x\n#ALTA HEADER END\n" + row,
+                   "line 2: found '#DIM 3 x'");
+    VERIFY_REFUSED(materialOfText, "#ALTA HEADER BEGIN\n#DIM 3 3\n#ALTA HEADER END\n" + row,
                    "without DIM, PARAM_IN or PARAM_OUT");
-    VERIFY_REFUSED(material, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, ""), "found no point above the horizon");
-    VERIFY_REFUSED(material, std::string("#ALTA HEADER BEGIN\n#DIM 3 3\n#FORMAT binary\n#ALTA HEADER END\n\1\2\0", 63),
+    VERIFY_REFUSED(materialOfText, rgbFile("ISOTROPIC_TV_TL_DPHI", 3, ""), "found no point above the horizon");
+    VERIFY_REFUSED(materialOfText,
+                   std::string("#ALTA HEADER BEGIN\n#DIM 3 3\n#FORMAT binary\n#ALTA HEADER END\n\1\2\0", 63),
                    "binary ALTA files are not read");
   }
 };

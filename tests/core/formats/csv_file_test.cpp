@@ -26,17 +26,7 @@ Rgb brushed(const Direction& wi, const Direction& wo) {
 }
 
 ScatteredSamples read(const std::string& text) { return formats::readCsvPoints(io::MemorySource(bytesOf(text))); }
-materials::Material material(const std::string& text) {
-  return materials::readMaterial(io::MemorySource(bytesOf(text)));
-}
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
 bool isClose(const Direction& a, const Direction& b) { return glm::length(a - b) < 1e-9; }
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
 
 /// What the export target writes, and the text of it.
 std::string exported(const FunctionBrdf& brdf) {
@@ -72,7 +62,7 @@ class CsvFileTest : public QObject {
     const ScatteredSamples small = read("theta_i,theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n");
     QVERIFY(isClose(small.directions[0].wi, fromSpherical(radians(1), 0)));
     QVERIFY(contains(small.notes.at(0), "angles in degrees (the file states no unit)"));
-    VERIFY_REFUSED(material, "theta_i,theta_o,dphi,BRDF\n0.5,0.7,3.14159,0.5\n", "which looks like radians");
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n0.5,0.7,3.14159,0.5\n", "which looks like radians");
   }
 
   /// A grid is evaluated as a table: at its nodes the closed form itself, and between them near it.
@@ -89,7 +79,7 @@ class CsvFileTest : public QObject {
           text += rowText({double(i), 40, double(o), double(40 + phi), value.x, value.y, value.z}, ";");
         }
     std::ranges::replace(text, '.', ',');
-    const materials::Material file = material(text);
+    const materials::Material file = materialOfText(text);
     QCOMPARE(file.source.format, std::string("CSV"));
     QCOMPARE(file.source.grid, (std::vector<int>{9, 24, 18}));
     QVERIFY(contains(file.source.notes.at(0), "separated by semicolons, decimal commas"));
@@ -104,7 +94,7 @@ class CsvFileTest : public QObject {
     for (const bool isotropic : {true, false}) {
       const std::string text = exported(FunctionBrdf(isotropic ? lobe : brushed, isotropic, false));
       const ScatteredSamples samples = read(text);
-      const materials::Material file = material(text);
+      const materials::Material file = materialOfText(text);
       QCOMPARE(file.brdf->isIsotropic(), isotropic);
       QCOMPARE(file.source.grid, isotropic ? (std::vector<int>{6, 13, 18}) : (std::vector<int>{12, 6, 24, 18}));
       for (std::size_t i = 0; i < samples.values.size(); ++i) {
@@ -129,28 +119,28 @@ class CsvFileTest : public QObject {
     };
     QVERIFY(rows(20, 30, -1));
     QVERIFY(!rows(20, 30, 17) && !rows(60, 30, -1) && !rows(20, 90, -1));
-    const materials::Material file = material("theta_i,theta_o,dphi,BRDF\n10,20,30,0.1\n40,20,180,0.1\n");
+    const materials::Material file = materialOfText("theta_i,theta_o,dphi,BRDF\n10,20,30,0.1\n40,20,180,0.1\n");
     QVERIFY(file.table && contains(file.source.notes.at(1), "2 samples at 2 grid nodes"));
   }
 
   void errorsSayWhatToChange() {
-    VERIFY_REFUSED(material, "theta_i,theta_o,dphi,BRDF\n1,2,x,0.5\n",
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n1,2,x,0.5\n",
                    "line 2: found 'x' for dphi, expected a finite number");
-    VERIFY_REFUSED(material, "theta_i,theta_o,dphi,BRDF\n1,2,3\n", "line 2: found 3 columns, expected 4");
-    VERIFY_REFUSED(material, "theta_i,theta_o,BRDF\n1,2,3\n", "expected one named phi_s (or phi_o, phi_r, dphi)");
-    VERIFY_REFUSED(material, "theta_i,theta_o,phi_o,dphi,BRDF\n1,2,3,4,5\n",
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n1,2,3\n", "line 2: found 3 columns, expected 4");
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,BRDF\n1,2,3\n", "expected one named phi_s (or phi_o, phi_r, dphi)");
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,phi_o,dphi,BRDF\n1,2,3,4,5\n",
                    "'phi_o', 'dphi', expected only one of them");
-    VERIFY_REFUSED(material, "theta_i,theta_o,dphi,p,q\n1,2,3,4,5\n", "or one column named BRDF");
-    VERIFY_REFUSED(material, "theta_i,theta_o,dphi,BRDF\n", "found no row after the names");
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,p,q\n1,2,3,4,5\n", "or one column named BRDF");
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n", "found no row after the names");
     // A plan has the same angles, a table of something else other names.
-    VERIFY_REFUSED(material, "index,theta_i,phi_i,theta_o,phi_o,order\n1,2,3,4,5,1\n",
+    VERIFY_REFUSED(materialOfText, "index,theta_i,phi_i,theta_o,phi_o,order\n1,2,3,4,5,1\n",
                    "a plan or readings of an acquisition");
-    const std::string table = refusal(material, "Incidence;Azimuth;Value\n10,5;20;0,3\n");
+    const std::string table = refusal(materialOfText, "Incidence;Azimuth;Value\n10,5;20;0,3\n");
     QVERIFY2(
         table.starts_with("found a table with the columns incidence, azimuth, value, expected a line of names with "
                           "theta_i, phi_i, theta_o, phi_o (or dphi) and values (CSV)"),
         table.c_str());
-    VERIFY_REFUSED(material, "these are words, only words\n", "matches no format that Gonio supports");
+    VERIFY_REFUSED(materialOfText, "these are words, only words\n", "matches no format that Gonio supports");
   }
 };
 

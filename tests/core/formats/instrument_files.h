@@ -10,6 +10,7 @@
 
 #include "core/brdf/utia_brdf.h"
 #include "core/io/image_io.h"
+#include "core/materials/material.h"
 #include "core/support/text.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/random_directions.h"
@@ -22,6 +23,24 @@ using Reflectance = std::function<Rgb(const Direction& wi, const Direction& wo)>
 inline Bytes bytesOf(std::string_view text) {
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
+}
+
+/// What a reader says of a text that it refuses; "" if it reads it.
+template <typename Reader>
+std::string refusal(Reader reader, const std::string& text) {
+  return errorOf([&] { reader(text); });
+}
+#define VERIFY_REFUSED(reader, text, part) \
+  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
+
+/// A material of any format that tells itself by its content.
+inline materials::Material materialOfText(const std::string& text) {
+  return materials::readMaterial(io::MemorySource(bytesOf(text)));
+}
+
+/// The text with the first occurrence of a part replaced. @throws std::out_of_range if it has none.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
 }
 
 /// A direction of the UTIA grid, from 0 to 287.

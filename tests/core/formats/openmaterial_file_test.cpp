@@ -38,16 +38,6 @@ std::string rowsFile(const std::string& rows) {
 }
 
 ScatteredSamples read(const std::string& text) { return formats::readOpenMaterial(io::MemorySource(bytesOf(text))); }
-materials::Material material(const std::string& text) {
-  return materials::readMaterial(io::MemorySource(bytesOf(text)));
-}
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
 
 class OpenMaterialFileTest : public QObject {
   Q_OBJECT
@@ -56,7 +46,7 @@ class OpenMaterialFileTest : public QObject {
   void valuesAtTheNodes() {
     const std::vector<double> nanometres{450, 550, 650};
     const std::vector<Rgb> weights = spectrumWeights(nanometres);
-    const materials::Material file = material(tableFile({450, 550, 650}, true));
+    const materials::Material file = materialOfText(tableFile({450, 550, 650}, true));
     QCOMPARE(file.source.format, std::string("OpenMATERIAL"));
     QCOMPARE(file.source.description, std::string("closed form"));
     QCOMPARE(file.source.grid, (std::vector<int>{4, 8, 6}));
@@ -87,18 +77,18 @@ class OpenMaterialFileTest : public QObject {
   void errorsNameTheRow() {
     const std::string good = "[5e-7, 0.1, 0.2, 0, 0.5]";
     QVERIFY(contains(read(rowsFile(good + ", [5e-7, 0.3, 0.2, 0, null]")).notes.at(1), "1 rows with null"));
-    VERIFY_REFUSED(material, rowsFile(good + ", [5e-7, 0.1]"), "brdf.lookupTable[1]: found ");
-    VERIFY_REFUSED(material, rowsFile(good + ", 7"), "brdf.lookupTable[1]: found the number 7");
-    VERIFY_REFUSED(material, rowsFile(R"([5e-7, 0.1, 0.2, 0, "x"])"),
+    VERIFY_REFUSED(materialOfText, rowsFile(good + ", [5e-7, 0.1]"), "brdf.lookupTable[1]: found ");
+    VERIFY_REFUSED(materialOfText, rowsFile(good + ", 7"), "brdf.lookupTable[1]: found the number 7");
+    VERIFY_REFUSED(materialOfText, rowsFile(R"([5e-7, 0.1, 0.2, 0, "x"])"),
                    "found the string \"x\", expected a finite number");
-    VERIFY_REFUSED(material, rowsFile("[550, 0.1, 0.2, 0, 0.5]"), "found the wavelength 550");
-    VERIFY_REFUSED(material, rowsFile("[5e-7, 30, 0.2, 0, 0.5]"), "found the polar angle 30");
-    VERIFY_REFUSED(material, rowsFile(good + "," + good), "found a second value");
-    VERIFY_REFUSED(material, rowsFile(good + ", [6e-7, 0.3, 0.2, 0, 0.5], [5e-7, 0.3, 0.2, 0, 0.5]"),
+    VERIFY_REFUSED(materialOfText, rowsFile("[550, 0.1, 0.2, 0, 0.5]"), "found the wavelength 550");
+    VERIFY_REFUSED(materialOfText, rowsFile("[5e-7, 30, 0.2, 0, 0.5]"), "found the polar angle 30");
+    VERIFY_REFUSED(materialOfText, rowsFile(good + "," + good), "found a second value");
+    VERIFY_REFUSED(materialOfText, rowsFile(good + ", [6e-7, 0.3, 0.2, 0, 0.5], [5e-7, 0.3, 0.2, 0, 0.5]"),
                    "found 2 wavelengths at the polar angles 0.3 and 0.2, expected the 1 of the first directions");
-    VERIFY_REFUSED(material, rowsFile(""), "found no row with a value");
-    VERIFY_REFUSED(material, R"({"brdf": {"lookupTable": [[1, 2)", "found text that is not JSON");
-    VERIFY_REFUSED(material, R"({"brdf": 3, "lookupTable": []})", "brdf: found the number 3");
+    VERIFY_REFUSED(materialOfText, rowsFile(""), "found no row with a value");
+    VERIFY_REFUSED(materialOfText, R"({"brdf": {"lookupTable": [[1, 2)", "found text that is not JSON");
+    VERIFY_REFUSED(materialOfText, R"({"brdf": 3, "lookupTable": []})", "brdf: found the number 3");
   }
 };
 

@@ -71,17 +71,6 @@ std::string constant(const std::string& value) {
   return text;
 }
 
-materials::Material material(const std::string& text) {
-  return materials::readMaterial(io::MemorySource(bytesOf(text)));
-}
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
-
 /// Cells of a tree: centre and value.
 struct Cell {
   std::vector<double> centre;
@@ -144,9 +133,9 @@ class RadianceFileTest : public QObject {
   void valuesAtThePatches() {
     for (const std::string basis : {"LBNL/Klems Full", "LBNL/Klems Half", "LBNL/Klems Quarter"})
       for (const bool isIncidentRows : {false, true}) {
-        const materials::Material read =
-            material(file(isIncidentRows ? "Rows" : "Columns",
-                          wavelength("Visible", block("Reflection Front", basis, values(basis, isIncidentRows)))));
+        const materials::Material read = materialOfText(
+            file(isIncidentRows ? "Rows" : "Columns",
+                 wavelength("Visible", block("Reflection Front", basis, values(basis, isIncidentRows)))));
         QCOMPARE(read.source.format, std::string("Radiance"));
         QCOMPARE(read.source.description, std::string("closed form"));
         const std::vector<Direction> centres = patchCentres(basis);
@@ -167,7 +156,7 @@ class RadianceFileTest : public QObject {
     for (const std::size_t rank : {std::size_t(3), std::size_t(4)}) {
       std::vector<Cell> cells;
       const std::string tree = nodeText(std::vector<double>(rank, 0.0), 1, 3, 1, cells);
-      const materials::Material read = material(treeFile(rank, tree));
+      const materials::Material read = materialOfText(treeFile(rank, tree));
       QCOMPARE(read.source.grid, std::vector<int>{int(cells.size())});
       QCOMPARE(read.brdf->isIsotropic(), rank == 3);
       std::size_t checked = 0;
@@ -193,15 +182,15 @@ class RadianceFileTest : public QObject {
       }
       QVERIFY(checked > 200);
     }
-    VERIFY_REFUSED(material, treeFile(3, "{ 1 2 3 }"), "expected 1, 8, 64, .. values before it, not 3");
-    VERIFY_REFUSED(material, treeFile(3, "{ {1} {1} }"), "found '}', expected '{'");
-    VERIFY_REFUSED(material, treeFile(4, "{ 1"), "found its end, expected a finite number or a brace");
-    VERIFY_REFUSED(material, treeFile(4, "{ nan }"), "byte 2 of the tree: found 'nan'");
-    VERIFY_REFUSED(material, treeFile(4, "{ 1 } 2"), "found '2', expected the end of the data");
-    VERIFY_REFUSED(material, treeFile(4, "{1}", "LBNL/Klems Full"), "expected LBNL/Shirley-Chiu");
+    VERIFY_REFUSED(materialOfText, treeFile(3, "{ 1 2 3 }"), "expected 1, 8, 64, .. values before it, not 3");
+    VERIFY_REFUSED(materialOfText, treeFile(3, "{ {1} {1} }"), "found '}', expected '{'");
+    VERIFY_REFUSED(materialOfText, treeFile(4, "{ 1"), "found its end, expected a finite number or a brace");
+    VERIFY_REFUSED(materialOfText, treeFile(4, "{ nan }"), "byte 2 of the tree: found 'nan'");
+    VERIFY_REFUSED(materialOfText, treeFile(4, "{ 1 } 2"), "found '2', expected the end of the data");
+    VERIFY_REFUSED(materialOfText, treeFile(4, "{1}", "LBNL/Klems Full"), "expected LBNL/Shirley-Chiu");
     std::string deep;
     for (int i = 0; i < 40; ++i) deep += "{";
-    VERIFY_REFUSED(material, treeFile(4, deep), "expected at most 32 levels");
+    VERIFY_REFUSED(materialOfText, treeFile(4, deep), "expected at most 32 levels");
   }
 
   void blocksAndColours() {
@@ -209,46 +198,49 @@ class RadianceFileTest : public QObject {
                       back = block("Reflection Back", quarter, constant("0.5")),
                       through = block("Transmission Front", quarter, constant("0.1"));
     const auto at = [](const materials::Material& read) { return read.brdf->evaluate({0, 0, 1}, {0.6, 0, 0.8}); };
-    const materials::Material both = material(file("Columns", wavelength("Visible", through + front + back)));
+    const materials::Material both = materialOfText(file("Columns", wavelength("Visible", through + front + back)));
     QVERIFY(at(both) == Rgb(0.25));
     QCOMPARE(both.source.notes.at(1), std::string("Reflection Back was left out"));
     QCOMPARE(both.source.notes.at(2), std::string("'Transmission Front' was left out"));
-    QVERIFY(at(material(file("Columns", wavelength("Visible", back)))) == Rgb(0.5));
+    QVERIFY(at(materialOfText(file("Columns", wavelength("Visible", back)))) == Rgb(0.5));
     // The solar block beside the visible one; a single other one.
     const std::string solar =
         wavelength("Solar", back.substr(0, back.find("Back")) + "Front" + back.substr(back.find("Back") + 4));
-    QVERIFY(at(material(file("Columns", solar + wavelength("Visible", front)))) == Rgb(0.25));
-    QVERIFY(at(material(file("Columns", solar))) == Rgb(0.5));
-    VERIFY_REFUSED(material, file("Columns", solar + wavelength("NIR", front)), "'nir', 'solar', expected Visible");
+    QVERIFY(at(materialOfText(file("Columns", solar + wavelength("Visible", front)))) == Rgb(0.25));
+    QVERIFY(at(materialOfText(file("Columns", solar))) == Rgb(0.5));
+    VERIFY_REFUSED(materialOfText, file("Columns", solar + wavelength("NIR", front)),
+                   "'nir', 'solar', expected Visible");
     // Equal X, Y and Z are grey.
-    const materials::Material grey = material(
+    const materials::Material grey = materialOfText(
         file("Columns", wavelength("Visible", front) + wavelength("CIE-X", front) + wavelength("CIE-Z", front)));
     QVERIFY(glm::length(at(grey) - Rgb(0.25)) < 1e-4);
     const materials::Material blue =
-        material(file("Columns", wavelength("Visible", front) + wavelength("CIE-X", front) +
-                                     wavelength("CIE-Z", block("Reflection Front", quarter, constant("0.5")))));
+        materialOfText(file("Columns", wavelength("Visible", front) + wavelength("CIE-X", front) +
+                                           wavelength("CIE-Z", block("Reflection Front", quarter, constant("0.5")))));
     QVERIFY(at(blue).z > 0.4 && at(blue).x < 0.26);
-    QVERIFY(
-        contains(material(file("Columns", wavelength("Visible", block("Reflection Front", quarter, constant("-1")))))
-                     .source.notes.at(1),
-                 "5043 negative values were set to 0"));
+    QVERIFY(contains(
+        materialOfText(file("Columns", wavelength("Visible", block("Reflection Front", quarter, constant("-1")))))
+            .source.notes.at(1),
+        "5043 negative values were set to 0"));
   }
 
   void errorsSayWhatWasFound() {
     const std::string good = wavelength("Visible", block("Reflection Front", quarter, constant("0.25")));
-    VERIFY_REFUSED(material, file("Diagonals", good),
+    VERIFY_REFUSED(materialOfText, file("Diagonals", good),
                    "found the IncidentDataStructure 'Diagonals', expected Columns, Rows, TensorTree3 or TensorTree4");
-    VERIFY_REFUSED(material, file("Columns", wavelength("Visible", block("Transmission Back", quarter, constant("1")))),
+    VERIFY_REFUSED(materialOfText,
+                   file("Columns", wavelength("Visible", block("Transmission Back", quarter, constant("1")))),
                    "found no block of reflection; expected a WavelengthDataBlock with Reflection Front");
-    VERIFY_REFUSED(material, file("Columns", wavelength("Visible", block("Reflection Front", "Mine", constant("1")))),
+    VERIFY_REFUSED(materialOfText,
+                   file("Columns", wavelength("Visible", block("Reflection Front", "Mine", constant("1")))),
                    "found the ColumnAngleBasis 'Mine', expected LBNL/Klems Full");
-    VERIFY_REFUSED(material, file("Columns", wavelength("Visible", block("Reflection Front", quarter, "1 2 3"))),
+    VERIFY_REFUSED(materialOfText, file("Columns", wavelength("Visible", block("Reflection Front", quarter, "1 2 3"))),
                    "found 3 values of the block 'visible', expected 41 x 41 for LBNL/Klems Quarter");
-    VERIFY_REFUSED(material, file("Columns", wavelength("Visible", block("Reflection Front", quarter, "1 2 x"))),
+    VERIFY_REFUSED(materialOfText, file("Columns", wavelength("Visible", block("Reflection Front", quarter, "1 2 x"))),
                    "found 'x' as value 3 of the block 'visible', expected a finite number");
-    VERIFY_REFUSED(material, file("Columns", good + good), "found two blocks 'Reflection Front'");
+    VERIFY_REFUSED(materialOfText, file("Columns", good + good), "found two blocks 'Reflection Front'");
     const std::string half = file("Columns", good).substr(0, 600);
-    VERIFY_REFUSED(material, half, "found text that is not XML");
+    VERIFY_REFUSED(materialOfText, half, "found text that is not XML");
   }
 };
 

@@ -39,27 +39,13 @@ std::string refletFile(const std::string& type, bool isIntensity) {
   return text;
 }
 
-materials::Material material(const std::string& text) {
-  return materials::readMaterial(io::MemorySource(bytesOf(text)));
-}
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  return text.replace(text.find(what), what.size(), by);
-}
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
-
 class RefletFileTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   /// At each direction of the scan; the mirror direction is azimuth -90 of the instrument.
   void valuesAtTheNodes() {
     for (const bool isIntensity : {true, false}) {
-      const materials::Material file = material(refletFile(isIntensity ? "Intensity BRDF" : "BRDF", isIntensity));
+      const materials::Material file = materialOfText(refletFile(isIntensity ? "Intensity BRDF" : "BRDF", isIntensity));
       QCOMPARE(file.source.format, std::string("REFLET"));
       QCOMPARE(file.source.description, std::string("closed form"));
       QCOMPARE(file.source.grid, (std::vector<int>{4, 36, 9}));
@@ -81,8 +67,8 @@ class RefletFileTest : public QObject {
   /// An instrument that is not calibrated measures less than nothing.
   void negativeValuesAreCounted() {
     std::string text = replaced(refletFile("BRDF", false), "\n-80\t", "\n-80\t-");
-    QVERIFY(contains(material(text).source.notes.at(2), "3 negative values were set to 0"));
-    const auto black = material(
+    QVERIFY(contains(materialOfText(text).source.notes.at(2), "3 negative values were set to 0"));
+    const auto black = materialOfText(
         "Data file type :\tBRDF\nPhi measure beginning :\t-90\nPhi measure end :\t-80\nPhi measure step :\t10\nTheta "
         "Lighting\t60\n-30\t-2\t-3\n30\t-4\t-5\n");
     QVERIFY(contains(black.source.notes.at(1), "warning: no value of the file is above 0"));
@@ -90,17 +76,18 @@ class RefletFileTest : public QObject {
 
   void errorsNameTheLine() {
     const std::string text = refletFile("BRDF", false);
-    VERIFY_REFUSED(material, replaced(text, "type :\tBRDF", "type :\tBTDF"), "expected reflection: BRDF");
-    VERIFY_REFUSED(material, replaced(text, "Theta sample :\t0", "Theta sample :\t5"), "line 8: found 'Theta Lighting");
-    VERIFY_REFUSED(material, replaced(text, "step :\t10", "step :\t11"), "in whole steps");
-    VERIFY_REFUSED(material, replaced(text, "step :\t10", "step :\tten"), "line 7: found 'Phi measure step :");
-    VERIFY_REFUSED(material, replaced(text, "end :\t90", "end :\t80"),
+    VERIFY_REFUSED(materialOfText, replaced(text, "type :\tBRDF", "type :\tBTDF"), "expected reflection: BRDF");
+    VERIFY_REFUSED(materialOfText, replaced(text, "Theta sample :\t0", "Theta sample :\t5"),
+                   "line 8: found 'Theta Lighting");
+    VERIFY_REFUSED(materialOfText, replaced(text, "step :\t10", "step :\t11"), "in whole steps");
+    VERIFY_REFUSED(materialOfText, replaced(text, "step :\t10", "step :\tten"), "line 7: found 'Phi measure step :");
+    VERIFY_REFUSED(materialOfText, replaced(text, "end :\t90", "end :\t80"),
                    "a polar angle and 18 values, one for each azimuth");
-    VERIFY_REFUSED(material, replaced(text, "Theta Lighting\t20", "Theta Lighting\t120"),
+    VERIFY_REFUSED(materialOfText, replaced(text, "Theta Lighting\t20", "Theta Lighting\t120"),
                    "an angle of incidence below 90");
-    VERIFY_REFUSED(material, replaced(text, "\n-80\t", "\n-80\tnan\t"),
+    VERIFY_REFUSED(materialOfText, replaced(text, "\n-80\t", "\n-80\tnan\t"),
                    "line 9: found 'nan', expected a finite number");
-    VERIFY_REFUSED(material, text.substr(0, text.find("\n-80")), "found no row of reflected light");
+    VERIFY_REFUSED(materialOfText, text.substr(0, text.find("\n-80")), "found no row of reflected light");
   }
 };
 

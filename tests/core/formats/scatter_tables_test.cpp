@@ -27,18 +27,7 @@ Material readText(const materials::MaterialFormat& format, std::string_view text
 }
 Material zemax(std::string_view text) { return readText(formats::zemaxFormat, text); }
 Material lightTools(std::string_view text) { return readText(formats::lightToolsFormat, text); }
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const auto at = text.find(what);
-  return at == std::string::npos ? "not found: " + what : text.replace(at, what.size(), by);
-}
 std::string textOf(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
 
 std::vector<double> steps(double first, double step, int count) {
   std::vector<double> angles;

@@ -28,13 +28,6 @@ ScatteredSamples pgii(std::string_view text) {
 ScatteredSamples curet(std::string_view text) {
   return formats::readCuret(io::MemorySource(std::as_bytes(std::span(text))));
 }
-template <typename Reader>
-std::string refusal(Reader reader, const std::string& text) {
-  return errorOf([&] { reader(text); });
-}
-
-#define VERIFY_REFUSED(reader, text, part) \
-  QVERIFY2(contains(refusal(reader, text), part), refusal(reader, text).c_str())
 
 constexpr const char* astmStart = "NUM_POINTS 2\nVARS theta_i,phi_i,theta_s,phi_s,";
 constexpr const char* pgiiStart = "#format: theta phi BSDF\n#incident_angle 30 180\n";

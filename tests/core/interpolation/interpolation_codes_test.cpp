@@ -33,6 +33,8 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
       const dictionary::SparseCode ends[] = {between->code(std::vector{1.0, 0.0, 0.0}).value(),
                                              between->code(std::vector{0.0, 1.0, 0.0}).value(),
                                              between->code(std::vector{0.0, 0.0, 1.0}).value()};
+      const Table endTables[] = {between->table(std::vector{1.0, 0.0, 0.0}), between->table(std::vector{0.0, 1.0, 0.0}),
+                                 between->table(std::vector{0.0, 0.0, 1.0})};
       const TransformedMixture mixture = *between->mixture();
       const Table picture = mixed(mixture, weights_);
       std::size_t compared = 0;
@@ -40,7 +42,9 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
         for (int c = 0; c < 3 && table->valid()[cell] != 0; ++c) {
           bool isCut = false;
           for (std::size_t i = 0; i < 3; ++i) {
-            isCut = isCut || mixture.tables[i].values[cell][c] >= ends[i].channels[std::size_t(c)].highest;
+            const dictionary::ChannelCode& channel = ends[i].channels[std::size_t(c)];
+            isCut = isCut || mixture.tables[i].values[cell][c] >= channel.highest ||
+                    endTables[i]->values()[cell][c] >= channel.largestValue;
           }
           if (isCut) continue;
           ++compared;
