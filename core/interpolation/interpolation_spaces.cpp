@@ -230,12 +230,18 @@ namespace {
 using dictionary::Ensemble;
 using dictionary::SparseCode;
 
+/// With the bounds of the code, so that a mixture is within those of the blended code.
 TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code) {
   const auto signals = dictionary::decodeSignals(ensemble, code);
-  TransformedTable table{code.grid, {}, dictionary::GridGeometry::of(code.grid)->aboveHorizon};
+  const auto geometry = dictionary::GridGeometry::of(code.grid);
+  TransformedTable table{code.grid, {}, geometry->aboveHorizon};
   table.values.resize(code.grid.size());
   for (std::size_t cell = 0; cell < table.values.size(); ++cell)
-    for (std::size_t c = 0; c < 3; ++c) table.values[cell][int(c)] = float(signals[c][Eigen::Index(cell)]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double bound =
+          transformed(code.transform, double(code.channels[c].largestValue), geometry->weights[Eigen::Index(cell)]);
+      table.values[cell][int(c)] = float(std::clamp(signals[c][Eigen::Index(cell)], -bound, bound));
+    }
   return table;
 }
 

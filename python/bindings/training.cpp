@@ -73,7 +73,7 @@ namespace {
 py::list trainDictionary(const std::vector<std::string>& sources, const std::string& out,
                          const std::vector<std::string>& excluded, int dictionaries, const std::vector<int>& sparsities,
                          int iterations, int passes, double tolerance, double subspaceLoss, bool asPublished,
-                         std::uint64_t seed, const py::object& progress) {
+                         bool normalised, const std::string& extended, std::uint64_t seed, const py::object& progress) {
   if (sparsities.empty()) throw Error("sparsities: found none, expected at least one");
   for (const auto& [name, value] : {std::pair("dictionaries", dictionaries), std::pair("iterations", iterations),
                                     std::pair("passes", passes), std::pair("sparsities", std::ranges::min(sparsities))})
@@ -82,16 +82,19 @@ py::list trainDictionary(const std::vector<std::string>& sources, const std::str
   options.dictionaries = dictionaries;
   options.sparsities = sparsities;
   options.signals.scaled = !asPublished;
+  options.signals.normalised = normalised;
   options.iterations = iterations;
   options.passes = passes;
   options.tolerance = tolerance;
   options.subspaceLoss = subspaceLoss;
   options.seed = seed;
   const auto result = resultOf(progress, [&](const TaskControl& control) {
+    const auto first = extended.empty() ? nullptr : materials::readDictionary(extended);
     const std::vector<std::string> files = study::trainingFiles(sources, excluded);
     const auto orders = asPublished ? study::TrainingOrders::mean : study::TrainingOrders::both;
     auto trained =
         dictionary::train(study::trainingMaterials(files, study::trainingGrid(files), orders), options, control);
+    if (first) trained.ensemble = dictionary::joined(first->ensemble, trained.ensemble);
     if (trained.complete) materials::writeDictionary(trained.ensemble, out);
     return trained;
   });

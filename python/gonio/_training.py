@@ -17,7 +17,8 @@ from ._representations import Dictionary, dictionary
 
 def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Sequence[str] = (), dictionaries: int = 8,
                      sparsities: Sequence[int] = (32, 64, 128, 256), iterations: int = 24, passes: int = 4,
-                     tolerance: float = 5e-4, subspace_loss: float = 3e-5, as_published: bool = False, seed: int = 1,
+                     tolerance: float = 5e-4, subspace_loss: float = 3e-5, as_published: bool = False,
+                     normalise: bool = False, extend: PathLike | None = None, seed: int = 1,
                      progress: Progress = None) -> Dictionary:
     """Learns an ensemble of orthonormal dictionaries from a training set, writes it to a file and opens it: alternately, each
     signal is assigned to the dictionary that represents it best, and each dictionary is fitted to its signals (Miandji et al.
@@ -37,14 +38,17 @@ def train_dictionary(sources: Sequence[PathLike], out: PathLike, excluded: Seque
         tolerance: The rounds of a sparsity end when one lowers the relative squared error by less than this fraction.
         subspace_loss: Maximum fraction of the energy that the subspace shared by all dictionaries may omit.
         as_published: Whether to learn from transformed values without cell scaling.
+        normalise: Whether to divide each signal by its norm, so that dark materials count as much as bright ones.
+        extend: A .dictionary file whose dictionaries precede the learned ones in the file that is written; None: none.
         seed: Seed of the first assignment of signals to dictionaries.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A file cannot be read or written, grids differ, or an argument is out of range.
+        Error: A file cannot be read or written, grids or cell scaling differ, or an argument is out of range.
     """
     _core.train_dictionary([os.fsencode(source) for source in sources], os.fsencode(out), list(excluded), dictionaries,
-                           list(sparsities), iterations, passes, tolerance, subspace_loss, as_published, seed, progress)
+                           list(sparsities), iterations, passes, tolerance, subspace_loss, as_published, normalise,
+                           b"" if extend is None else os.fsencode(extend), seed, progress)
     return dictionary(out)
 
 

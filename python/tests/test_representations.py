@@ -196,6 +196,14 @@ def test_dictionaries_are_trained(chrome, paint, tmp_path, goniotool):
     goniotool("dictionary", "train", tmp_path, "--out", tmp_path / "other.dictionary", "--dictionaries", 1, "--sparsities", "16,32",
               "--iterations", 2)
     assert gonio.dictionary(tmp_path / "other.dictionary").id == trained.id
+    longer = gonio.train_dictionary([tmp_path], tmp_path / "longer.dictionary", extend=tmp_path / "own.dictionary", normalise=True,
+                                    dictionaries=1, sparsities=[16], iterations=2)
+    assert len(longer) == 3
+    for mode, first in zip(longer.atoms(1), trained.atoms(1)):
+        np.testing.assert_array_equal(mode, first)
+    goniotool("dictionary", "train", tmp_path, "--out", tmp_path / "other.dictionary", "--dictionaries", 1, "--sparsities", "16",
+              "--iterations", 2, "--extend", tmp_path / "own.dictionary", "--normalise")
+    assert gonio.dictionary(tmp_path / "other.dictionary").id == longer.id
     with pytest.raises(gonio.Error, match="patches"):  # their grid is no multiple
         gonio.learn_patches([tmp_path])
     with pytest.raises(gonio.Error):
