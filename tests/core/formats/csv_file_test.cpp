@@ -52,16 +52,19 @@ class CsvFileTest : public QObject {
       QVERIFY2(isClose(samples.directions[0].wi, wi) && isClose(samples.directions[0].wo, wo), text);
       QVERIFY2(samples.values[0] == Rgb(1, 2, 3), text);
     }
-    QVERIFY(read("theta_i,theta_o,dphi,BRDF\n1,2,3,0.5\n").values[0] == Rgb(0.5));
-    const Rgb spectrum = read("theta_i,theta_o,dphi,450nm,550nm,650nm\n1,2,3,0.1,0.2,0.4\n").values[0];
+    QVERIFY(read("theta_i,theta_o,dphi,BRDF\n10,20,3,0.5\n").values[0] == Rgb(0.5));
+    const Rgb spectrum = read("theta_i,theta_o,dphi,450nm,550nm,650nm\n10,20,3,0.1,0.2,0.4\n").values[0];
     QVERIFY(spectrum.x > 0.3 && spectrum.z < 0.2);
   }
 
-  /// Small angles are degrees; only text that looks like radians asks for the unit.
+  /// Degrees, unless all angles are so small that they may be radians.
   void unitsOfAngles() {
-    const ScatteredSamples small = read("theta_i,theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n");
-    QVERIFY(isClose(small.directions[0].wi, fromSpherical(radians(1), 0)));
-    QVERIFY(contains(small.notes.at(0), "angles in degrees (the file states no unit)"));
+    const ScatteredSamples one = read("theta_i,theta_o,dphi,BRDF\n1,0.5,7,0.5\n");
+    QVERIFY(isClose(one.directions[0].wi, fromSpherical(radians(1), 0)));
+    QVERIFY(contains(one.notes.at(0), "angles in degrees (the file states no unit)"));
+    const ScatteredSamples stated = read("theta_i [deg],theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n");
+    QVERIFY(isClose(stated.directions[0].wi, fromSpherical(radians(1), 0)));
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n", "may be degrees or radians");
     VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n0.5,0.7,3.14159,0.5\n", "which looks like radians");
   }
 
