@@ -6,6 +6,7 @@
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/outputs.h"
+#include "app/goniotool/picture_options.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/export/export_target.h"
@@ -22,6 +23,7 @@ struct ExportArguments {
   int samples = exports::ExportOptions{}.samples;
   std::size_t thetaCount = 0, size = 0;
   std::string scene;        ///< a name or a file; empty: none
+  std::string up = "y";     ///< of a mesh as the scene
   std::string environment;  ///< in the place of the scene's own
 };
 
@@ -71,7 +73,8 @@ constexpr const char* sphereName = "sphere";
 std::optional<rendering::Scene> exportScene(const ExportArguments& arguments, const exports::ExportTarget& target) {
   if (arguments.scene.empty() && arguments.environment.empty()) return std::nullopt;
   if (!target.scene) throw UsageError("export: --scene is for " + sceneTargetList());
-  rendering::Scene scene = rendering::openScene(arguments.scene.empty() ? sphereName : arguments.scene);
+  rendering::Scene scene = rendering::openScene(arguments.scene.empty() ? sphereName : arguments.scene, 1,
+                                                rendering::upAxisOf(arguments.up));
   if (!arguments.environment.empty()) scene.environment = rendering::openEnvironment(arguments.environment);
   return scene;
 }
@@ -156,6 +159,7 @@ void addExport(CLI::App& app, Tool& tool) {
       ->type_name("NAME|FILE")
       ->expected(0, 1)
       ->default_str(sphereName);
+  addUpOption(*command, options->up);
   command
       ->add_option(
           "--environment", options->environment,

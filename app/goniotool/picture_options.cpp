@@ -107,6 +107,11 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
                              std::string(rendering::toneMapName(rendering::ToneMap::filmic))}));
 }
 
+void addUpOption(CLI::App& command, std::string& up) {
+  command.add_option("--up", up, "Axis that points up, if the scene is a mesh: y or z (y)")
+      ->check(CLI::IsMember({"y", "z"}));
+}
+
 void checkPicture(const std::string& out, bool mayBeExr) {
   const std::string suffix = suffixOf(out);
   if (suffix == ".png" || (mayBeExr && suffix == ".exr")) return;

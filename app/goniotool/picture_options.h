@@ -45,6 +45,9 @@ std::pair<int, int> pictureSize(const std::string& text);
 /// Adds the options for light, size, samples and display.
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options);
 
+/// Adds --up, the axis of a mesh as the scene that points up: "y" or "z" (rendering::upAxisOf()).
+void addUpOption(CLI::App& command, std::string& up);
+
 /// Writes a picture by the suffix of `out`: .exr (linear, with the attributes) or .png (displayed).
 /// @throws Error that names the file; UsageError for another suffix (checkPicture() reports it before the work).
 void writePicture(const Image& image, const PictureOptions& options, const std::string& out,

@@ -21,7 +21,7 @@ using Materials = std::vector<std::shared_ptr<const rendering::RenderMaterial>>;
 
 struct RenderArguments {
   std::vector<std::string> materials, on, off;
-  std::string scene = "sphere", out;
+  std::string scene = "sphere", up = "y", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
   bool effects = false, costs = false, strategies = false, everything = false, compare = false;
   int reflections = rendering::EffectThresholds().maxReflections;
@@ -138,7 +138,8 @@ int render(const RenderArguments& options, const Tool& tool) {
     throw UsageError("--out is missing: name an image to write, or use --effects, --effect-costs or --strategy-costs");
   if (!options.out.empty()) checkPicture(options.out);
   const rendering::RenderOptions size = options.picture->renderOptions();
-  rendering::Scene scene = rendering::openScene(options.scene, int(options.materials.size()));
+  rendering::Scene scene =
+      rendering::openScene(options.scene, int(options.materials.size()), rendering::upAxisOf(options.up));
   requirePlaces(scene, options.materials.size());
   options.picture->apply(scene);
   const Materials materials = rendering::bindMaterials(scene, openMaterials(options, tool));
@@ -208,6 +209,7 @@ void addRender(CLI::App& app, Tool& tool) {
           "--scene", options->scene,
           "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ") (sphere)")
       ->type_name("NAME|FILE");
+  addUpOption(*command, options->up);
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Show which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure the time and contribution of each effect");

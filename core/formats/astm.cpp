@@ -17,8 +17,7 @@
 ///     VARS theta_i,phi_i,theta_s,phi_s,R,G,B
 ///     0.5,0,0.5,3.14159,0.31,0.30,0.28
 ///
-/// The columns are those of readPointTable(); without a unit the angles are AngleUnit::guessed(), radians as at Cornell
-/// if possible.
+/// The columns are those of readPointTable(); without a unit they are AngleUnit::guessed().
 namespace gonio::formats {
 
 namespace {

@@ -165,7 +165,8 @@ std::optional<AngleUnit> statedUnit(const Columns& columns, const AngleColumns& 
   for (const auto& column : angles.columns) {
     if (!column || columns.unit(*column).empty()) continue;
     const std::string& unit = columns.unit(*column);
-    const bool isDegrees = unit.starts_with("deg") || unit == "\u00b0";
+    // The degree sign in UTF-8, or in Windows-1252, as some spreadsheets write.
+    const bool isDegrees = unit.starts_with("deg") || unit == "\u00b0" || unit == "\xb0";
     if (!isDegrees && !unit.starts_with("rad"))
       columns.fail("the unit of '" + columns.csv().names[*column] + "'", "[deg] or [rad]");
     const AngleUnit found = isDegrees ? AngleUnit{gonio::radians(1), "degrees"} : AngleUnit{};

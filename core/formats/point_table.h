@@ -23,8 +23,8 @@ constexpr std::uint64_t maxPointTableBytes = 1 << 26;
 
 /// The unit of angles where no column states it.
 enum class DefaultUnit {
-  guessed,  ///< AngleUnit::guessed(): radians if they can be
-  degrees   ///< degrees; angles that look like radians are refused
+  guessed,  ///< AngleUnit::guessed()
+  degrees   ///< AngleUnit::degreesUnlessRadians()
 };
 
 /// Whether a table has columns of both polar angles.

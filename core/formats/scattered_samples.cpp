@@ -135,7 +135,9 @@ constexpr double angleRounding = 0.01;  // of angles with few digits
 /// What the largest and the simplest angles of a file say about their unit.
 struct AngleEvidence {
   double largest = 0, polar = 0;  ///< magnitudes; of all angles, of polar angles
-  double fraction = 0;            ///< an angle that has four digits or more of a multiple of 15 degrees in radians
+  /// An angle that has four digits or more of a multiple of 15 degrees in radians; multiples of 0.001, which scans in
+  /// degrees have, are none.
+  double fraction = 0;
 
   explicit AngleEvidence(std::span<const std::array<double, 4>> angles) {
     for (const std::array<double, 4>& row : angles)
@@ -143,8 +145,16 @@ struct AngleEvidence {
         const double angle = std::abs(row[i]), steps = angle / (pi / 12);
         largest = std::max(largest, angle);
         if (i % 2 == 0) polar = std::max(polar, angle);
-        if (angle > angleRounding && std::abs(steps - std::round(steps)) < 4e-4) fraction = angle;
+        if (angle > angleRounding && std::abs(steps - std::round(steps)) < 4e-4 &&
+            std::abs(angle * 1000 - std::round(angle * 1000)) > 1e-6)
+          fraction = angle;
       }
+  }
+  /// Whether the angles can be radians, by their magnitudes.
+  bool canBeRadians() const { return !(largest > 2 * pi + angleRounding) && !(polar > halfPi + angleRounding); }
+  [[noreturn]] void failAsAmbiguous(const std::string& choice) const {
+    throw Error("found no angle above " + numberText(largest) +
+                ", so that the angles may be degrees or radians; expected angles in a known unit: " + choice);
   }
 };
 
@@ -153,12 +163,16 @@ constexpr AngleUnit inDegrees{gonio::radians(1), "degrees"};
 }  // namespace
 
 AngleUnit AngleUnit::guessed(std::span<const std::array<double, 4>> angles, const std::string& choice) {
-  const auto [largest, polar, fraction] = AngleEvidence(angles);
-  if (largest > 2 * pi + angleRounding || polar > pi + angleRounding) return inDegrees;
-  if (!(polar > halfPi + angleRounding)) return {};
-  if (!(fraction > 0)) return inDegrees;
-  throw Error("found the polar angle " + numberText(polar) + ", which in radians is below the horizon, and the angle " +
-              numberText(fraction) + ", which looks like radians; expected angles in a known unit: " + choice);
+  const AngleEvidence found(angles);
+  if (found.canBeRadians()) {
+    if (found.largest > 0 && !(found.fraction > 0)) found.failAsAmbiguous(choice);
+    return {};
+  }
+  if (found.largest > 2 * pi + angleRounding || found.polar > pi + angleRounding || !(found.fraction > 0))
+    return inDegrees;
+  throw Error("found the polar angle " + numberText(found.polar) +
+              ", which in radians is below the horizon, and the angle " + numberText(found.fraction) +
+              ", which looks like radians; expected angles in a known unit: " + choice);
 }
 
 AngleUnit AngleUnit::degreesUnlessRadians(std::span<const std::array<double, 4>> angles, const std::string& choice) {
@@ -166,6 +180,7 @@ AngleUnit AngleUnit::degreesUnlessRadians(std::span<const std::array<double, 4>>
   if (found.fraction > 0 && !(found.largest > 2 * pi + angleRounding))
     throw Error("found no angle above " + numberText(found.largest) + ", and the angle " + numberText(found.fraction) +
                 ", which looks like radians; expected degrees, or a stated unit: " + choice);
+  if (found.largest > 0 && found.canBeRadians()) found.failAsAmbiguous(choice);
   return inDegrees;
 }
 

@@ -74,12 +74,13 @@ struct AngleUnit {
 
   /// Takes the polar angles and azimuths of the rows: degrees if an angle exceeds a full turn in radians, or a polar
   /// angle half a turn; also if a polar angle exceeds a quarter turn (no reflection is there) and no angle is a simple
-  /// fraction of a turn in radians; otherwise radians. @param angles polar angle, azimuth, polar angle, azimuth of each
-  /// row. @param choice how to state the unit, for the error.
-  /// @throws Error if a polar angle exceeds a quarter turn, but other angles look like radians.
+  /// fraction of a turn in radians; radians if no angle exceeds these and one is such a fraction. @param angles polar
+  /// angle, azimuth, polar angle, azimuth of each row. @param choice how to state the unit, for the error.
+  /// @throws Error if a polar angle exceeds a quarter turn, but other angles look like radians; if all angles are small
+  /// enough for radians, but none looks like them.
   static AngleUnit guessed(std::span<const std::array<double, 4>> angles, const std::string& choice);
   /// Degrees. Parameters as guessed(). @throws Error if no angle exceeds a full turn in radians and one is a simple
-  /// fraction of a turn in radians.
+  /// fraction of a turn in radians; if all angles are small enough for radians.
   static AngleUnit degreesUnlessRadians(std::span<const std::array<double, 4>> angles, const std::string& choice);
 };
 

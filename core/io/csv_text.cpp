@@ -394,7 +394,8 @@ std::optional<double> wavelengthOf(const std::string& name) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc()) return std::nullopt;
   const std::string_view unit = trimmed({end, std::size_t(text.data() + text.size() - end)}, " ");
-  if (unit == "um" || unit == "\u00b5m" || unit == "\u03bcm")  // micro sign, Greek mu
+  // The micro sign in UTF-8 and Windows-1252, Greek mu.
+  if (unit == "um" || unit == "\u00b5m" || unit == "\xb5m" || unit == "\u03bcm")
     value *= 1000;
   else if (!unit.empty() && unit != "nm")
     return std::nullopt;

@@ -249,7 +249,10 @@ bool isLuminanceChroma(const Imf::ChannelList& channels) {
 }
 
 /// Luminance and subsampled chroma (RY, BY) by OpenEXR's own interface, which computes in half precision.
-Image decodeLuminanceChroma(std::span<const std::byte> bytes) {
+Image decodeLuminanceChroma(std::span<const std::byte> bytes, const Imf::Header& header) {
+  // Throws for primaries without a matrix. So does the constructor of the file, but it leaks what it opened
+  // (OpenEXR 3.1).
+  if (Imf::hasChromaticities(header)) Imf::RGBtoXYZ(Imf::chromaticities(header), 1);
   MemoryInput stream(bytes);
   Imf::RgbaInputFile file(stream);
   const Imath::Box2i window = file.dataWindow();
@@ -376,7 +379,7 @@ ImageFile decode(std::span<const std::byte> bytes) {
   Imf::InputFile file(stream);
   const Imf::Header& header = file.header();
   ImageFile picture;
-  picture.image = isLuminanceChroma(header.channels()) ? decodeLuminanceChroma(bytes) : decodeChannels(file);
+  picture.image = isLuminanceChroma(header.channels()) ? decodeLuminanceChroma(bytes, header) : decodeChannels(file);
   if (isLuminanceChroma(header.channels())) picture.notes.emplace_back("luminance and chroma were converted to RGB");
   if (const auto* layout = header.findTypedAttribute<Imf::StringAttribute>(layoutAttribute))
     picture.layout = layout->value();

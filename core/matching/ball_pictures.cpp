@@ -123,7 +123,8 @@ const std::vector<Rgb>& BallPictures::valuesOf(const models::ParameterValues& co
                                      std::span(values).subspan(begin, end - begin));
                     },
                     {control.stop, {}});
-  return values_.emplace_front(controls, std::move(values)).values;
+  values_.push_front({controls, std::move(values)});
+  return values_.front().values;
 }
 
 std::array<std::vector<Rgb>, 2> BallPictures::render(const models::ParameterValues& controls,

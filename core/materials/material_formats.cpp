@@ -33,11 +33,13 @@ namespace {
 struct UnreadFormat {
   std::string_view suffix, start, name;
 };
-constexpr UnreadFormat unreadFormats[] = {{".pbsdf", {}, "a polarimetric BSDF (.pbsdf)"},
-                                          {".jdv", {}, "a JDV file (.jdv)"},
-                                          {".rtd", {}, "an RTD file (.rtd)"},
-                                          {{}, "type bsdf_data", "a FRED BSDF"},
-                                          {{}, "OPTIS - ", "an Ansys Speos file other than .anisotropicbsdf"}};
+constexpr UnreadFormat unreadFormats[] = {
+    {".pbsdf", {}, "a polarimetric BSDF (.pbsdf)"},
+    {".jdv", {}, "a JDV file (.jdv)"},
+    {".rtd", {}, "an RTD file (.rtd)"},
+    {{}, "type bsdf_data", "a FRED BSDF"},
+    {{}, "OPTIS - BSDF180", "an Ansys Speos .bsdf180 file, whose binary layout is not published"},
+    {{}, "OPTIS - ", "an Ansys Speos file other than .anisotropicbsdf and .brdf"}};
 
 /// By content; empty for other files.
 std::string unreadFormat(const io::ByteSource& source) {

@@ -79,10 +79,14 @@ struct PointLight {
   Rgb intensity{10};
 };
 
+/// The axis of a mesh file that points up.
+enum class UpAxis { y, z };
+
 /// A scene in world coordinates (y up). Copies share meshes and environments.
 struct Scene {
   std::string name, description;
-  std::string source;  ///< the argument of openScene(): the name of a bundled scene, or a path; empty for others
+  std::string source;     ///< the argument of openScene(): the name of a bundled scene, or a path; empty for others
+  UpAxis up = UpAxis::y;  ///< the argument of openScene()
   OrbitCamera camera;
   std::vector<SceneObject> objects;
   std::vector<DirectionalLight> directionalLights;

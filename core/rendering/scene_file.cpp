@@ -44,6 +44,16 @@ double numberOr(const JsonObject& object, std::string_view key, double min, doub
   return object.contains(key) ? object.number(key, min, max) : otherwise;
 }
 
+/// The mesh of a file with the axis `up` of its coordinates upright.
+io::MeshFile readUpright(const std::filesystem::path& path, UpAxis up) {
+  io::MeshFile file = io::readMesh(path);
+  if (up == UpAxis::y) return file;
+  const glm::dmat4 turn({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});  // exact in single precision
+  file.mesh = transformed(file.mesh, turn);
+  file.origin = glm::dvec3(turn * glm::dvec4(file.origin, 1));
+  return file;
+}
+
 /// Whether triangles that face up lie in the plane of the lowest vertices, where they would share it with the ground.
 bool liesOnGround(const geometry::TriangleMesh& mesh) {
   const double limit = mesh.bounds().min.y + geometry::TriangleMesh::shapeTolerance * mesh.boundingSphere().radius;
@@ -145,14 +155,16 @@ Scene SceneReader::read() {
 }
 
 Shape SceneReader::meshOf(const JsonObject& object) {
-  object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "material", "radiance"});
-  const std::string name = object.text("mesh");
+  object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "up", "material", "radiance"});
+  const std::string name = object.text("mesh"), up = object.contains("up") ? object.text("up") : "y";
+  if (up != "y" && !(up == "z" && io::isMeshFile(name)))
+    object.fail("up", io::isMeshFile(name) ? "\"y\" or \"z\"" : "\"y\" (bundled meshes are y up)");
   if (io::isMeshFile(name) && !folder_)
     object.fail("mesh", "the name of a bundled mesh (a scene read from text cannot refer to files)");
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   glm::dvec3 origin(0);
   if (io::isMeshFile(name)) {
-    io::MeshFile file = io::readMesh(*folder_ / name);
+    io::MeshFile file = readUpright(*folder_ / name, upAxisOf(up));
     addNotes(name, file, scene_);
     origin = file.origin;
     mesh = std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh));
@@ -261,12 +273,12 @@ std::string namesText() {
 }
 
 /// A mesh from disk as its own scene: the bundled one of the shader ball with that mesh in its place.
-Scene meshScene(const std::filesystem::path& path) {
+Scene meshScene(const std::filesystem::path& path, UpAxis up) {
   Scene scene = openScene("shader-ball");
   scene.name = path.stem().string();
   scene.description = "A mesh on the ground";
   scene.objects[0].name = scene.name;
-  io::MeshFile file = io::readMesh(path);
+  io::MeshFile file = readUpright(path, up);
   addNotes(path.filename().string(), file, scene);
   scene.objects[0].shape = placedMesh(std::make_shared<const geometry::TriangleMesh>(std::move(file.mesh)), file.origin,
                                       1, 0, Direction(0), true);
@@ -294,8 +306,8 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
 
 namespace {
 
-Scene sceneOfFile(const std::filesystem::path& path, int materials) {
-  if (io::isMeshFile(path)) return meshScene(path);
+Scene sceneOfFile(const std::filesystem::path& path, int materials, UpAxis up) {
+  if (io::isMeshFile(path)) return meshScene(path, up);
   Scene scene = withFileInErrors(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -307,7 +319,18 @@ Scene sceneOfFile(const std::filesystem::path& path, int materials) {
 
 }  // namespace
 
-Scene openScene(const std::string& nameOrPath, int materials) {
+std::string_view upAxisName(UpAxis up) { return up == UpAxis::y ? "y" : "z"; }
+
+UpAxis upAxisOf(std::string_view name) {
+  for (const UpAxis up : {UpAxis::y, UpAxis::z})
+    if (name == upAxisName(up)) return up;
+  throw Error("up axis: found '" + std::string(name) + "', expected y or z");
+}
+
+Scene openScene(const std::string& nameOrPath, int materials, UpAxis up) {
+  if (up != UpAxis::y && !io::isMeshFile(nameOrPath))
+    throw Error(nameOrPath + ": found the up axis " + std::string(upAxisName(up)) + ", expected a mesh file (" +
+                io::meshSuffixList() + "); bundled scenes are y up, and scene files state the axis of each mesh");
   Scene scene;
   const std::string_view name =
       nameOrPath == comparisonSceneName ? bundledComparisonScene : std::string_view(nameOrPath);
@@ -316,11 +339,12 @@ Scene openScene(const std::string& nameOrPath, int materials) {
     scene = parseScene(std::string(bundled->json), materials);
     scene.name = nameOrPath;
   } else if (std::error_code unreadable; std::filesystem::exists(nameOrPath, unreadable)) {
-    scene = sceneOfFile(nameOrPath, materials);
+    scene = sceneOfFile(nameOrPath, materials, up);
   } else {
     throw Error(nameOrPath + ": found neither a bundled scene (" + namesText() + ") nor a file with this name");
   }
   scene.source = nameOrPath;
+  scene.up = up;
   return scene;
 }
 

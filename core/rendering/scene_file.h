@@ -26,9 +26,16 @@ std::span<const BundledScene> bundledScenes();
 Scene parseScene(const std::string& text, int materials, const std::optional<std::filesystem::path>& folder = {});
 
 /// Opens a bundled scene by its name (comparisonSceneName is another name of bundledComparisonScene), a scene file
-/// (.json), or a mesh, which is scaled to the unit sphere and placed on the ground in the studio. @throws Error that
-/// names the file or lists the names.
-Scene openScene(const std::string& nameOrPath, int materials = 1);
+/// (.json), or a mesh, which is scaled to the unit sphere and placed on the ground in the studio.
+/// @param up of a mesh: z turns it by a quarter turn about x, so that its z axis points up and its y axis away from the
+/// viewer. Scene files state the axis of each mesh.
+/// @throws Error that names the file or lists the names; Error if `up` is not y and the scene is not a mesh.
+Scene openScene(const std::string& nameOrPath, int materials = 1, UpAxis up = UpAxis::y);
+
+/// "y" or "z".
+std::string_view upAxisName(UpAxis up);
+/// @throws Error that states the name, if it is neither.
+UpAxis upAxisOf(std::string_view name);
 
 /// The names of the bundled scenes, in the order of display.
 const std::vector<std::string>& bundledSceneNames();

@@ -25,9 +25,9 @@ struct Filled {
   rendering::RenderMaterials materials;
 };
 
-Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& environment,
-            double rotation) {
-  Filled filled{.scene = rendering::openScene(name, int(given.size())), .materials = {}};
+Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& up,
+            const std::string& environment, double rotation) {
+  Filled filled{.scene = rendering::openScene(name, int(given.size()), rendering::upAxisOf(up)), .materials = {}};
   if (!environment.empty()) filled.scene.environment = rendering::openEnvironment(environment);
   filled.scene.environmentRotation += rotation;
   const auto places = std::size_t(std::max(1, rendering::materialSlotCount(filled.scene)));
@@ -39,12 +39,13 @@ Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, co
   return filled;
 }
 
-py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment,
-                 double rotation, int width, int height, int samples, std::uint64_t seed, const py::object& progress) {
+py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& up,
+                 const std::string& environment, double rotation, int width, int height, int samples,
+                 std::uint64_t seed, const py::object& progress) {
   if (width < 1 || height < 1 || width > 8192 || height > 8192) throw Error("size: expected 1 to 8192 pixels");
   if (samples < 1) throw Error("samples: expected 1 or more");
   return toArrays(resultOf(progress, [&](const TaskControl& control) {
-    const Filled filled = fill(given, scene, environment, rotation);
+    const Filled filled = fill(given, scene, up, environment, rotation);
     const rendering::PathTracer tracer(
         filled.scene, filled.materials,
         rendering::checkedPlan(filled.scene, filled.materials, {}, {}, {control.stop, {}}), seed);
@@ -54,9 +55,10 @@ py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& sce
   }));
 }
 
-py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment) {
+py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& up,
+                 const std::string& environment) {
   const rendering::EffectPlan plan = resultOf(py::none(), [&](const TaskControl& control) {
-    const Filled filled = fill(given, scene, environment, 0);
+    const Filled filled = fill(given, scene, up, environment, 0);
     return rendering::checkedPlan(filled.scene, filled.materials, {}, {}, control);
   });
   py::list list;
@@ -181,7 +183,7 @@ const exports::ExportTarget& targetOf(const std::string& id) {
 }
 
 py::dict exportMaterial(const PyMaterial& material, const std::string& path, const std::string& id, double snr,
-                        std::size_t thetaCount, std::size_t size, const std::string& sceneName,
+                        std::size_t thetaCount, std::size_t size, const std::string& sceneName, const std::string& up,
                         const std::string& environment, bool overwrite, const py::object& progress) {
   const exports::ExportTarget& target = targetOf(id);
   exports::ExportOptions options{.snr = snr};
@@ -191,7 +193,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   std::vector<exports::ExportFile> files;
   const exports::ExportResult made = resultOf(progress, [&](const TaskControl& control) {
     std::optional<rendering::Scene> scene;
-    if (!sceneName.empty()) scene = rendering::openScene(sceneName);
+    if (!sceneName.empty()) scene = rendering::openScene(sceneName, 1, rendering::upAxisOf(up));
     if (scene && !environment.empty()) scene->environment = rendering::openEnvironment(environment);
     const std::filesystem::path name = target.nameOf(path);
     std::vector<std::filesystem::path> sources;

@@ -31,7 +31,7 @@ def _handles(materials: Union[Material, Sequence[Material]]) -> list[Any]:
 
 def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", size: Union[int, tuple[int, int]] = 256,
            samples: int = 64, environment: PathLike = "", rotation: float = 0.0, seed: int = 1, alpha: bool = False,
-           progress: Progress = None) -> NDArray[np.float32]:
+           progress: Progress = None, up: str = "y") -> NDArray[np.float32]:
     """Renders an image by path tracing. Only the effects that can change a pixel are simulated (gonio.effects()).
 
     Args:
@@ -45,16 +45,18 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         seed: Seed of the random numbers.
         alpha: Whether to add the coverage as a fourth channel. The colours are multiplied by it (premultiplied alpha).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
+        up: Axis of a mesh that points up, "y" or "z". Bundled scenes are y up, and scene files state the axis of each mesh.
 
     Returns:
         Linear RGB radiance (sRGB primaries), shape (height, width, 3), or (height, width, 4) with alpha; row 0 is the top.
 
     Raises:
-        Error: The scene or environment is unknown or cannot be read, or there are more materials than slots.
+        Error: The scene or environment is unknown or cannot be read, there are more materials than slots, or `up` is "z" for a
+            scene that is not a mesh.
     """
     width, height = (size, size) if isinstance(size, int) else size
-    picture, coverage = _core.render(_handles(materials), os.fsencode(scene), os.fsencode(environment), rotation, width, height,
-                                     samples, seed, progress)
+    picture, coverage = _core.render(_handles(materials), os.fsencode(scene), up, os.fsencode(environment), rotation, width,
+                                     height, samples, seed, progress)
     return np.dstack((picture, coverage)) if alpha else picture
 
 
@@ -70,15 +72,17 @@ class Effect:
     """The reason for it, one sentence."""
 
 
-def effects(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", environment: PathLike = "") -> list[Effect]:
+def effects(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", environment: PathLike = "",
+            up: str = "y") -> list[Effect]:
     """Determines which effects can change a pixel of a scene with these materials: the renderer simulates those.
 
     Args:
         materials: One material, or one for each material slot of the scene.
         scene: As in gonio.render().
         environment: As in gonio.render(); "": the environment of the scene.
+        up: As in gonio.render().
     """
-    return [Effect(*row) for row in _core.effects(_handles(materials), os.fsencode(scene), os.fsencode(environment))]
+    return [Effect(*row) for row in _core.effects(_handles(materials), os.fsencode(scene), up, os.fsencode(environment))]
 
 
 @dataclass(frozen=True)
@@ -244,7 +248,8 @@ class Export:
 
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
-           scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None) -> Export:
+           scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None,
+           up: str = "y") -> Export:
     """Writes a material, with its edits, as files for a renderer. Takes a few seconds.
 
     Args:
@@ -258,13 +263,14 @@ def export(material: Material, path: PathLike, target: str, snr: float = 40.0, g
         environment: Environment of this scene; "": its own.
         overwrite: Whether existing files are replaced.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
+        up: Axis of a mesh as the scene that points up, as in gonio.render().
 
     Raises:
         Error: The target or scene is unknown, a file exists and `overwrite` is False, or a file cannot be written. Then no
             file is written.
     """
     theta_count, side = grid or (0, 0)
-    row = _core.export(material._handle, os.fsencode(path), target, snr, theta_count, side, os.fsencode(scene),
+    row = _core.export(material._handle, os.fsencode(path), target, snr, theta_count, side, os.fsencode(scene), up,
                        os.fsencode(environment), overwrite, progress)
     if row["material"] is not None:
         row["material"] = Material(row["material"])

@@ -40,6 +40,21 @@ def test_bad_scenes_are_errors(chrome):
         gonio.render([chrome, chrome], "sphere", size=8, samples=1)
 
 
+def test_meshes_stand_upright(chrome, tmp_path):
+    """A box of 1 x 2 x 4 along x, y, z with z up is the same picture as the box of 1 x 4 x 2 whose y axis is -z of the first."""
+    faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    (tmp_path / "z.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 4\n" + faces)
+    (tmp_path / "y.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 -2\nv 0 4 0\n" + faces)
+    lying, standing, expected = (gonio.render(chrome, tmp_path / name, size=24, samples=4, up=up)
+                                 for name, up in (("z.obj", "y"), ("z.obj", "z"), ("y.obj", "y")))
+    np.testing.assert_array_equal(standing, expected)
+    assert not np.array_equal(lying, expected)
+    assert gonio.effects(chrome, tmp_path / "z.obj", up="z")
+    for scene, up, message in (("sphere", "z", "expected a mesh file"), (tmp_path / "z.obj", "x", "expected y or z")):
+        with pytest.raises(gonio.Error, match=message):
+            gonio.render(chrome, scene, size=8, samples=1, up=up)
+
+
 def test_comparison(chrome, paint):
     same = gonio.compare(chrome, chrome, size=16, samples=4)
     assert same.rendered_snr == np.inf and same.brdf_snr == np.inf and max(same.errors.values()) == 0

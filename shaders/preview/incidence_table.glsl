@@ -3,10 +3,11 @@
 // Twin of core/brdf/incidence_table_brdf.h: values for some angles of incidence, each over the directions about an axis.
 //   INCIDENCE_TABLE_MIRROR     the axis is the mirror direction of the light; else the normal
 //   INCIDENCE_TABLE_SYMMETRIC  the azimuths are in [0, pi]
+//   INCIDENCE_TABLE_ROTATIONS  the light has several azimuths
 // By hand: the nodes are uneven, and drivers filter with weights of a few bits.
-uniform sampler3D incidenceValues;  // (rgb, 1) above the horizon, else 0: x polar angle, y azimuth, z angle of incidence
-uniform sampler2D incidenceNodes;   // a row for each of these
-uniform ivec3 incidenceCounts;
+uniform sampler3D incidenceValues;  // (rgb, 1) above the horizon, else 0: x polar angle, y azimuth, z angle of incidence, for each azimuth of the light
+uniform sampler2D incidenceNodes;   // a row for each of these four
+uniform ivec4 incidenceCounts;
 
 // Two nodes with the fraction of the second.
 struct IncidenceBracket {
@@ -29,35 +30,55 @@ IncidenceBracket incidenceBracket(int row, float at) {
   return IncidenceBracket(nodes, nodes.x < nodes.y ? (at - first) / (incidenceNode(row, nodes.y) - first) : 0.0);
 }
 
-// Of azimuths: the last node is followed by the first, a turn on.
-IncidenceBracket azimuthBracket(vec2 w) {
+// 0 to pi.
+float unsignedAzimuth(vec2 w) {
   float acute = acuteAngle(abs(w.y), abs(w.x));
-  float at = w.x < 0.0 ? pi - acute : acute;
-#ifndef INCIDENCE_TABLE_SYMMETRIC
-  if (w.y < 0.0) at = 2.0 * pi - at;
-  int last = incidenceCounts.y - 1;
-  float first = incidenceNode(1, 0), end = incidenceNode(1, last);
-  if (at < first || at > end) {
-    float gap = first + 2.0 * pi - end;
-    return IncidenceBracket(ivec2(last, 0), gap > 0.0 ? ((at < first ? at + 2.0 * pi : at) - end) / gap : 0.0);
-  }
+  return w.x < 0.0 ? pi - acute : acute;
+}
+
+// Of azimuths on the whole circle: the last node is followed by the first, a turn on.
+IncidenceBracket circleBracket(int row, vec2 w) {
+  float at = w.y < 0.0 ? 2.0 * pi - unsignedAzimuth(w) : unsignedAzimuth(w);
+  int last = incidenceCounts[row] - 1;
+  float first = incidenceNode(row, 0), end = incidenceNode(row, last);
+  if (at >= first && at <= end) return incidenceBracket(row, at);
+  float gap = first + 2.0 * pi - end;
+  return IncidenceBracket(ivec2(last, 0), gap > 0.0 ? ((at < first ? at + 2.0 * pi : at) - end) / gap : 0.0);
+}
+
+IncidenceBracket azimuthBracket(vec2 w) {
+#ifdef INCIDENCE_TABLE_SYMMETRIC
+  return incidenceBracket(1, unsignedAzimuth(w));
+#else
+  return circleBracket(1, w);
 #endif
-  return incidenceBracket(1, at);
+}
+
+#ifdef INCIDENCE_TABLE_ROTATIONS
+IncidenceBracket incidenceRotations;  // of the light that is evaluated
+#endif
+
+// The horizon is the same for every azimuth of the light.
+vec4 incidenceTexel(int polar, int azimuth, int incident) {
+#ifdef INCIDENCE_TABLE_ROTATIONS
+  ivec2 layers = incidenceRotations.nodes * incidenceCounts.z + incident;
+  return mix(texelFetch(incidenceValues, ivec3(polar, azimuth, layers.x), 0),
+             texelFetch(incidenceValues, ivec3(polar, azimuth, layers.y), 0), incidenceRotations.fraction);
+#else
+  return texelFetch(incidenceValues, ivec3(polar, azimuth, incident), 0);
+#endif
 }
 
 float anglePolar(float sine, float cosine) { return cosine < 0.0 ? pi - acuteAngle(sine, -cosine) : acuteAngle(sine, cosine); }
 
 // Nodes below the horizon are dropped by their alpha of 0.
 vec4 incidenceLookup(int incident, IncidenceBracket p, IncidenceBracket a) {
-  vec4 low = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.x, incident), 0),
-                 texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.x, incident), 0), p.fraction);
-  vec4 high = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.y, incident), 0),
-                  texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.y, incident), 0), p.fraction);
+  vec4 low = mix(incidenceTexel(p.nodes.x, a.nodes.x, incident), incidenceTexel(p.nodes.y, a.nodes.x, incident), p.fraction);
+  vec4 high = mix(incidenceTexel(p.nodes.x, a.nodes.y, incident), incidenceTexel(p.nodes.y, a.nodes.y, incident), p.fraction);
   vec4 found = mix(low, high, a.fraction);
   // All four may be below the horizon: then those nearest to the axis that are not.
   for (int step = p.nodes.x - 1; found.a <= 0.0 && step >= 0; --step)
-    found = mix(texelFetch(incidenceValues, ivec3(step, a.nodes.x, incident), 0),
-                texelFetch(incidenceValues, ivec3(step, a.nodes.y, incident), 0), a.fraction);
+    found = mix(incidenceTexel(step, a.nodes.x, incident), incidenceTexel(step, a.nodes.y, incident), a.fraction);
   return found;
 }
 
@@ -66,6 +87,9 @@ vec3 evaluateIncidenceTable(vec3 wi, vec3 wo, out bool valid) {
   const float tolerance = 1e-6;
   float sinI = length(wi.xy), thetaI = acuteAngle(sinI, wi.z);
   vec2 i = sinI > 0.0 ? wi.xy / sinI : vec2(1.0, 0.0);
+#ifdef INCIDENCE_TABLE_ROTATIONS
+  incidenceRotations = circleBracket(3, i);
+#endif
   vec2 turned = vec2(dot(i, wo.xy), i.x * wo.y - i.y * wo.x);
   // About the mirror direction: azimuth 0, a quarter turn, the axis.
   vec3 at = vec3(wi.z * turned.x + sinI * wo.z, turned.y, wi.z * wo.z - sinI * turned.x);

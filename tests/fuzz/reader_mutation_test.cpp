@@ -181,6 +181,7 @@ class ReaderMutationTest : public QObject {
     readScatteredBytes<formats::readAlta>(altaSeed());
     readScatteredBytes<formats::readOpenMaterial>(openMaterialSeed());
     readScatteredBytes<formats::readSpeos>(speosSeed());
+    readScatteredBytes<formats::readSpeos>(spectralSpeosSeed());
     for (const int rank : {3, 4}) readMaterialBytes(tensorTreeSeed(rank));
     readMaterialBytes(rotatedZemaxSeed());
     readPdvBytes(pdvSeed());
@@ -229,6 +230,7 @@ class ReaderMutationTest : public QObject {
   void alta() { check("points.alta", altaSeed(), readScatteredBytes<formats::readAlta>); }
   void openMaterial() { check("table.xompt", openMaterialSeed(), readScatteredBytes<formats::readOpenMaterial>); }
   void speos() { check("speos.anisotropicbsdf", speosSeed(), readScatteredBytes<formats::readSpeos>); }
+  void spectralSpeos() { check("speos.brdf", spectralSpeosSeed(), readScatteredBytes<formats::readSpeos>); }
   void tensorTree3() { check("tree3.xml", tensorTreeSeed(3), readMaterialBytes); }
   void tensorTree4() { check("tree4.xml", tensorTreeSeed(4), readMaterialBytes); }
   void rotatedZemax() { check("rotated.bsdf", rotatedZemaxSeed(), readMaterialBytes); }

@@ -104,6 +104,15 @@ inline Bytes speosSeed() {
   return bytesOf(text + "End of file\n");
 }
 
+inline Bytes spectralSpeosSeed() {
+  std::string text = "OPTIS - brdf surface file v9.0\n0\nA comment\n0\n\n1\t0\n1\n3\t2\n10\t30\t50\n450\t650\n";
+  for (int table = 0; table < 6; ++table) {
+    text += numberText(5.0 * table) + "\n4 5\n\t0\t45\t90\t135\t180\n";
+    for (const double theta : {0.0, 25.0, 50.0, 75.0}) text += test::rowText({theta, 0.1, 0.2, 0.3, 0.2, 0.1}, "\t");
+  }
+  return bytesOf(text);
+}
+
 /// Trees of both ranks: branches, grids, single values.
 inline Bytes tensorTreeSeed(int rank) {
   std::string tree = "{";

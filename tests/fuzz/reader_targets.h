@@ -11,6 +11,7 @@
 #include "core/acquisition/factor_prediction.h"
 #include "core/acquisition/measured_values.h"
 #include "core/acquisition/sampling_plan.h"
+#include "core/brdf/rgl_brdf.h"
 #include "core/documents/edit_document.h"
 #include "core/figures/figure_description.h"
 #include "core/formats/code.h"
@@ -25,6 +26,7 @@
 #include "core/materials/material.h"
 #include "core/materials/npf_file.h"
 #include "core/rendering/effect_plan.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/scene_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
@@ -170,11 +172,18 @@ inline void readStlBytes(std::span<const std::byte> bytes) { checkMesh(io::readS
 
 inline void readGlbBytes(std::span<const std::byte> bytes) { checkMesh(io::readGltf(io::MemorySource(bytes)).mesh); }
 
+/// What was read lights a scene, if its values are finite.
 inline void readImageBytes(std::span<const std::byte> bytes) {
-  const Image image = io::readImage(bytes);
+  Image image = io::readImage(bytes);
   const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
   if (count == 0 || image.pixels.size() != count || (!image.alpha.empty() && image.alpha.size() != count))
     throw std::logic_error("a picture of another size than it says");
+  if (constexpr std::size_t most = 4096; count > most) return;  // the density of a large map takes longer than all else
+  const rendering::EnvironmentMap map(std::move(image), "map");
+  const rendering::EnvironmentMap::Sample sample = map.sample(0.3, 0.7);
+  if (!(std::abs(glm::length(sample.direction) - 1) < 1e-6) || !(sample.pdf > 0) || !std::isfinite(sample.pdf) ||
+      !(luminance(sample.radiance) >= 0))
+    throw std::logic_error("light from nowhere");
 }
 
 inline void readDocumentBytes(std::span<const std::byte> bytes) {

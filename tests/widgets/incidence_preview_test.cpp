@@ -24,21 +24,23 @@ std::vector<double> uneven(double first, double last, int count) {
   return angles;
 }
 
-/// A highlight about the mirror direction with a random texture.
-std::shared_ptr<const IncidenceTableBrdf> material(Axis axis, bool symmetric) {
+/// A highlight about the mirror direction with a random texture, another one for each azimuth of the light.
+std::shared_ptr<const IncidenceTableBrdf> material(Axis axis, bool symmetric, const std::vector<double>& rotations) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> uniform(0.5f, 1);
   IncidenceTable table{.axis = axis, .symmetric = symmetric};
   table.incident = uneven(radians(5), radians(70), 5);
   table.azimuths = symmetric ? uneven(0, pi, 9) : uneven(radians(10), radians(350), 14);
   table.polars = uneven(0, axis == Axis::mirror ? radians(150) : halfPi, 25);
-  for (const double i : table.incident)
-    for (const double a : table.azimuths)
-      for (const double p : table.polars) {
-        const double off = axis == Axis::mirror ? p : std::acos(glm::dot(fromSpherical(p, a), fromSpherical(i, pi)));
-        const double lobe = 0.1 + std::exp(-off * off / 0.1);
-        table.values.emplace_back(lobe * uniform(random), lobe * uniform(random), 0.3f * uniform(random));
-      }
+  table.rotations = rotations;
+  for (const double rotation : rotations)
+    for (const double i : table.incident)
+      for (const double a : table.azimuths)
+        for (const double p : table.polars) {
+          const double off = axis == Axis::mirror ? p : std::acos(glm::dot(fromSpherical(p, a), fromSpherical(i, pi)));
+          const double lobe = 0.1 + (1 + std::cos(2 * rotation)) * std::exp(-off * off / 0.1);
+          table.values.emplace_back(lobe * uniform(random), lobe * uniform(random), 0.3f * uniform(random));
+        }
   return std::make_shared<const IncidenceTableBrdf>(std::move(table));
 }
 
@@ -72,16 +74,20 @@ class IncidencePreviewTest : public test::SphereTest {
   void forms_data() {
     QTest::addColumn<bool>("aboutMirror");
     QTest::addColumn<bool>("symmetric");
+    QTest::addColumn<std::vector<double>>("rotations");
     for (const bool mirror : {true, false})
       for (const bool symmetric : {true, false})
-        QTest::addRow("about the %s, %s", mirror ? "mirror direction" : "normal",
-                      symmetric ? "symmetric" : "whole circle")
-            << mirror << symmetric;
+        for (const auto& rotations : {std::vector<double>{0}, uneven(radians(20), radians(280), 5)})
+          QTest::addRow("about the %s, %s, %d azimuths of the light", mirror ? "mirror direction" : "normal",
+                        symmetric ? "symmetric" : "whole circle", int(rotations.size()))
+              << mirror << symmetric << rotations;
   }
   void forms() {
     QFETCH(bool, aboutMirror);
     QFETCH(bool, symmetric);
-    const auto brdf = material(aboutMirror ? Axis::mirror : Axis::normal, symmetric);
+    QFETCH(std::vector<double>, rotations);
+    const auto brdf = material(aboutMirror ? Axis::mirror : Axis::normal, symmetric, rotations);
+    QVERIFY(widgets::isShownNatively(*brdf) && brdf->isIsotropic() == (rotations.size() == 1));
     comparePairs(*brdf, brdf);
     verify({widgets::EditedMaterial{brdf}});
     verify(

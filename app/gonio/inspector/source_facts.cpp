@@ -103,6 +103,11 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
         {SourceFactsText::tr("Shown as"), SourceFactsText::tr("native form, without a table"),
          SourceFactsText::tr(
              "The stored measurement, model or factors are evaluated and edited directly, not resampled to a table.")});
+  else if (loaded.isSampled() && !loaded.material.brdf->isIsotropic())
+    facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("mean over the azimuths of the light"),
+                     SourceFactsText::tr("The preview cannot evaluate this anisotropic format. The editor shows, edits "
+                                         "and exports a table without the anisotropy; goniotool and Python use the "
+                                         "material itself.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("BRDF values [1/sr]"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())

@@ -147,6 +147,8 @@ const auto costsKey = QStringLiteral("effect costs"), renderReferenceKey = QStri
 constexpr int planCheckDelayMilliseconds = 600;
 /// As many as the GPU simulates.
 constexpr int shownReflections = 8;
+/// The entries of the list of scenes have the UpAxis with which they were last shown.
+constexpr int upRole = Qt::UserRole + 1;
 
 /// What the objects of the preview's scene are made of.
 rendering::RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
@@ -167,6 +169,7 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
       m_preview(preview),
       m_tasks(tasks),
       m_scenes(new QComboBox),
+      m_up(new QComboBox),
       m_description(new QLabel),
       m_result(new QLabel),
       m_measure(new QPushButton(tr("Meas&ure Effects"))),
@@ -218,8 +221,14 @@ QWidget* ScenePanel::buildTop() {
       tr("Opens a scene file (.json) or a mesh (%1)").arg(QString::fromStdString(io::meshSuffixList())));
   m_description->setForegroundRole(QPalette::PlaceholderText);
   m_description->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile}) layout->addWidget(part);
+  for (const auto& [up, text] : {std::pair(rendering::UpAxis::y, tr("Y up")), {rendering::UpAxis::z, tr("Z up")}})
+    m_up->addItem(text, int(up));
+  m_up->setAccessibleName(tr("Up axis"));
+  m_up->setToolTip(tr("Axis of the mesh that points up. Choose Z up if the mesh lies on its back"));
+  for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile, m_up}) layout->addWidget(part);
   layout->addWidget(m_description, 1);
+  connect(m_up, &QComboBox::activated, this,
+          [this] { open(m_scenes->currentData().toString(), rendering::UpAxis(m_up->currentData().toInt())); });
   connect(m_scenes, &QComboBox::activated, this, [this] { open(m_scenes->currentData().toString()); });
   connect(openFile, &QPushButton::clicked, this, &ScenePanel::askForFile);
   return top;
@@ -264,11 +273,15 @@ void ScenePanel::askForFile() {
   if (!path.isEmpty()) open(path);
 }
 
-void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& shown) {
+void ScenePanel::open(const QString& nameOrPath, std::optional<rendering::UpAxis> up,
+                      const std::function<void()>& shown) {
+  const int known = m_scenes->findData(nameOrPath);
+  if (!up && known >= 0) up = rendering::UpAxis(m_scenes->itemData(known, upRole).toInt());
   m_tasks.run<rendering::Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
-      [nameOrPath](const TaskControl&) {
-        return rendering::openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count);
+      [nameOrPath, up](const TaskControl&) {
+        return rendering::openScene(nameOrPath.toStdString(), 1 + SceneMaterialSlots::count,
+                                    up.value_or(rendering::UpAxis::y));
       },
       [this, shown](const rendering::Scene& scene) {
         show(scene);
@@ -291,6 +304,9 @@ void ScenePanel::showScene(const rendering::Scene& scene) {
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_scenes->findData(source) < 0) m_scenes->addItem(source.section('/', -1), source);
   m_scenes->setCurrentIndex(m_scenes->findData(source));
+  m_scenes->setItemData(m_scenes->currentIndex(), int(scene.up), upRole);
+  m_up->setCurrentIndex(m_up->findData(int(scene.up)));
+  m_up->setVisible(io::isMeshFile(scene.source));
   m_description->setText(QString::fromStdString(scene.description));
   m_description->setToolTip(m_description->text());
   m_otherSlots->showScene(scene);

@@ -81,7 +81,9 @@ class ScenePanel : public QWidget {
   ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// Opens a bundled scene, a scene file or a mesh: reads it in the background and shows it, then calls `shown`.
-  void open(const QString& nameOrPath, const std::function<void()>& shown = {});
+  /// @param up of a mesh; nothing: as it was last shown, y at first.
+  void open(const QString& nameOrPath, std::optional<rendering::UpAxis> up = {},
+            const std::function<void()>& shown = {});
   /// Asks the user for a file and opens it.
   void askForFile();
   SceneMaterialSlots& otherSlots() const { return *m_otherSlots; }
@@ -106,7 +108,7 @@ class ScenePanel : public QWidget {
 
   widgets::PreviewWidget& m_preview;
   BackgroundTasks& m_tasks;
-  QComboBox* m_scenes;
+  QComboBox *m_scenes, *m_up;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
   QSpinBox* m_reflections;

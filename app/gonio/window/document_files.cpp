@@ -23,6 +23,7 @@
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "core/editing/edit_list.h"
+#include "core/io/mesh_file.h"
 #include "core/materials/encode.h"
 #include "core/materials/material.h"
 #include "core/rendering/scene_file.h"
@@ -131,6 +132,7 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
   rendering::Scene scene = preview.content().scene();
   const Direction toLight = lightOf(scene);
   nlohmann::json view{{"scene", scene.source},
+                      {"sceneUp", std::string(rendering::upAxisName(scene.up))},
                       {"lightX", toLight.x},
                       {"lightY", toLight.y},
                       {"lightZ", toLight.z},
@@ -147,6 +149,11 @@ QString sceneNameOf(const nlohmann::json& view) {
   const bool hasScene = view.is_object() && view.contains("scene") && view["scene"].is_string();
   const std::string scene = hasScene ? view["scene"].get<std::string>() : "";
   return QString::fromStdString(scene.empty() ? rendering::bundledSceneNames().front() : scene);
+}
+
+rendering::UpAxis sceneUpOf(const nlohmann::json& view) {
+  const bool isZ = view.is_object() && view.contains("sceneUp") && view["sceneUp"] == "z";
+  return isZ && io::isMeshFile(sceneNameOf(view).toStdString()) ? rendering::UpAxis::z : rendering::UpAxis::y;
 }
 
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
@@ -185,7 +192,7 @@ DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
 }
 
 void DocumentFiles::restoreView(const nlohmann::json& view) {
-  m_parts.scene.open(sceneNameOf(view), [this, view] {
+  m_parts.scene.open(sceneNameOf(view), sceneUpOf(view), [this, view] {
     restoreCamera(m_parts.preview, view);
     const auto stored = environmentOf(view);
     if (stored && *stored != m_parts.environment.name()) m_parts.environment.open(*stored);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/gonio/document/autosave.h"
+#include "core/rendering/scene.h"
 
 class QSettings;
 class QWidget;
@@ -34,6 +35,8 @@ struct FileSave;
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
 /// The scene of a view; the single sphere if it does not name one.
 QString sceneNameOf(const nlohmann::json& view);
+/// The up axis of its mesh; y if it is not stored.
+rendering::UpAxis sceneUpOf(const nlohmann::json& view);
 
 /// The user interface for files: opening, saving and exporting with their dialogs, recent files, and copies of unsaved
 /// work.

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "app/gonio/document/document.h"
+#include "app/gonio/inspector/source_facts.h"
 #include "core/models/registry.h"
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
@@ -28,6 +29,7 @@ class LoadedMaterialTest : public QObject {
     add("RGL", fuzz::rglSeed(), false);
     add("UTIA", fuzz::utiaSeed(), false);
     add("Zemax", fuzz::zemaxSeed(), false);
+    add("Zemax with sample rotations", fuzz::rotatedZemaxSeed(), false);
     add("LightTools", fuzz::lightToolsSeed(), false);
     add("PDV factors", fuzz::pdvSeed(), false);
   }
@@ -39,6 +41,21 @@ class LoadedMaterialTest : public QObject {
     const LoadedMaterialPtr loaded = loadMaterial(path);
     QVERIFY(loaded->base == loaded->material.brdf && !loaded->isSampled());
     QCOMPARE(loaded->isTable(), isTable);
+  }
+
+  /// Of what the preview cannot evaluate, the facts state what is shown instead.
+  void aTableWithoutTheAnisotropyIsStated() {
+    const auto shownAs = [](const LoadedMaterial& loaded) {
+      for (const widgets::Fact& fact : sourceFacts(loaded, {}, false))
+        if (fact.name == "Shown as") return fact.value;
+      return QString();
+    };
+    const LoadedMaterialPtr radiance = loadMaterial(test::writeFile("app/klems.xml", fuzz::radianceSeed()));
+    QVERIFY(radiance->isSampled() && !radiance->material.brdf->isIsotropic());
+    QCOMPARE(shownAs(*radiance), QString("mean over the azimuths of the light"));
+    QCOMPARE(shownAs(*loadMaterial(test::writeFile("app/rotated.bsdf", fuzz::rotatedZemaxSeed()))),
+             QString("native form, without a table"));
+    QCOMPARE(shownAs(*loadMaterial(test::writeFile("app/merl.binary", fuzz::merlSeed()))), QString());
   }
 
   void aPublishedFitIsItsModel() {

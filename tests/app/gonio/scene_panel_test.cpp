@@ -188,6 +188,33 @@ class ScenePanelTest : public QObject {
     QCOMPARE(app::sceneNameOf({{"yaw", 0.1}}), QString("sphere"));
   }
 
+  /// A mesh is shown with the axis that was chosen, again when it is chosen from the list, and the view keeps the axis.
+  void aMeshIsStoodUpright() {
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    const auto path = test::writeFile("scenes/tooth.obj", std::as_bytes(std::span(text)));
+    auto* up = test::child<QComboBox>(*panel_, "Up axis");
+    const auto isUpright = [this] {
+      const auto* shape = std::get_if<MeshShape>(&content().scene().objects[0].shape);
+      if (!shape) return false;
+      const auto bounds = (*shape)->mesh().bounds();
+      return bounds.max.y - bounds.min.y > bounds.max.z - bounds.min.z;
+    };
+    QVERIFY(up->isHidden());
+    panel_->open(QString::fromStdString(path.string()));
+    QTRY_COMPARE(content().scene().name, std::string("tooth"));
+    QVERIFY(!up->isHidden() && up->currentText() == "Y up" && !isUpright());
+    activate(*up, 1);
+    QTRY_VERIFY(isUpright());
+    const nlohmann::json view = app::viewToJson(*preview_);
+    QVERIFY(app::sceneUpOf(view) == UpAxis::z && app::sceneUpOf({{"scene", path.string()}}) == UpAxis::y);
+    choose("sphere");
+    QTRY_COMPARE(content().scene().name, std::string("sphere"));
+    QVERIFY(up->isHidden());
+    choose(path.string().c_str());
+    QTRY_VERIFY(isUpright());
+    QCOMPARE(up->currentText(), QString("Z up"));
+  }
+
  private:
   widgets::PreviewContent& content() { return preview_->content(); }
 

@@ -41,27 +41,33 @@ class CsvFileTest : public QObject {
  private Q_SLOTS:
   void columnsByName() {
     const Direction wi = fromSpherical(radians(10), radians(20)), wo = fromSpherical(radians(30), radians(140));
-    for (const char* text : {"theta_i,phi_i,theta_o,phi_o,r,g,b\n10,20,30,140,1,2,3\n",
-                             "b;g;r;phi_r;theta_r;phi_i;theta_i\n3;2;1;140;30;20;10\n",
-                             "Theta_in (deg)\tPhi_in\tTheta_out\tPhi_out\tRed\tGreen\tBlue\n10\t20\t30\t140\t1\t2\t3\n",
-                             "# made by hand\ntheta_i;phi_i;theta_o;dphi;r;g;b\n10,0;20;30;120;1;2;3\n",
-                             "theta_i [rad],phi_i,theta_s,delta_phi,r,g,b\n0.17453292519943295,0.3490658503988659,"
-                             "0.5235987755982988,2.0943951023931953,1,2,3\n"}) {
+    for (const char* text :
+         {"theta_i,phi_i,theta_o,phi_o,r,g,b\n10,20,30,140,1,2,3\n",
+          "b;g;r;phi_r;theta_r;phi_i;theta_i\n3;2;1;140;30;20;10\n",
+          "Theta_in (deg)\tPhi_in\tTheta_out\tPhi_out\tRed\tGreen\tBlue\n10\t20\t30\t140\t1\t2\t3\n",
+          // A degree sign in Windows-1252, as spreadsheets write it.
+          "Theta_i [\xb0];Phi_i [\xb0];Theta_o [\xb0];Phi_o [\xb0];R;G;B\r\n10,0;20,0;30,0;140,0;1;2;3\r\n",
+          "# made by hand\ntheta_i;phi_i;theta_o;dphi;r;g;b\n10,0;20;30;120;1;2;3\n",
+          "theta_i [rad],phi_i,theta_s,delta_phi,r,g,b\n0.17453292519943295,0.3490658503988659,"
+          "0.5235987755982988,2.0943951023931953,1,2,3\n"}) {
       const ScatteredSamples samples = read(text);
       QCOMPARE(samples.values.size(), std::size_t(1));
       QVERIFY2(isClose(samples.directions[0].wi, wi) && isClose(samples.directions[0].wo, wo), text);
       QVERIFY2(samples.values[0] == Rgb(1, 2, 3), text);
     }
-    QVERIFY(read("theta_i,theta_o,dphi,BRDF\n1,2,3,0.5\n").values[0] == Rgb(0.5));
-    const Rgb spectrum = read("theta_i,theta_o,dphi,450nm,550nm,650nm\n1,2,3,0.1,0.2,0.4\n").values[0];
+    QVERIFY(read("theta_i,theta_o,dphi,BRDF\n10,20,3,0.5\n").values[0] == Rgb(0.5));
+    const Rgb spectrum = read("theta_i,theta_o,dphi,450nm,550nm,650nm\n10,20,3,0.1,0.2,0.4\n").values[0];
     QVERIFY(spectrum.x > 0.3 && spectrum.z < 0.2);
   }
 
-  /// Small angles are degrees; only text that looks like radians asks for the unit.
+  /// Degrees, unless all angles are so small that they may be radians.
   void unitsOfAngles() {
-    const ScatteredSamples small = read("theta_i,theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n");
-    QVERIFY(isClose(small.directions[0].wi, fromSpherical(radians(1), 0)));
-    QVERIFY(contains(small.notes.at(0), "angles in degrees (the file states no unit)"));
+    const ScatteredSamples one = read("theta_i,theta_o,dphi,BRDF\n1,0.5,7,0.5\n");
+    QVERIFY(isClose(one.directions[0].wi, fromSpherical(radians(1), 0)));
+    QVERIFY(contains(one.notes.at(0), "angles in degrees (the file states no unit)"));
+    const ScatteredSamples stated = read("theta_i [deg],theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n");
+    QVERIFY(isClose(stated.directions[0].wi, fromSpherical(radians(1), 0)));
+    VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n1,0.5,1.2,0.5\n", "may be degrees or radians");
     VERIFY_REFUSED(materialOfText, "theta_i,theta_o,dphi,BRDF\n0.5,0.7,3.14159,0.5\n", "which looks like radians");
   }
 

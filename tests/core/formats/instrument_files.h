@@ -84,10 +84,10 @@ inline std::string rowText(std::initializer_list<double> numbers, const char* se
   return text + "\n";
 }
 
-/// An ASTM E1392 file of R, G and B at pairs of directions; angles times `unit` are radians.
+/// An ASTM E1392 file of R, G and B at pairs of directions; angles times `unit` are radians. The file states radians.
 inline Bytes astmFile(const Reflectance& reflectance, const std::vector<DirectionPair>& pairs, double unit = 1) {
   std::string text = "FILE_FORMAT ASTM E1392\nSAMPLE closed form\nNUM_POINTS " + std::to_string(pairs.size()) +
-                     "\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n";
+                     "\nVARS theta_i" + (unit == 1 ? " [rad]" : "") + ",phi_i,theta_s,phi_s,R,G,B\n";
   for (const auto& [wi, wo] : pairs) {
     const Rgb value = reflectance(wi, wo);
     text += rowText({polarAngle(wi) / unit, azimuth(wi) / unit, polarAngle(wo) / unit, azimuth(wo) / unit, value.x,
@@ -107,13 +107,15 @@ inline Bytes goniophotometerFile(const Reflectance& reflectance, const Direction
   return bytesOf(text);
 }
 
-/// A sample of CUReT with its directions: the first 205 pairs.
+/// A sample of CUReT with its directions in degrees: the first 205 pairs.
 inline Bytes curetFile(const Reflectance& reflectance, const std::vector<DirectionPair>& pairs) {
   std::string text = "# closed form\n";
   for (std::size_t i = 0; i < 205; ++i) {
     const auto& [wi, wo] = pairs[i];
     const Rgb value = reflectance(wi, wo);
-    text += rowText({polarAngle(wo), azimuth(wo), polarAngle(wi), azimuth(wi), value.x, value.y, value.z}, " ");
+    text += rowText({degrees(polarAngle(wo)), degrees(azimuth(wo)), degrees(polarAngle(wi)), degrees(azimuth(wi)),
+                     value.x, value.y, value.z},
+                    " ");
   }
   return bytesOf(text);
 }

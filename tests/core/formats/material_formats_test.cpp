@@ -203,7 +203,9 @@ class MaterialFormatsTest : public QObject {
     QVERIFY(named("y.PBSDF", tensors, "a polarimetric BSDF (.pbsdf)"));
     QVERIFY(named("fred.txt", bytesOf("type bsdf_data\nformat angles=deg bsdf=value scale=1\n0 0\n"), "a FRED BSDF"));
     QVERIFY(named("speos.bsdf180", bytesOf(std::string_view("OPTIS - BSDF180 file v1\n\0\1", 26)),
-                  "an Ansys Speos file other than .anisotropicbsdf"));
+                  "an Ansys Speos .bsdf180 file, whose binary layout is not published"));
+    QVERIFY(named("speos.coated", bytesOf("OPTIS - Coated surface file v2\n"),
+                  "an Ansys Speos file other than .anisotropicbsdf and .brdf"));
   }
 
   /// What is wrong comes first, in one line.

@@ -54,7 +54,7 @@ class ScatteredFilesTest : public QObject {
 
   /// A white of reflectance 1 has the same value in every notation of colours.
   void astmColours() {
-    const std::string rows = "0.1,0,0.2,3,";
+    const std::string rows = "0.1,0,0.2,3.1416,";
     for (const auto& [names, values] : {std::pair<std::string, std::string>{"R,G,B", "0.5,0.5,0.5"},
                                         {"400nm,450nm,550nm,600nm,700nm", ".5,.5,.5,.5,.5"},
                                         {"Integrated 400-700", "0.5"}}) {
@@ -66,23 +66,24 @@ class ScatteredFilesTest : public QObject {
     const ScatteredSamples xyz = astm(std::string(astmStart) + "X,Y,Z\n0,0,0,0,0.475235,0.5,0.544415\n0,0,0,0,0,0,0\n");
     QVERIFY(glm::length(xyz.values[0] - Rgb(0.5)) < 1e-3);
     // Without phi_i the light stands at azimuth 0.
-    const ScatteredSamples plane = astm("NUM_POINTS 1\nVARS theta_i,theta_s,phi_s,BRDF\n0.5,0.25,1,2\n");
+    const ScatteredSamples plane = astm("NUM_POINTS 1\nVARS theta_i,theta_s,phi_s,BRDF\n0.5,0.25,1.5708,2\n");
     QVERIFY(isClose(plane.directions[0].wi, fromSpherical(0.5, 0)) &&
-            isClose(plane.directions[0].wo, fromSpherical(0.25, 1)));
+            isClose(plane.directions[0].wo, fromSpherical(0.25, 1.5708)));
   }
 
   /// The columns of values are known by their names; what may be values twice is refused with the choices.
   void astmColumnsOfValues() {
     const auto read = [](const std::string& names, const std::string& values) {
-      return astm("NUM_POINTS 1\nVARS theta_i,theta_s,phi_s," + names + "\n0.1,0.2,3," + values + "\n");
+      return astm("NUM_POINTS 1\nVARS theta_i,theta_s,phi_s," + names + "\n0.1,0.2,3.1416," + values + "\n");
     };
     QCOMPARE(read("wavelength,BRDF", "650,0.5").values[0], Rgb(0.5));
     QCOMPARE(read("BRDF [1/sr],sigma", "0.5,0.1").values[0], Rgb(0.5));
     QCOMPARE(read("650nm", "0.5").values[0], Rgb(0.5));
     const Rgb spectrum = read("450nm,550nm,650nm", "0.1,0.2,0.4").values[0];
     QCOMPARE(read("0.45um,0.55 um,0.65 \u00b5m", "0.1,0.2,0.4").values[0], spectrum);
-    QCOMPARE(astm("NUM_POINTS 1\nVARS theta_i;theta_s;phi_s;0,45um;0,55um;0,65um\n0,1;0,2;3;0,1;0,2;0,4\n").values[0],
-             spectrum);
+    QCOMPARE(
+        astm("NUM_POINTS 1\nVARS theta_i;theta_s;phi_s;0,45um;0,55um;0,65um\n0,1;0,2;3,1416;0,1;0,2;0,4\n").values[0],
+        spectrum);
     QVERIFY(spectrum.x > 0.3 && spectrum.z < 0.2);
     QVERIFY(contains(read("wavelength,BRDF", "650,0.5").notes.at(1), "not used: 'wavelength'"));
     for (const auto& [names, values] : {std::pair<std::string, std::string>{"650nm,532nm", "0.5,0.6"},
@@ -101,13 +102,16 @@ class ScatteredFilesTest : public QObject {
                    "line 4: found 650 for wavelength after 450");
   }
 
-  /// Radians only where they can be; the file may state the unit.
+  /// Radians only where they can be and look like it; the file may state the unit. Small angles can be either.
   void unitsOfAngles() {
     const auto thetaOf = [](const std::string& names, const std::string& row) {
       return astm("NUM_POINTS 1\nVARS " + names + ",BRDF\n" + row + ",1\n");
     };
     const std::string names = "theta_i,phi_i,theta_s,phi_s";
-    QVERIFY(isClose(thetaOf(names, "0.5,0,0.4,3").directions.at(0).wi, fromSpherical(0.5, 0)));
+    QVERIFY(isClose(thetaOf(names, "0.5,0,0.4,3.1416").directions.at(0).wi, fromSpherical(0.5, 0)));
+    QVERIFY(isClose(thetaOf(names, "0,0,0,0").directions.at(0).wi, fromSpherical(0, 0)));
+    for (const char* row : {"0.5,0,0.4,3", "0.1,0,0.309,0", "0.5,0,1.309,0"})
+      VERIFY_REFUSED(astm, "NUM_POINTS 1\nVARS " + names + ",BRDF\n" + row + ",1\n", "may be degrees or radians");
     QVERIFY(isClose(thetaOf(names, "5,0,4,180").directions.at(0).wi, fromSpherical(radians(5), 0)));
     QVERIFY(isClose(thetaOf(names, "5,0,4,0").directions.at(0).wi, fromSpherical(radians(5), 0)));
     QVERIFY(isClose(thetaOf(names, "2,0,1,0").directions.at(0).wi, fromSpherical(radians(2), 0)));

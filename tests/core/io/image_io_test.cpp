@@ -231,6 +231,18 @@ class ImageIoTest : public QObject {
     const io::ImageFile grey =
         readExr(Imf::Header(16, 8), std::vector<Imf::Rgba>(16 * 8, Imf::Rgba(2, 2, 2)), Imf::WRITE_Y);
     QVERIFY(isClose(grey.image.at(3, 3), {2, 2, 2}, 1e-3f) && grey.notes.empty());
+    // Primaries in one point have no matrix. OpenEXR writes no such file.
+    const Imf::Chromaticities primaries({0.713f, 0.293f}, {0.165f, 0.83f}, {0.128f, 0.044f}, {0.32168f, 0.33767f});
+    Imf::Header header(16, 8);
+    Imf::addChromaticities(header, primaries);
+    readExr(header, red, Imf::WRITE_YC);
+    Bytes bytes = readFile(outputPath("io/image/headers.exr"));
+    const auto begin = std::ranges::search(bytes, std::as_bytes(std::span(&primaries.red.x, 1))).begin();
+    const std::vector<float> point(8, 0.3f);
+    QVERIFY(bytes.end() - begin > std::ptrdiff_t(point.size() * sizeof(float)));
+    std::ranges::copy(std::as_bytes(std::span(point)), begin);
+    const std::string error = errorOf([&] { io::readImage(bytes); });
+    QVERIFY2(contains(error, "chromaticities"), error.c_str());
   }
 
   /// Black outside the data window, cropped to the display window.

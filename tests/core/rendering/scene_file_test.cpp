@@ -303,6 +303,63 @@ class SceneFileTest : public QObject {
       QVERIFY(glm::length(meshes[0].positions()[i] - meshes[1].positions()[i]) < 1e-5f);
   }
 
+  /// A box of 1 x 2 x 4 along x, y, z with a tip at +z: with z up the tip is on top, and +y of the file away from the
+  /// viewer (-z), also for coordinates of maps and in scene files.
+  void meshesStandUpright() {
+    const auto box = [](const std::string& x) {
+      return "v " + x + "0 0 0\nv " + x + "1 0 0\nv " + x + "0 2 0\nv " + x +
+             "0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    };
+    const auto extentOf = [](const Scene& scene) {
+      const TriangleMesh& mesh = std::get<MeshShape>(scene.objects[0].shape)->mesh();
+      return mesh.bounds().max - mesh.bounds().min;
+    };
+    const auto isShape = [](const glm::dvec3& extent, const glm::dvec3& shape) {
+      return glm::length(extent / glm::length(extent) - shape / glm::length(shape)) < 1e-6;
+    };
+    for (const char* x : {"", "51234"}) {
+      const std::string text = box(x);
+      const auto path = test::writeFile("scenes/upright.obj", std::as_bytes(std::span(text)));
+      const Scene lying = openScene(path.string()), standing = openScene(path.string(), 1, UpAxis::z);
+      QVERIFY(lying.up == UpAxis::y && standing.up == UpAxis::z);
+      QVERIFY(isShape(extentOf(lying), {1, 2, 4}) && isShape(extentOf(standing), {1, 4, 2}));
+      // Only one vertex is at the top: it is the tip of the file, above the corner at the origin (front, left).
+      const TriangleMesh& mesh = std::get<MeshShape>(standing.objects[0].shape)->mesh();
+      for (const glm::vec3& vertex : mesh.positions())
+        if (vertex.y > mesh.bounds().max.y - 1e-3)
+          QVERIFY(vertex.x < mesh.bounds().min.x + 1e-3 && vertex.z > mesh.bounds().max.z - 1e-3);
+      QVERIFY(mesh.volume() > 0);
+      const auto placed = [&](const char* up) {
+        return parseScene(
+            std::string(R"({"format": "gonio scene", "version": 1, "objects": [{"name": "a", "shape": "mesh",
+          "mesh": "upright.obj", "up": ")") +
+                up + "\"}]}",
+            1, path.parent_path());
+      };
+      const Scene inFile = placed("z");
+      const TriangleMesh::Bounds bounds = std::get<MeshShape>(inFile.objects[0].shape)->mesh().bounds();
+      QVERIFY(isShape(extentOf(placed("y")), {1, 2, 4}) && isShape(extentOf(placed("z")), {1, 4, 2}));
+      // Not fitted: where its coordinates say, turned about the origin of the file.
+      QVERIFY(std::abs(bounds.min.x - std::stod(x + std::string("0"))) < 0.1);
+      QVERIFY(std::abs(bounds.max.y - 4) < 1e-6 && std::abs(bounds.min.z + 2) < 1e-6);
+    }
+    QVERIFY(upAxisOf(upAxisName(UpAxis::z)) == UpAxis::z);
+    const auto refusal = [](auto open) {
+      try {
+        open();
+        return std::string();
+      } catch (const Error& error) {
+        return std::string(error.what());
+      }
+    };
+    QCOMPARE(refusal([] { upAxisOf("x"); }), std::string("up axis: found 'x', expected y or z"));
+    QVERIFY(
+        refusal([] { openScene("sphere", 1, UpAxis::z); }).starts_with("sphere: found the up axis z, expected a mesh"));
+    nlohmann::json bundled = scene();
+    bundled["objects"][0] = {{"name", "a"}, {"shape", "mesh"}, {"mesh", "torus"}, {"up", "z"}};
+    QVERIFY(errorOf(bundled).find("bundled meshes are y up") != std::string::npos);
+  }
+
   void aMeshIsAScene() {
     const std::filesystem::path folder = test::outputPath("scenes/lamp").parent_path();
     std::ofstream(folder / "Tooth.obj") << "v 10 5 10\nv 12 5 10\nv 10 8 10\nv 10 5 14\n"

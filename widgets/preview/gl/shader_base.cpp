@@ -23,13 +23,14 @@ class IncidenceTextures final : public ShaderBase {
   IncidenceTextures(QOpenGLFunctions_4_1_Core& gl, const IncidenceTableBrdf& brdf);
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// Whether the table fits the texture size that OpenGL 4.1 guarantees: 2,048 nodes per angle.
+  /// Whether the table fits the texture size that OpenGL 4.1 guarantees: 2,048 nodes per angle, and as many pairs of
+  /// angle of incidence and azimuth of the light; and 512 MB.
   static bool fits(const IncidenceTable& table);
   /// The definitions of the shader variant.
   static QStringList definitions(const IncidenceTable& table);
 
  private:
-  GLint counts_[3];  ///< numbers of polar angles, azimuths and angles of incidence
+  GLint counts_[4];  ///< numbers of polar angles, azimuths, angles of incidence and azimuths of the light
   TextureSet textures_;
 };
 
@@ -72,18 +73,18 @@ IncidenceTextures::IncidenceTextures(QOpenGLFunctions_4_1_Core& gl, const Incide
     const glm::vec3 value = brdf.isAboveHorizon(i) ? table.values[i] : glm::vec3(0);
     texels.insert(texels.end(), {value.x, value.y, value.z, brdf.isAboveHorizon(i) ? 1.f : 0.f});
   }
-  const std::vector<double>* axes[] = {&table.polars, &table.azimuths, &table.incident};
-  for (int axis = 0; axis < 3; ++axis) counts_[axis] = GLint(axes[axis]->size());
+  const std::vector<double>* axes[] = {&table.polars, &table.azimuths, &table.incident, &table.rotations};
+  for (int axis = 0; axis < 4; ++axis) counts_[axis] = GLint(axes[axis]->size());
   textures_.bind(gl, values, GL_TEXTURE_3D, tableUnit);
-  uploadFloats(gl, 4, counts_[0], counts_[1], counts_[2], texels.data());
+  uploadFloats(gl, 4, counts_[0], counts_[1], counts_[2] * counts_[3], texels.data());
 
   const int width = *std::ranges::max_element(counts_);
-  std::vector<float> angles(3 * std::size_t(width));
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::vector<float> angles(4 * std::size_t(width));
+  for (std::size_t axis = 0; axis < 4; ++axis)
     std::ranges::transform(*axes[axis], angles.begin() + std::ptrdiff_t(axis) * width,
                            [](double angle) { return float(angle); });
   textures_.bind(gl, nodes, GL_TEXTURE_2D, baseNodeUnit);
-  uploadFloats(gl, 1, width, 3, angles.data());
+  uploadFloats(gl, 1, width, 4, angles.data());
 }
 
 void IncidenceTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) {
@@ -91,19 +92,21 @@ void IncidenceTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram
   textures_.bind(gl, nodes, GL_TEXTURE_2D, baseNodeUnit);
   program.setUniformValue("incidenceValues", tableUnit);
   program.setUniformValue("incidenceNodes", baseNodeUnit);
-  gl.glUniform3iv(program.uniformLocation("incidenceCounts"), 1, counts_);
+  gl.glUniform4iv(program.uniformLocation("incidenceCounts"), 1, counts_);
 }
 
 bool IncidenceTextures::fits(const IncidenceTable& table) {
-  constexpr std::size_t most = 2048;
-  return table.rotations.size() == 1 &&
-         std::max({table.polars.size(), table.azimuths.size(), table.incident.size()}) <= most;
+  constexpr std::size_t most = 2048, mostValues = std::size_t(1) << 25;
+  return std::max({table.polars.size(), table.azimuths.size(), table.incident.size() * table.rotations.size()}) <=
+             most &&
+         table.values.size() <= mostValues;
 }
 
 QStringList IncidenceTextures::definitions(const IncidenceTable& table) {
   QStringList result{"INCIDENCE_TABLE"};
   if (table.axis == IncidenceTable::Axis::mirror) result << "INCIDENCE_TABLE_MIRROR";
   if (table.symmetric) result << "INCIDENCE_TABLE_SYMMETRIC";
+  if (table.rotations.size() > 1) result << "INCIDENCE_TABLE_ROTATIONS";
   return result;
 }
 
