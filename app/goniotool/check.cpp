@@ -17,13 +17,14 @@ int check(const std::string& file, const Tool& tool) {
       metrics::checkPlausibility(*material.brdf, tool.control("checking"));
   Json list = Json::array();
   std::string text, failures;
+  for (const std::string& note : material.source.notes) text += "note: " + note + "\n";
   for (const metrics::PlausibilityCheck& one : checks) {
     list.push_back({{"name", one.name}, {"passed", one.passed}, {"worst", one.worst}, {"where", one.where}});
     const std::string worst = "worst " + number(one.worst) + (one.where.empty() ? "" : " at " + one.where);
     text += one.name + (one.passed ? ": passed, " : ": FAILED, ") + worst + "\n";
     if (!one.passed) failures += (failures.empty() ? "" : "; ") + one.name + " fails (" + worst + ")";
   }
-  print(tool, {{"passed", failures.empty()}, {"checks", list}}, text);
+  print(tool, {{"passed", failures.empty()}, {"checks", list}, {"notes", material.source.notes}}, text);
   if (failures.empty()) return 0;
   throw Error(file + ": not plausible: " + failures);
 }

@@ -30,6 +30,18 @@ Rgb AlbedoScale::operator()(double cosine) const {
   return glm::mix(values[place.first], values[place.first + 1], place.fraction);
 }
 
+RgbRange AlbedoScale::over(const Range& cosines) const {
+  // The places fall with the cosine.
+  const Place first = placeOf(cosines.high), last = placeOf(cosines.low);
+  const Rgb ends[] = {(*this)(cosines.high), (*this)(cosines.low)};
+  RgbRange result{glm::min(ends[0], ends[1]), glm::max(ends[0], ends[1])};
+  for (std::size_t node = first.first + 1; node <= last.first; ++node) {
+    result.low = glm::min(result.low, values[node]);
+    result.high = glm::max(result.high, values[node]);
+  }
+  return result;
+}
+
 double AlbedoScale::cosineOf(std::size_t node) {
   constexpr double lowest = 0.01;  // 89.4 degrees: at 90 degrees nothing is reflected
   const double x = std::sqrt(0.25 + 2 * double(node) / double(nodes - 1)) - 0.5;

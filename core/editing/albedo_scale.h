@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/brdf/value_bound.h"
 #include "core/math/types.h"
 
 namespace gonio::editing {
@@ -22,6 +23,8 @@ struct AlbedoScale {
   }();
 
   Rgb operator()(double cosine) const;
+  /// Contains the factors of all cosines of a range.
+  RgbRange over(const Range& cosines) const;
   /// Of a node, from 1 down to nearly 0.
   static double cosineOf(std::size_t node);
 };

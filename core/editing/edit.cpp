@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/brdf/value_bound.h"
+#include "core/editing/lobe_bound.h"
 #include "core/editing/lobe_change.h"
 #include "core/math/parallel.h"
 #include "core/math/types.h"
@@ -101,9 +102,10 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
   }
 }
 
-/// The bounds of an edit that looks at no other directions.
+/// The bounds of a step of an edit.
 struct EditBound {
   std::shared_ptr<const ValueBound> edited, fitted;  ///< null: a change of colours, or one that replaces the base
+  std::shared_ptr<const LobeBound> lobes;            ///< of Composition::lobes
   double strength;
   Composition composition;
   std::optional<glm::dmat3> colours;
@@ -129,33 +131,47 @@ class EditedBound final : public ValueBound {
       : base_(std::move(base)), edits_(std::move(edits)), floor_(floor) {}
 
   RgbRange over(const PairBox& box) const override {
-    const RgbRange base = base_->over(box);
-    std::array<Range, 3> values = channels(base);
-    for (const EditBound& edit : edits_) {
-      const std::array<Range, 3> edited = edit.edited ? channels(edit.edited->over(box)) : values;
-      const std::array<Range, 3> fitted = edit.fitted ? channels(edit.fitted->over(box)) : values;
-      const std::array<Range, 3> before = values;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Range result =
-            edit.colours ? recoloured(edit, before, c) : editedRange(edit, before[c], edited[c], fitted[c]);
-        values[c] = max(min(Range(floor_), before[c]), result);
-      }
-    }
-    RgbRange result;
-    for (std::size_t c = 0; c < 3; ++c) {
-      // Where the base has no data the value is 0.
-      result.low[int(c)] = std::min(0.0, values[c].low);
-      result.high[int(c)] = std::max(0.0, values[c].high);
-    }
-    return result;
+    const Channels values = overFirst(edits_.size(), box);
+    return {Rgb(values[0].low, values[1].low, values[2].low), Rgb(values[0].high, values[1].high, values[2].high)};
   }
   bool isLocal() const override {
     const auto local = [](const std::shared_ptr<const ValueBound>& bound) { return !bound || bound->isLocal(); };
-    return local(base_) &&
-           std::ranges::all_of(edits_, [&](const EditBound& edit) { return local(edit.edited) && local(edit.fitted); });
+    // Lobes rest on the base in other directions.
+    return local(base_) && std::ranges::all_of(edits_, [&](const EditBound& edit) {
+             return !edit.lobes && local(edit.edited) && local(edit.fitted);
+           });
   }
 
  private:
+  using Channels = LobeBound::Channels;
+
+  /// The values after the first `count` edits.
+  Channels overFirst(std::size_t count, const PairBox& box) const {
+    Channels values = channels(base_->over(box));
+    const bool mayLackData = std::ranges::all_of(values, [](const Range& value) { return value.contains(0); });
+    for (std::size_t i = 0; i < count; ++i) {
+      const Channels before = values, result = after(i, box, before);
+      for (std::size_t c = 0; c < 3; ++c) values[c] = max(min(Range(floor_), before[c]), result[c]);
+    }
+    // Where the base has no data the value is 0, and so is that of the base.
+    if (mayLackData)
+      for (Range& value : values) value = hull(value, 0);
+    return values;
+  }
+  /// The values after an edit, not clamped.
+  Channels after(std::size_t index, const PairBox& box, const Channels& before) const {
+    const EditBound& edit = edits_[index];
+    if (edit.lobes)
+      return edit.lobes->over(box, before, edit.strength,
+                              [&](const PairBox& other) { return overFirst(index, other); });
+    const Channels edited = edit.edited ? channels(edit.edited->over(box)) : before;
+    const Channels fitted = edit.fitted ? channels(edit.fitted->over(box)) : before;
+    Channels result;
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c] = edit.colours ? recoloured(edit, before, c) : editedRange(edit, before[c], edited[c], fitted[c]);
+    return result;
+  }
+
   static std::array<Range, 3> channels(const RgbRange& range) {
     return {Range(range.low.x, range.high.x), Range(range.low.y, range.high.y), Range(range.low.z, range.high.z)};
   }
@@ -199,16 +215,22 @@ class EditedBrdf final : public Brdf {
   }
 
   bool hasData(const DirectionPair& pair) const override { return base_->hasData(pair); }
-  /// None is known for edits by lobes, which carry the base to other directions.
+  /// None is known for more than two edits by lobes: the bound of each takes those of all before it twice.
   std::shared_ptr<const ValueBound> valueBound() const override {
+    constexpr int maxBoundLobes = 2;
+    if (std::ranges::count_if(edits_, [](const ActiveEdit& edit) { return edit.lobes != nullptr; }) > maxBoundLobes)
+      return nullptr;
     auto base = base_->valueBound();
     if (!base) return nullptr;
     std::vector<EditBound> edits;
     for (const ActiveEdit& edit : edits_) {
-      EditBound& bound = edits.emplace_back(EditBound{nullptr, nullptr, edit.strength, edit.composition, edit.colours});
+      EditBound& bound =
+          edits.emplace_back(EditBound{nullptr, nullptr, nullptr, edit.strength, edit.composition, edit.colours});
       if (edit.edited) bound.edited = edit.edited->valueBound();
       if (edit.fitted) bound.fitted = edit.fitted->valueBound();
-      if (edit.lobes || (edit.edited && !bound.edited) || (edit.fitted && !bound.fitted)) return nullptr;
+      if (edit.lobes) bound.lobes = edit.lobes->bound();
+      if ((edit.edited && !bound.edited) || (edit.fitted && !bound.fitted) || (edit.lobes && !bound.lobes))
+        return nullptr;
     }
     return std::make_shared<const EditedBound>(std::move(base), std::move(edits), floor_.x);
   }

@@ -89,7 +89,7 @@ PdvFactors factorsFromJson(const JsonObject& object) {
   const bool flat = form == "2d";
   f.form = flat ? PdvForm::twoFactors : PdvForm::threeFactors;
   f.transform = transformFromJson(object);
-  f.highest = object.number("highest", 0, 1e30);
+  f.highest = object.number("highest", 0, maxBrdfValue);
   f.thetaNodes = nodesFromJson(object, "thetaNodes", 2, maxCurveNodes);
   f.deviationNodes = nodesFromJson(object, "deviationNodes", 2, maxCurveNodes);
   f.phiNodes = nodesFromJson(object, "phiNodes", flat ? 1 : 2, flat ? 1 : maxCurveNodes);

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/coordinates/half_difference.h"
+#include "core/editing/lobe_bound.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 
@@ -174,6 +175,22 @@ LobeChange::LobeChange(const DifferentialEdit& edit, const Brdf& base)
   if (narrowest < none) scale_ = solveScale(base, narrowest);
 }
 
+std::shared_ptr<const LobeBound> LobeChange::bound() const {
+  std::vector<LobeBound::Part> parts;
+  for (const Part& part : parts_) {
+    parts.push_back({part.brdf->valueBound(), part.width, part.isHighlight});
+    if (!parts.back().values) return nullptr;
+  }
+  std::vector<LobeBound::Lobe> lobes;
+  for (const Group& group : groups_)
+    for (const Lobe& lobe : group.lobes) {
+      lobes.push_back({lobe.edited->valueBound(), group.warp, lobe.part == noPart ? LobeBound::noPart : lobe.part,
+                       lobe.isDiffuse, lobe.isRecoloured, lobe.reference != nullptr});
+      if (!lobes.back().edited) return nullptr;
+    }
+  return std::make_shared<const LobeBound>(std::move(parts), std::move(lobes), scale_, keepsAlbedo_);
+}
+
 std::vector<LobeEffect> lobeEffects(const DifferentialEdit& edit) {
   return changesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
@@ -205,17 +222,15 @@ double centreOf(const Direction& half, const models::LobeWidth& width) {
   return 1 / (1 + square((x * x + y * y) / (extent * extent * std::max(half.z * half.z, 1e-12))));
 }
 
-/// S: how much of a ratio of luminances is a peak that the fit does not explain.
+}  // namespace
+
 double peakOf(double ratio) {
   constexpr double first = 1.25, last = 2.25;
   const double t = std::clamp((ratio - first) / (last - first), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// Of the excess, relative to the share of the highlight: the rest of the model keeps it only where it dominates.
 Rgb excessOf(const Rgb& rest) { return 1.0 + rest * (1.0 + rest * (1.0 + rest * (1.0 + rest))); }
-
-}  // namespace
 
 /// At up to maxPairs pairs.
 struct LobeChange::Ratios {

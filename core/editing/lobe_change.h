@@ -38,6 +38,8 @@ struct LobeWarp {
 /// rotates into the fitted grain's. @param moved receives one pair per input pair.
 void warp(const LobeWarp& warp, std::span<const DirectionPair> pairs, std::span<DirectionPair> moved);
 
+class LobeBound;
+
 /// Composition::lobes. For a model M = sum over k of M_k that is fitted to a measurement m, the ratio q(x) = (m(x) +
 /// eps) / (M(x) + eps) is what the fit does not explain. Each edited lobe M'_k carries it along:
 ///
@@ -79,6 +81,9 @@ class LobeChange {
   /// the pairs. Evaluates the base again for each distinct change of width: once if all lobes widen by the same factor.
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
+
+  /// The bounds of values with this edit; null if none is known of one of the lobes.
+  std::shared_ptr<const LobeBound> bound() const;
 
   /// s; 1 if no highlight keeps its albedo.
   const AlbedoScale& scale() const { return scale_; }
@@ -133,6 +138,12 @@ class LobeChange {
   AlbedoScale scale_;
   bool isIsotropic_, keepsAlbedo_;
 };
+
+/// S: how much of a ratio of luminances is a peak that the fit does not explain.
+double peakOf(double ratio);
+/// 1 + r + r^2 + r^3 + r^4, relative to the share of the highlight: the rest of the model keeps the excess only where
+/// it dominates. @param rest r.
+Rgb excessOf(const Rgb& rest);
 
 /// The ratio that a recoloured lobe carries: s q + (1 - s) Y(M_k q) / Y(M_k) with s = min(1, c / c') per channel, Y the
 /// luminance, and the chromaticities c = M_k / Y(M_k) and c' = M'_k / Y(M'_k). Equals q if the colour is unchanged.

@@ -15,6 +15,7 @@
 #include "core/brdf/value_bound.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
+#include "core/factorization/pdv_operations.h"
 #include "core/math/fast_functions.h"
 #include "core/math/monotone_cubic.h"
 #include "core/support/error.h"
@@ -250,12 +251,13 @@ void invertTransform(DataTransform transform, std::span<double> sums, double hig
   }
 }
 
-/// Edited curves may have any values. In single precision, products of three that are limited to 1e30 and 1 are finite,
-/// and so are the values between nodes with limited slopes; beyond 1e30 the bound of y decides (PdvFactors::highest).
-constexpr double mostOfCurves = 1e30, mostSlope = 1e37;
+/// Edited curves may have any values. In single precision, products of three that are limited to maxCurveValue and 1
+/// are finite, and so are the values between nodes with limited slopes; beyond them the bound of y decides
+/// (PdvFactors::highest).
+constexpr double mostSlope = 1e37;
 std::vector<double> limitedCurve(std::span<const double> values) {
   std::vector<double> limited(values.begin(), values.end());
-  for (double& value : limited) value = std::clamp(value, -mostOfCurves, mostOfCurves);
+  for (double& value : limited) value = std::clamp(value, -maxCurveValue, maxCurveValue);
   return limited;
 }
 

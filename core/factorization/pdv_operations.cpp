@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "core/math/monotone_cubic.h"
+#include "core/math/types.h"
 #include "core/support/error.h"
 
 namespace gonio::factorization {
@@ -108,9 +110,33 @@ PdvFactors withRoomForEdits(const PdvFactors& factors) {
   for (const std::vector<PdvTerm>& channel : factors.channels) {
     double reach = 0;
     for (const PdvTerm& term : channel) reach += largestSize(term.f1) * largestSize(term.f2) * largestSize(term.f3);
-    result.highest = std::max(result.highest, reach);
+    result.highest = std::max(result.highest, std::min(reach, maxCurveValue));
   }
   return result;
+}
+
+std::string curveLimitWarning(const PdvFactors& factors) {
+  std::size_t count = 0;
+  double largest = 0;
+  std::string where;
+  for (std::size_t c = 0; c < factors.channels.size(); ++c)
+    for (std::size_t term = 0; term < factors.channels[c].size(); ++term) {
+      const PdvTerm& curves = factors.channels[c][term];
+      int number = 0;
+      for (const std::vector<double>* curve : {&curves.f1, &curves.f2, &curves.f3}) {
+        ++number;
+        for (const double value : *curve) count += std::abs(value) > maxCurveValue;
+        if (!(largestSize(*curve) > std::max(largest, maxCurveValue))) continue;
+        largest = largestSize(*curve);
+        where = "F" + std::to_string(number) + " of term " + std::to_string(term + 1) + " in " + channelNames[c];
+      }
+    }
+  if (count == 0) return {};
+  char text[200];
+  std::snprintf(text, sizeof text, "%zu %s of the factor curves %s larger than %.0e (%.3g in %s) and %s limited to it",
+                count, count == 1 ? "value" : "values", count == 1 ? "is" : "are", maxCurveValue, largest,
+                where.c_str(), count == 1 ? "is" : "are");
+  return text;
 }
 
 }  // namespace gonio::factorization

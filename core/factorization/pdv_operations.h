@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/factorization/pdv_factors.h"
@@ -47,8 +48,14 @@ PdvFactors withF2Of(const PdvFactors& target, const PdvFactors& other, FurtherTe
 /// @throws Error if the factor is not a positive number.
 PdvFactors widenF2(const PdvFactors& target, double factor);
 
-/// The model with the upper bound `highest` raised to the maximum that its terms can reach. Call it after edits that
-/// raise curves.
+/// Evaluation limits values of curves to this size: products of three and sums of terms are then finite in single
+/// precision.
+inline constexpr double maxCurveValue = 1e30;
+/// A clause for the user if values of curves are larger than maxCurveValue; empty otherwise.
+std::string curveLimitWarning(const PdvFactors& factors);
+
+/// The model with the upper bound `highest` raised to the maximum that its terms can reach, at most maxCurveValue. Call
+/// it after edits that raise curves.
 PdvFactors withRoomForEdits(const PdvFactors& factors);
 
 }  // namespace gonio::factorization

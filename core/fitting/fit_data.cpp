@@ -17,7 +17,6 @@ namespace gonio::fitting {
 namespace {
 
 constexpr double noticeableFraction = 0.01;
-constexpr std::size_t fewCells = 10;
 
 /// One channel over the cells that count.
 struct ChannelCensus {

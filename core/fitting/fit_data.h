@@ -61,6 +61,9 @@ class FitData {
   mutable std::optional<FitTarget> search_, fine_, coarse_;
 };
 
+/// A measurement with fewer valid cells than this is warned about.
+inline constexpr std::size_t fewCells = 10;
+
 /// fit() with prepared data, to fit several models to one material. @param choices as for fit(base, ...).
 FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control = {},
               const models::ParameterValues& choices = {});

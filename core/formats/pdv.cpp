@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/factorization/deviation_grid.h"
+#include "core/factorization/pdv_operations.h"
 #include "core/formats/formats.h"
 #include "core/io/atomic_file.h"
 #include "core/io/container.h"
@@ -16,6 +17,7 @@ namespace gonio::formats {
 
 namespace {
 
+using factorization::maxCurveValue;
 using factorization::maxPdvTerms;
 using factorization::PdvFactors;
 using factorization::PdvForm;
@@ -108,9 +110,9 @@ void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
   file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
                      std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
                      std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
-  file.number(float(f.highest));
+  file.number(float(std::min(f.highest, maxBrdfValue)));
   visitCurves(f, [&](const std::vector<double>& curve) {
-    for (const double value : curve) file.number(float(value));
+    for (const double value : curve) file.number(float(std::clamp(value, -maxCurveValue, maxCurveValue)));
   });
   io::writeFileAtomically(path, file.bytes());
 }
@@ -160,6 +162,8 @@ void readPdvMaterial(const io::ByteSource& source, const TaskControl&, materials
   material.source.description = std::to_string(factors.terms()) + (factors.terms() == 1 ? " term of " : " terms of ") +
                                 (factors.form == PdvForm::twoFactors ? "two" : "three") + " factors, transform " +
                                 std::string(dataTransformNames[std::size_t(factors.transform)]);
+  if (const std::string warning = factorization::curveLimitWarning(factors); !warning.empty())
+    material.source.notes.push_back("warning: " + warning);
 }
 
 constexpr std::string_view pdvSuffixes[] = {".pdv"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/factorization/pdv_operations.h"
 #include "core/support/text.h"
 
 namespace gonio::materials {
@@ -51,6 +52,12 @@ Material withEdits(const Material& base, std::span<const editing::Edit> edits, c
   if (anisotropic) {
     material.source.notes.push_back("the edits are anisotropic: tables contain the mean over " +
                                     std::to_string(editing::bakedAzimuths) + " azimuths");
+  }
+  for (const editing::Edit& edit : edits) {
+    const auto* curves = std::get_if<editing::FactorEdit>(&edit.content);
+    if (!curves || edit.isIdentity()) continue;
+    if (const std::string warning = factorization::curveLimitWarning(*curves->edited); !warning.empty())
+      material.source.notes.push_back("warning: " + warning);
   }
   return material;
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <future>
 
+#include "core/fitting/fit_data.h"
 #include "core/io/byte_source.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
@@ -40,6 +41,15 @@ void noteAlbedo(Material& material) {
   }
 }
 
+/// A note if a table has so few valid cells that nearly all of what it shows is extrapolated.
+void noteFewCells(Material& material) {
+  if (!material.table || material.table->validCount() >= fitting::fewCells) return;
+  const std::size_t valid = material.table->validCount();
+  material.source.notes.push_back("warning: only " + std::to_string(valid) + " of " +
+                                  std::to_string(material.table->values().size()) + " cells " +
+                                  (valid == 1 ? "is" : "are") + " valid");
+}
+
 Material readFormat(const io::ByteSource& source, const TaskControl& control) {
   const MaterialFormat& format = sniffFormat(source);
   Material material;
@@ -50,6 +60,7 @@ Material readFormat(const io::ByteSource& source, const TaskControl& control) {
     throw Error(std::string(format.name) + ": " + mismatch.what());
   }
   assert(format.holds.anisotropic || material.brdf->isIsotropic());
+  noteFewCells(material);
   noteAlbedo(material);
   return material;
 }

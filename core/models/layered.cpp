@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/models/common_parameters.h"
+#include "core/models/formula_range.h"
 #include "core/models/registry.h"
 #include "core/sampling/half_vector_densities.h"
 
@@ -12,6 +13,9 @@
 namespace gonio::models {
 
 namespace glsl {
+#include "core/models/layered.glsl"
+}
+namespace ranges {
 #include "core/models/layered.glsl"
 }
 
@@ -161,31 +165,111 @@ MicrofacetLobe lobeOf(const ParameterValues& p, Lobe lobe) {
 /// About the albedo of the brightest channel.
 double albedoOf(const MicrofacetLobe& lobe) { return maxChannel(0.9 * lobe.normal + 0.1 * lobe.edge); }
 
+/// The parts of the sum; those that are off are black.
+struct LayeredTerms {
+  Rgb kd;
+  std::array<MicrofacetLobe, lobeCount> lobes;
+  Rgb glow{0};
+  double exponent = 1;
+  MicrofacetLobe back;
+
+  explicit LayeredTerms(const ParameterValues& p)
+      : kd(p.values[0] / pi),
+        lobes{lobeOf(p, base), lobeOf(p, flakes), lobeOf(p, coat)},
+        glow(isOn(p, sheenSwitch) ? p.values[sheen] : Rgb(0)),
+        exponent(1 / p.values[sheenRoughness].x) {
+    const Rgb backward = isOn(p, retroSwitch) ? p.values[retro] : Rgb(0);
+    const double alpha = p.values[retroRoughness].x;
+    back = {backward, backward, alpha * alpha};
+  }
+};
+
+/// The bounds of the sum, part by part.
+class LayeredBound final : public ValueBound {
+ public:
+  explicit LayeredBound(const LayeredTerms& terms) : terms_(terms) {}
+
+  RgbRange over(const PairBox& box) const override {
+    const ranges::SurfaceGeometry g(box);
+    ranges::vec3 sum(terms_.kd);
+    for (const MicrofacetLobe& lobe : terms_.lobes) sum = sum + rangeOf(lobe, g);
+    if (!terms_.back.isBlack()) sum = sum + hulled(rangeOf(terms_.back, turned(box, g)));
+    if (terms_.glow != Rgb(0)) sum = sum + sheenOver(g);
+    return {Rgb(sum.x.low, sum.y.low, sum.z.low), Rgb(sum.x.high, sum.y.high, sum.z.high)};
+  }
+
+ private:
+  static ranges::vec3 rangeOf(const MicrofacetLobe& lobe, const ranges::SurfaceGeometry& g) {
+    if (lobe.isBlack()) return Rgb(0);
+    ranges::vec3 value = ranges::layeredLobe(g, lobe.normal, lobe.edge, lobe.alpha2);
+    // Both roots of the masking are at least alpha, and cos theta_i + cos theta_o = 2 cos theta_d cos theta_h, of which
+    // the bounds of the single cosines do not know.
+    const double slope = g.sin2H.low + lobe.alpha2 * g.h.z.low * g.h.z.low;
+    const double most = lobe.alpha2 / (pi * slope * slope) * 0.25 / (std::sqrt(lobe.alpha2) * g.cosD.low * g.h.z.low);
+    const Rgb brightest = glm::max(lobe.normal, lobe.edge);
+    constexpr double rounding = 1e-9;
+    value.x.high = std::min(value.x.high, most * brightest.x * (1 + rounding));
+    value.y.high = std::min(value.y.high, most * brightest.y * (1 + rounding));
+    value.z.high = std::min(value.z.high, most * brightest.z * (1 + rounding));
+    return value;
+  }
+  /// With 0: wi = -wo, turned, has no half vector and does not reflect.
+  static ranges::vec3 hulled(const ranges::vec3& v) { return {hull(0, v.x), hull(0, v.y), hull(0, v.z)}; }
+  /// Of wi and the viewer turned by half a turn, wo': wi + wo' has the horizontal part of wi - wo.
+  static ranges::SurfaceGeometry turned(const PairBox& box, const ranges::SurfaceGeometry& g) {
+    ranges::SurfaceGeometry result = g;
+    const auto fraction = [](const Range& x) { return ranges::clamp(x, 0, 1); };
+    const Range cos2 = fraction(Range(1) + g.cosI * g.cosO - square(g.cosD));
+    const Range across2 = max(Range(4) * (Range(1) - square(g.cosD)) - square(box.rise), 0);
+    result.cosD = sqrt(cos2);
+    result.sin2H = fraction(across2 / (Range(4) * cos2));
+    result.h.z = sqrt(Range(1) - result.sin2H);
+    return result;
+  }
+  ranges::vec3 sheenOver(const ranges::SurfaceGeometry& g) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    ranges::vec3 result{{infinity, -infinity}, {infinity, -infinity}, {infinity, -infinity}};
+    overBranches([&] { return ranges::layeredSheen(g, terms_.glow, terms_.exponent); },
+                 [&](const ranges::vec3& v) {
+                   result = {hull(result.x, v.x), hull(result.y, v.y), hull(result.z, v.z)};
+                 });
+    return result;
+  }
+
+  LayeredTerms terms_;
+};
+
+/// A function of the geometry with the bounds of its values.
+template <typename Evaluate>
+auto withBound(const LayeredTerms& terms, Evaluate evaluate) {
+  struct Bounded : Evaluate {
+    LayeredTerms terms;
+    std::shared_ptr<const ValueBound> valueBound() const { return std::make_shared<const LayeredBound>(terms); }
+  };
+  return Bounded{evaluate, terms};
+}
+
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
-  const Rgb kd = p.values[0] / pi;
-  const std::array<MicrofacetLobe, lobeCount> lobes{lobeOf(p, base), lobeOf(p, flakes), lobeOf(p, coat)};
-  const Rgb glow = isOn(p, sheenSwitch) ? p.values[sheen] : Rgb(0);
-  const double exponent = 1 / p.values[sheenRoughness].x;
-  const Rgb backward = isOn(p, retroSwitch) ? p.values[retro] : Rgb(0);
-  const double alphaR = p.values[retroRoughness].x;
-  const MicrofacetLobe back{backward, backward, alphaR * alphaR};
+  const LayeredTerms terms(p);
+  const auto& [kd, lobes, glow, exponent, back] = terms;
   const auto normals = [&](int lobe) { return VisibleNormalDensity{p.values[firstOf(lobe) + 2].x}; };
   // The glow of fibres is wide: cosine-weighted directions serve it.
   const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(glow), albedoOf(lobes[base]),
                                       albedoOf(lobes[flakes]), albedoOf(lobes[coat]), albedoOf(back)};
   const DensityMixture<CosineDensity, VisibleNormalDensity, VisibleNormalDensity, VisibleNormalDensity, RetroLobe>
       sampler(mixtureFractions(albedos), CosineDensity{}, normals(base), normals(flakes), normals(coat),
-              RetroLobe{VisibleNormalDensity{alphaR}});
-  const auto highlights = [=](const SurfaceGeometry& g) {
+              RetroLobe{VisibleNormalDensity{p.values[retroRoughness].x}});
+  const auto highlights = [kd = kd, lobes = lobes](const SurfaceGeometry& g) {
     return kd + lobes[base](g) + lobes[flakes](g) + lobes[coat](g);
   };
-  if (glow == Rgb(0) && back.isBlack()) return makeGeometryBrdf(highlights, sampler);
+  if (glow == Rgb(0) && back.isBlack()) return makeGeometryBrdf(withBound(terms, highlights), sampler);
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const DirectionPair turned{g.wi, mirrored(g.wo)};
-        const Rgb retroreflected = isAboveSurface(turned) ? back(surfaceGeometry(turned)) : Rgb(0);
-        return highlights(g) + glsl::layeredSheen(g, glow, exponent) + retroreflected;
-      },
+      withBound(terms,
+                [highlights, glow = glow, exponent = exponent, back = back](const SurfaceGeometry& g) {
+                  const DirectionPair turned{g.wi, mirrored(g.wo)};
+                  const Rgb retroreflected = isAboveSurface(turned) ? back(surfaceGeometry(turned)) : Rgb(0);
+                  return highlights(g) + glsl::layeredSheen(g, glow, exponent) + retroreflected;
+                }),
       sampler);
 }
 

@@ -24,6 +24,22 @@ double highestIn(const ValueBound& values, const PairBox& box) {
   return highest <= 0 ? 0 : highest < noBound ? highest * (1 + rounding) : noBound;
 }
 
+/// The pairs of a set whose cosine of theta_i is in a range, with what follows from wi + wo = 2 cos theta_d h.
+PairBox shellOf(const PairBox& box, const Range& cosI) {
+  const auto narrow = [](Range& range, const Range& other) {
+    const double low = std::max(range.low, other.low), high = std::min(range.high, other.high);
+    if (low <= high) range = {low, high};
+  };
+  constexpr double rounding = 1e-12;
+  PairBox shell = box;
+  shell.cosI = cosI;
+  const Range height = cosI + box.cosO;
+  if (box.cosH.low > 0)
+    narrow(shell.cosD, {height.low / (2 * box.cosH.high) - rounding, height.high / (2 * box.cosH.low) + rounding});
+  narrow(shell.rise, {cosI.low - box.cosO.high - rounding, cosI.high - box.cosO.low + rounding});
+  return shell;
+}
+
 /// Cosines of the light within a shell differ by at most this factor.
 constexpr double shellRatio = 1.6;
 
@@ -34,13 +50,9 @@ void includeShells(const ValueBound& values, const PairBox& box, Excess& excess)
   Excess largest;
   double high = box.cosI.high, mostReflected = 0;
   for (int shell = 0; shell < most; ++shell) {
-    PairBox rest = box;
-    rest.cosI.high = high;
-    const double highest = highestIn(values, rest), low = high / shellRatio;
+    const double highest = highestIn(values, shellOf(box, {box.cosI.low, high})), low = high / shellRatio;
     const bool last = shell + 1 == most || highest * high <= mostReflected || low <= box.cosI.low;
-    PairBox one = rest;
-    one.cosI.low = low;
-    const double value = last ? highest : highestIn(values, one);
+    const double value = last ? highest : highestIn(values, shellOf(box, {low, high}));
     const bool isFlat = highest <= value * 1.02;
     Excess part;
     part.include(isFlat ? highest : value, box.measure * (high / box.cosI.high));

@@ -23,11 +23,12 @@ std::shared_ptr<const rendering::RenderMaterial> PyMaterial::rendered() const {
 }
 
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const Brdf> brdf,
-                          const std::string& description) {
+                          const std::string& description, const std::vector<std::string>& notes) {
   materials::Material material;
   material.name = name;
   material.source.format = kind;
   material.source.description = description;
+  material.source.notes = notes;
   material.brdf = std::move(brdf);
   return std::make_shared<PyMaterial>(material);
 }

@@ -37,7 +37,7 @@ using PyMaterialPtr = std::shared_ptr<PyMaterial>;
 
 /// A material without a file. @param kind MaterialSource::format, which is the file format of other materials.
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const Brdf> brdf,
-                          const std::string& description = {});
+                          const std::string& description = {}, const std::vector<std::string>& notes = {});
 /// The same for a table.
 PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const TabulatedBrdf> table,
                           const std::string& description = {});

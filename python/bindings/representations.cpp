@@ -137,6 +137,7 @@ struct PyCode {
   std::size_t bytes = 0;
   double seconds = 0;
   double renderedSnr = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> warnings = {};
 };
 
 PyDictionaryPtr orBundled(const PyDictionaryPtr& dictionary) {
@@ -186,6 +187,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
     result.code = formats::readCode(io::MemorySource(file)).code;
     result.bytes = file.size();
     result.seconds = encoded.seconds;
+    result.warnings = dictionary::lostPeaks(*sampled, *dictionary::decode(ensemble, result.code));
     return result;
   });
 }
@@ -265,7 +267,9 @@ void bindFactors(py::module_& module) {
            })
       .def("material",
            [](const PyFactors& f, const std::string& name) {
-             return newMaterial(name, "PDV factors", makePdvBrdf(*f.factors));
+             const std::string warning = curveLimitWarning(*f.factors);
+             return newMaterial(name, "PDV factors", makePdvBrdf(*f.factors), {},
+                                warning.empty() ? std::vector<std::string>() : std::vector{"warning: " + warning});
            })
       .def("save", [](const PyFactors& f, const std::string& path) { formats::writePdv(*f.factors, path); });
   module.def("factorize", factorize);
@@ -308,6 +312,7 @@ void bindRepresentations(py::module_& module) {
       .def_readonly("bytes", &PyCode::bytes)
       .def_readonly("seconds", &PyCode::seconds)
       .def_readonly("rendered_snr", &PyCode::renderedSnr)
+      .def_property_readonly("warnings", [](const PyCode& c) { return toTexts(c.warnings); })
       .def_property_readonly("channels", coefficientsOf)
       .def("material", decodeCode, py::call_guard<py::gil_scoped_release>())
       .def("save",

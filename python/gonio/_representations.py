@@ -327,6 +327,12 @@ class Code:
         return self._handle.rendered_snr
 
     @property
+    def warnings(self) -> list[str]:
+        """Problems that encode() found: a sentence for each channel in which the brightest cell decodes to less than a
+        tenth. Empty for a code that was read from a file."""
+        return self._handle.warnings
+
+    @property
     def channels(self) -> list[ChannelCode]:
         """The coefficients of red, green and blue, a list of three."""
         return [ChannelCode(*channel) for channel in self._handle.channels]

@@ -45,6 +45,29 @@ def test_edits_of_curves(paint, factors):
         factors.with_curves(f1=factors.f1[:, :, 1:])
 
 
+def test_huge_curves_are_warned_about(paint, factors):
+    """Values stay finite; the material made of the curves, and one edited with them, state the limit."""
+    f1 = factors.f1
+    f1[0, 0, 3] = 1e300
+    huge = factors.with_curves(f1=f1)
+    for material in (huge.material(), gonio.edit_factors(paint, factors, huge)):
+        assert any("larger than 1e+30 (1e+300 in F1 of term 1 in red)" in note for note in material.notes)
+        assert np.all(np.isfinite(material.evaluate([0, 0, 1], [0, 0, 1])))
+    assert not factors.material().notes
+
+
+def test_lost_peaks_are_warned_about():
+    """One cell of 1e8 in a grey table cannot survive with few coefficients; the grey table loses nothing."""
+    shape = (90, 90, 180)
+    nodes = gonio.grid_directions(shape)
+    values = np.full(shape + (3,), 0.1)
+    grey = gonio.from_table(values, nodes.valid)
+    assert gonio.encode(grey, coefficients=16).warnings == []
+    values[2, 40, 90, 0] = 1e8
+    warnings = gonio.encode(gonio.from_table(values, nodes.valid), coefficients=2).warnings
+    assert len(warnings) == 1 and "the brightest cell in red" in warnings[0]
+
+
 def test_bad_factorisations_are_errors(paint):
     for options in ({"terms": 0}, {"form": "4d"}, {"transform": "square"}, {"deviation_nodes": [0, 0, 1]}):
         with pytest.raises(gonio.Error):

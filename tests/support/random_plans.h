@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "core/brdf/neural_brdf.h"
 #include "core/brdf/tabulated_brdf.h"
 #include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"
@@ -51,11 +52,51 @@ inline std::shared_ptr<const Brdf> raisedTable(const HalfDifferenceGrid& grid, c
   return std::make_shared<const TabulatedBrdf>(grid, values, valid);
 }
 
+/// By lobes: the highlight of GGX widened or narrowed by up to 4, with another colour, of a band or of another
+/// highlight.
+inline std::shared_ptr<const Brdf> randomLobes(std::mt19937_64& random, const HalfDifferenceGrid& grid,
+                                               const Rgb& colour) {
+  const auto in = [&](double low, double high) { return low + (high - low) * uniform(random); };
+  const models::Model& model = models::ggx();
+  models::ParameterValues fitted = models::defaultParameters(model.spec());
+  fitted.values[*model.spec().find("roughness")] = Rgb(in(0.05, 0.3));
+  editing::DifferentialEdit edit = editing::unchangedEdit(model, fitted);
+  edit.keepsAlbedo = random() % 2 == 0;
+  edit.edited.values[*model.spec().find("roughness")] *= std::pow(4, in(-1, 1));
+  if (random() % 2) edit.edited.values[*model.spec().find("specular")] *= colour;
+  const double low = in(0, 1.2);
+  const std::shared_ptr<const Brdf> base = random() % 2 ? ggx(colour, Rgb(0.8), in(0.05, 0.5), in(0.03, 0.5))
+                                                        : raisedTable(grid, {0, 0.2}, {low, low + 0.2}, in(0.1, 10));
+  return editing::applyEdits(base, std::vector<editing::Edit>{{.content = edit, .strength = in(0.3, 1)}});
+}
+
+/// A model with some parameters in ranges; the others have their defaults.
+struct ParameterRange {
+  const char* id;
+  double low, high;
+};
+inline std::shared_ptr<const Brdf> randomModel(const char* id, std::initializer_list<ParameterRange> ranges,
+                                               std::mt19937_64& random) {
+  const models::Model& model = models::findModel(id);
+  models::ParameterValues values = models::defaultParameters(model.spec());
+  for (const ParameterRange& range : ranges)
+    values.values[*model.spec().find(range.id)] = Rgb(range.low * std::pow(range.high / range.low, uniform(random)));
+  return model.instantiate(values);
+}
+
+/// A network with weights drawn by chance.
+inline std::shared_ptr<const Brdf> randomNetwork(double scale, std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0, scale);
+  std::vector<float> weights(NeuralBrdf::weightCount);
+  for (float& weight : weights) weight = float(normal(random));
+  return std::make_shared<const NeuralBrdf>(weights);
+}
+
 inline std::shared_ptr<const Brdf> randomPlanMaterial(std::mt19937_64& random) {
   const auto in = [&](double low, double high) { return low + (high - low) * uniform(random); };
   const HalfDifferenceGrid grid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 12};
   const Rgb colour(in(0, 0.8), in(0, 0.8), in(0, 0.8));
-  switch (random() % 8) {
+  switch (random() % 12) {
     case 0:
       return ggx(Rgb(0), Rgb(1), std::pow(10, in(-2.7, -1)), in(0.3, 1));  // a mirror, more or less
     case 1:
@@ -86,6 +127,21 @@ inline std::shared_ptr<const Brdf> randomPlanMaterial(std::mt19937_64& random) {
     }
     case 6:
       return models::findModel("lambert").instantiate({{colour}});
+    case 7:
+    case 8:
+      return randomLobes(random, grid, colour);
+    case 9:
+      return randomNetwork(in(0.1, 0.25), random);
+    case 10:
+      return random() % 2 ? randomModel("he", {{"roughness", 0.02, 1}, {"correlation-length", 1, 20}}, random)
+                          : randomModel("layered",
+                                        {{"sheen", 0.05, 0.3},
+                                         {"sheen-lobe", 1, 1},
+                                         {"retro", 0.05, 0.3},
+                                         {"retro-lobe", 1, 1},
+                                         {"retro-roughness", 0.1, 0.5},
+                                         {"coat-roughness", 0.02, 0.2}},
+                                        random);
     default:
       return ggx(colour, Rgb(in(0, 1)), in(0.05, 0.7), in(0.02, 0.5));
   }

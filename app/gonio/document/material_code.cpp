@@ -90,7 +90,8 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   dictionary::EncodeOptions options;
   options.coefficients = coefficients;
   options.quantised = true;
-  code.encoded = coder().encoder.encode(*material->table(control), options, control);
+  const auto table = material->table(control);
+  code.encoded = coder().encoder.encode(*table, options, control);
   control.throwIfStopped();
   const std::vector<std::byte> file = formats::encodeCode(code.encoded.code, code.dictionary->id);
   code.bytes = file.size();
@@ -100,6 +101,7 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   const auto start = Clock::now();
   code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+  code.warnings = dictionary::lostPeaks(*table, *code.table);
   control.throwIfStopped();
   code.density = std::make_shared<const TabulatedDensity>(*code.table);
   code.quality = study::measureQuality(*material->base, *dictionary::makeCodeBrdf(*ensemble, code.stored->code),
@@ -112,7 +114,7 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const auto snrText = [](double snr) {
     return std::isfinite(snr) ? MaterialCodeText::tr("%1 dB").arg(snr, 0, 'f', 1) : QStringLiteral("∞");
   };
-  return {
+  std::vector<widgets::Fact> facts{
       {MaterialCodeText::tr("Error"),
        MaterialCodeText::tr("rendered SNR %1, BRDF SNR %2, log error %3")
            .arg(snrText(code.quality.renderedSnr), snrText(code.quality.brdfSnr),
@@ -149,6 +151,10 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
            "than a quarter.\n\"Learned with\": number of coefficients per signal (one channel of a material) during "
            "training.")
            .arg(code.dictionary->ensemble.dictionaries.size())}};
+  for (const std::string& warning : code.warnings)
+    facts.push_back({MaterialCodeText::tr("Warning"), QString::fromStdString(warning),
+                     MaterialCodeText::tr("More coefficients represent narrower and brighter peaks.")});
+  return facts;
 }
 
 }  // namespace gonio::app

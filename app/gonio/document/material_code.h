@@ -30,6 +30,7 @@ struct MaterialCode {
   std::size_t bytes = 0;                                ///< of the file
   study::MaterialQuality quality;                       ///< of `stored` against the measurement
   double decodeSeconds = 0;
+  std::vector<std::string> warnings = {};  ///< dictionary::lostPeaks()
 };
 
 /// Encodes with the bundled dictionary (about 2 s on two cores; the first call also prepares the encoder), decodes the

@@ -5,10 +5,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_terms_view.h"
+#include "core/factorization/pdv_operations.h"
 #include "core/formats/formats.h"
 #include "core/formats/pdv.h"
 #include "widgets/curves/curve_editor.h"
@@ -51,7 +53,8 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_save(new QPushButton(tr("&Save..."))),
       m_columns{new FactorColumn(FactorAxis::theta), new FactorColumn(FactorAxis::deviation),
                 new FactorColumn(FactorAxis::phi)},
-      m_terms(new FactorTermsView) {
+      m_terms(new FactorTermsView),
+      m_warning(new QLabel) {
   buildControls();
   connectColumns();
   showLimits(radians(firstLimitDegrees));
@@ -92,6 +95,9 @@ void FactorCurvesPanel::buildControls() {
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(top);
   layout->addLayout(columns, 1);
+  m_warning->setObjectName(QStringLiteral("warning"));
+  m_warning->setWordWrap(true);
+  layout->addWidget(m_warning);
 }
 
 void FactorCurvesPanel::connectColumns() {
@@ -225,6 +231,9 @@ void FactorCurvesPanel::refresh() {
   m_columns[2]->setVisible(!flat);
   m_preserveDetail->setChecked(edit.preserveDetail);
   m_preserveDetail->setEnabled(known);
+  const std::string warning = known ? factorization::curveLimitWarning(*edit.edited) : std::string();
+  m_warning->setText(QStringLiteral("⚠ ") + QString::fromStdString(warning));
+  m_warning->setVisible(!warning.empty());
   m_save->setEnabled(known);
   m_resetAll->setEnabled(m_document.active<FactorEdit>());
   m_form->setEnabled(m_document.material() != nullptr);

@@ -13,6 +13,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QPushButton;
 
 namespace gonio::app {
@@ -84,6 +85,7 @@ class FactorCurvesPanel : public QWidget {
   QPushButton *m_factorise, *m_resetAll, *m_save;
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
+  QLabel* m_warning;
   std::shared_ptr<const FactorsWithCosts> m_measured;
   Curves m_original;                   ///< curves of m_measured with the selected number of terms
   FactorsWithCosts::Kind m_requested;  ///< of m_measured or of the running measurement

@@ -20,7 +20,8 @@ namespace gonio::app {
 
 namespace {
 constexpr int choiceEms = 17;
-const QString openKey = QStringLiteral("open-blend");
+const QString openKey = QStringLiteral("open-blend"), blendCostKey = QStringLiteral("blend-cost");
+constexpr int blendRestMilliseconds = 400;
 using Space = interpolation::InterpolationSpace;
 }  // namespace
 
@@ -47,6 +48,8 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
   layout->addWidget(m_slots);
   layout->addWidget(buildChoice());
   layout->addWidget(m_overview, 1);
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(blendRestMilliseconds);
   connectParts();
   setSpace(m_space);
   blendMaterialsChanged();
@@ -127,6 +130,7 @@ void InterpolationPanel::connectParts() {
     moveTo(t < 0 ? m_position : widgets::pathPosition(m_materials.count(), t));
   });
   connect(m_overview, &BlendOverview::drawRequested, this, [this] { m_spaces.want(m_space); });
+  connect(&m_rest, &QTimer::timeout, this, &InterpolationPanel::measureCost);
   connect(m_show, &QCheckBox::toggled, this, &InterpolationPanel::subjectChanged);
   connect(m_open, &QPushButton::clicked, this, &InterpolationPanel::openAsMaterial);
   // What is edited or opened is what the user wants to see.
@@ -174,7 +178,10 @@ void InterpolationPanel::showExplanation() {
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
     text += '\n' + tr("The preview blends tables; a material that is not a table is sampled to one first.");
   if (const auto& cost = m_spaces.cost(m_space)) {
-    text += '\n' + tr("The blend takes %1. ").arg(widgets::timesText(cost->middle));
+    const study::UseCost* present = presentCost();
+    text += '\n' + (present ? tr("The blend takes %1. ").arg(widgets::timesText(*present))
+                            : tr("At equal weights, the blend takes %1. ").arg(widgets::timesText(cost->middle)));
+    if (!present && isVisible()) m_rest.start();
     text +=
         std::isfinite(cost->lowestEndSnr)
             ? tr("At its ends it differs from the materials: rendered SNR %1 dB.").arg(cost->lowestEndSnr, 0, 'f', 1)
@@ -183,10 +190,35 @@ void InterpolationPanel::showExplanation() {
   m_positionEditor->setExplanation(text);
 }
 
+const study::UseCost* InterpolationPanel::presentCost() const {
+  const auto& cost = m_spaces.cost(m_space);
+  if (!cost) return nullptr;
+  if (m_position == widgets::centrePosition(m_materials.count())) return &cost->middle;
+  const bool isPresent = m_measured && m_measured->blend == m_spaces.prepared(m_space) &&
+                         m_measured->weights == m_spaces.ordered(weights());
+  return isPresent ? &m_measured->cost : nullptr;
+}
+
+void InterpolationPanel::measureCost() {
+  const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
+  if (!isVisible() || !blend || !m_spaces.cost(m_space) || presentCost()) return;
+  const std::vector<double> weights = m_spaces.ordered(this->weights());
+  m_tasks.run<study::UseCost>(
+      {.title = tr("Measuring the blend"), .key = blendCostKey, .live = true},
+      [blend, weights](const TaskControl& control) {
+        return study::measureUse(*blend->interpolation->brdf(weights), {control.stop, {}});
+      },
+      [this, blend, weights](const study::UseCost& cost) {
+        m_measured = {blend, weights, cost};
+        showExplanation();
+      });
+}
+
 void InterpolationPanel::moveTo(const QPointF& position) {
   m_position = widgets::nearestPosition(m_materials.count(), position);
   touched();
   showPosition();
+  showExplanation();
   Q_EMIT subjectChanged();
 }
 
@@ -285,18 +317,22 @@ void InterpolationPanel::openAsMaterial() {
 }
 
 bool InterpolationPanel::isSettled() const {
-  return !isVisible() || (!m_materials.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(openKey));
+  return !isVisible() || (!m_materials.isReading() && m_spaces.isSettled() && !m_tasks.isRunning(openKey) &&
+                          !m_rest.isActive() && !m_tasks.isRunning(blendCostKey));
 }
 
 void InterpolationPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   m_spaces.want(m_space);
+  showExplanation();
   Q_EMIT subjectChanged();
 }
 
 void InterpolationPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   m_spaces.pause();
+  m_rest.stop();
+  m_tasks.drop(blendCostKey);
   Q_EMIT subjectChanged();
 }
 

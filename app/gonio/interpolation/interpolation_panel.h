@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 
@@ -84,6 +85,9 @@ class InterpolationPanel : public QWidget {
   void showPosition();
   void showExplanation();
   void showOpenable();
+  /// The cost of the blend at the present weights; null until it is measured.
+  const study::UseCost* presentCost() const;
+  void measureCost();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
@@ -100,6 +104,14 @@ class InterpolationPanel : public QWidget {
   widgets::ModelBox* m_modelBox;
   QCheckBox *m_preserveDetail, *m_show;
   QPushButton* m_open;
+  /// A cost and what it was measured of.
+  struct MeasuredCost {
+    widgets::PreparedBlendPtr blend;
+    std::vector<double> weights;
+    study::UseCost cost;
+  };
+  std::optional<MeasuredCost> m_measured;
+  QTimer m_rest;  ///< until the position has rested long enough to measure the cost there
 };
 
 }  // namespace gonio::app

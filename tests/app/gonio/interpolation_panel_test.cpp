@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -108,6 +109,27 @@ class InterpolationPanelTest : public QObject {
     Q_EMIT strip(editor).chosen(0, -1);
     QCOMPARE(editor.panel.space(), InterpolationSpace::linear);
     QVERIFY(std::abs(editor.panel.position().x() - 1 / 3.0) < 1e-12);
+  }
+
+  /// The cost is that of the present weights, measured where the position rests; before it is that of equal ones.
+  void theCostFollowsThePosition() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.fill(1, "light", 0.6);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
+    const auto shown = [&](const QString& begin) {
+      const auto labels = editor.panel.findChildren<QLabel*>();
+      return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text().contains(begin); });
+    };
+    QVERIFY(shown("\nThe blend takes"));
+    editor.panel.moveTo({0.25, 0});
+    QVERIFY(shown("\nAt equal weights, the blend takes") && !editor.panel.isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
+    QVERIFY(shown("\nThe blend takes"));
+    editor.panel.moveTo({0.3, 0});
+    QVERIFY(shown("\nAt equal weights, the blend takes"));
+    editor.panel.moveTo({0.5, 0});
+    QVERIFY(shown("\nThe blend takes"));
   }
 
   /// Three materials: the pad takes the slider's place; its weights are those of the blend.

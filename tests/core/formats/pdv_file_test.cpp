@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/factorization/pdv_operations.h"
+#include "core/materials/edited_material.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
@@ -47,6 +49,26 @@ class PdvFileTest : public QObject {
   }
 
  private Q_SLOTS:
+  /// A curve of 1e300: the file holds what evaluation uses, so that it can be read, and a warning states it.
+  void hardCase56HugeCurve() {
+    PdvFactors f = someFactors(PdvForm::threeFactors);
+    f.channels[1][0].f1[2] = -1e300;
+    f.highest = 1e300;
+    const auto path = test::outputPath("pdv/huge.pdv");
+    writePdv(f, path);
+    QCOMPARE(readPdv(path).channels[1][0].f1[2], double(-1e30f));
+    const std::string warning = curveLimitWarning(f);
+    QVERIFY2(warning.starts_with("1 value of the factor curves is larger than 1e+30 (1e+300 in F1 of term 1 in green)"),
+             warning.c_str());
+    QVERIFY(curveLimitWarning(someFactors(PdvForm::threeFactors)).empty());
+    // With an edit that makes it, the material states it.
+    const auto original = std::make_shared<const PdvFactors>(someFactors(PdvForm::threeFactors));
+    const std::vector<editing::Edit> edits{
+        {.content = editing::FactorEdit{original, std::make_shared<const PdvFactors>(f)}}};
+    const Material base = unedited("base", makePdvBrdf(*original)).base;
+    QCOMPARE(withEdits(base, edits).source.notes, std::vector{"warning: " + warning});
+  }
+
   void roundTrip() {
     for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors}) {
       const PdvFactors f = someFactors(form);

@@ -53,6 +53,22 @@ class RandomPlansTest : public QObject {
     }
   }
 
+  /// Edits by lobes: the plan ends the paths by a bound, and the picture is that with all effects.
+  void plansOfEditsByLobesEnd() {
+    const models::Model& model = models::ggx();
+    const models::ParameterValues fitted = models::defaultParameters(model.spec());
+    editing::DifferentialEdit edit = editing::unchangedEdit(model, fitted);
+    edit.edited.values[*model.spec().find("roughness")] *= 2;
+    const Material material = traced(
+        editing::applyEdits(bakeTable(*model.instantiate(fitted)), std::vector<editing::Edit>{{.content = edit}}));
+    const Scene scene = openScene("sphere-on-plane");
+    const EffectPlan plan = planEffects(scene, bindMaterials(scene, RenderMaterials{material}));
+    QVERIFY2(plan.reflections < EffectThresholds().maxReflections && plan.remainder <= EffectThresholds().remainder,
+             plan[Effect::interreflection].reason.c_str());
+    const QString text = plannedAgainstAll(scene, material);
+    QVERIFY2(text.isEmpty(), qPrintable(text));
+  }
+
   /// What is seen only in a mirror, what emits behind something else, gaps of 1e-10, and light along the horizon.
   void hiddenThingsAreSimulated() {
     const Material mirror = traced(ggx(Rgb(0), Rgb(1), 0.003, 1)), grey = diffuseMaterial(Rgb(0.6));
