@@ -21,7 +21,7 @@ struct DictionaryArguments {
   std::vector<std::string> sources, excluded;
   std::string out, checkpoint, extended;
   TrainingOptions training;
-  bool onlyComplete = false;
+  bool onlyComplete = false, half = false;
 };
 
 /// What makes two trainings the same, for a checkpoint.
@@ -102,7 +102,7 @@ int train(const DictionaryArguments& options, const Tool& tool) {
   const Sizes& ranks = result.state.subspace.ranks;
   if (extended) result.ensemble = joined(extended->ensemble, result.ensemble);
   const double orthonormality = orthonormalityError(result.ensemble);
-  materials::writeDictionary(result.ensemble, options.out);
+  materials::writeDictionary(result.ensemble, options.out, options.half);
   print(tool,
         {{"complete", result.complete},
          {"materials", materials.names.size()},
@@ -182,6 +182,7 @@ void addTrain(CLI::App& app, Tool& tool) {
       ->add_option("--extend", options->extended,
                    "Dictionary file whose dictionaries precede the learned ones in the file to write")
       ->type_name("FILE");
+  command->add_flag("--half", options->half, "Store the dictionaries in half precision: half the size of the file");
   command->add_flag("--normalise", training.signals.normalised,
                     "Divide each signal by its norm, so that dark materials count as much as bright ones");
   command->add_option("--seed", training.seed, "Seed of the initial assignment of signals to dictionaries (1)");

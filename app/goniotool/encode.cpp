@@ -137,6 +137,11 @@ struct EncodeArguments {
 
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
+/// The published method does not quantise, unless a number of bytes asks for it.
+bool isQuantised(const EncodeArguments& options) {
+  return !options.single && (!options.asPublished || options.bytes > 0);
+}
+
 EncodeOptions encodeOptions(const EncodeArguments& options) {
   constexpr std::size_t maxWithinBytes = 4096;
   EncodeOptions encoding = options.encoding;
@@ -148,7 +153,7 @@ EncodeOptions encodeOptions(const EncodeArguments& options) {
   if (options.coefficients) encoding.coefficients = *options.coefficients;
   encoding.method = CodingMethod(std::ranges::find(codingMethodNames, options.method) - codingMethodNames.begin());
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
-  encoding.quantised = !options.single;
+  encoding.quantised = isQuantised(options);
   if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, formats::codeHeaderBytes);
   std::erase_if(encoding.transforms,
                 [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
@@ -160,8 +165,9 @@ int encode(const EncodeArguments& options, const Tool& tool) {
     throw UsageError("encode: --as-published cannot be used with --method");
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts quantised values; leave out --single");
-  const auto dictionary =
-      options.dictionary.empty() ? materials::bundledEnsemble() : materials::readDictionary(options.dictionary);
+  const auto dictionary = !options.dictionary.empty() ? materials::readDictionary(options.dictionary)
+                          : options.asPublished       ? materials::publishedEnsemble()
+                                                      : materials::bundledEnsemble();
   const auto material = documents::openMaterial(options.material, tool.control("reading"));
   auto table =
       onCodeGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble, tool.control("sampling"));
@@ -174,7 +180,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
                   .encoded;
   else
     encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
-  const auto precision = options.single ? CodePrecision::single : CodePrecision::quantised;
+  const auto precision = isQuantised(options) ? CodePrecision::quantised : CodePrecision::single;
   const std::vector<std::byte> bytes = formats::encodeCode(encoded.code, dictionary->id, precision);
   // Of what the file holds: with the values as they are rounded.
   const SparseCode stored = formats::readCode(io::MemorySource(bytes)).code;
@@ -190,10 +196,10 @@ int encode(const EncodeArguments& options, const Tool& tool) {
                           {"squaredError", candidate.squaredError}});
     text += nameOf(candidate.code.transform) + ": gamma error " + number(candidate.gammaError) + "\n";
   }
-  std::string numbers;  // from 1
+  std::string numbers;
   for (const ChannelCode& channel : encoded.code.channels) {
     dictionaries.push_back(channel.dictionary);
-    numbers += (numbers.empty() ? "" : ", ") + std::to_string(channel.dictionary + 1);
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(channel.dictionary);
   }
   Json json{{"method", options.method}, {"scaled", encoded.code.scaled}, {"coefficients", encoded.code.coefficients()},
             {"bytes", bytes.size()},    {"dictionary", dictionaries},    {"transform", nameOf(encoded.code.transform)},
@@ -291,9 +297,9 @@ void addEncode(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--method", options->method,
-          "omp: orthogonal matching pursuit; basis-pursuit: smallest L1 norm; components: principal components of "
-          "--basis; k-svd: small blocks of the table (patches), each as atoms of a dictionary learned from --train "
-          "(omp)")
+          "iterative-hard-thresholding: the largest coefficients; basis-pursuit: smallest L1 norm; components: "
+          "principal components of --basis; k-svd: small blocks of the table (patches), each as atoms of a dictionary "
+          "learned from --train (iterative-hard-thresholding)")
       ->check(CLI::IsMember(methods));
   command->add_option("--basis", options->basis, "Basis file of --method components, see goniotool plan")
       ->type_name("FILE");
@@ -303,8 +309,9 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
       ->type_name("NAME");
   command->add_flag("--as-published", options->asPublished,
-                    "Published method: without cell scaling, invalid cells filled once before the projection, "
-                    "unweighted gamma error");
+                    "Published method: the dictionaries that were learned without cell scaling, one for each channel, "
+                    "invalid cells filled once before the projection, values neither limited nor quantised, unweighted "
+                    "gamma error");
   command
       ->add_option("--out", options->out,
                    "File to write: the code (" + suffixOf(formats::codeFormat) +

@@ -10,6 +10,7 @@
 #include "core/io/mesh_file.h"
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/plan_check.h"
+#include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
 #include "core/rendering/strategy_costs.h"
 
@@ -21,7 +22,7 @@ using Materials = std::vector<std::shared_ptr<const rendering::RenderMaterial>>;
 
 struct RenderArguments {
   std::vector<std::string> materials, on, off;
-  std::string scene = "sphere", up = "y", out;
+  std::string scene = "sphere", up = "y", out, sampling{rendering::samplingMethods().front().id};
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
   bool effects = false, costs = false, strategies = false, everything = false, compare = false;
   int reflections = rendering::EffectThresholds().maxReflections;
@@ -51,9 +52,10 @@ void requirePlaces(const rendering::Scene& scene, std::size_t materials) {
 
 Materials openMaterials(const RenderArguments& options, const Tool& tool) {
   Materials materials;
-  for (const std::string& material : options.materials)
-    materials.push_back(std::make_shared<const rendering::RenderMaterial>(
-        openAtWavelength(material, options.wavelength, tool.control("reading " + material))));
+  for (const std::string& material : options.materials) {
+    const auto brdf = openAtWavelength(material, options.wavelength, tool.control("reading " + material));
+    materials.push_back(rendering::sampledBy(options.sampling, brdf, tool.control("sampling by " + options.sampling)));
+  }
   return materials;
 }
 
@@ -234,6 +236,13 @@ void addRender(CLI::App& app, Tool& tool) {
                    "Ignore further reflections that together add at most this fraction of the brightest first "
                    "reflection (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
+  std::vector<std::string> samplings;
+  for (const rendering::SamplingMethod& method : rendering::samplingMethods()) samplings.emplace_back(method.id);
+  command
+      ->add_option("--sampling", options->sampling,
+                   "Density from which directions are sampled for the materials, to compare methods: auto chooses the "
+                   "one with the least noise at equal time")
+      ->check(CLI::IsMember(samplings));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->add_option("--out", options->out, "Image file to write: .exr (linear) or .png")->group(outputGroup);
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });

@@ -13,6 +13,7 @@
 #include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
 #include "core/rendering/render_picture.h"
+#include "core/study/study_plot.h"
 #include "core/study/study_record.h"
 #include "core/support/text.h"
 
@@ -54,10 +55,8 @@ void addCost(Json& json, const study::UseCost& cost) {
 }
 
 std::string costText(const study::UseCost& cost) {
-  char text[80];
-  std::snprintf(text, sizeof text, "%.3g ns per evaluation, %.3g ms per frame", cost.evaluation.median,
-                cost.frameMilliseconds);
-  return text;
+  return study::shortQuantity(1e-9 * cost.evaluation.median, "s") + " per evaluation, " +
+         study::shortQuantity(1e-3 * cost.frameMilliseconds, "s") + " per frame";
 }
 
 Json planJson(const rendering::EffectPlan& plan, const rendering::EffectCosts* costs) {

@@ -3,6 +3,7 @@
 #include "core/baselines/baselines.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
@@ -45,8 +46,27 @@ Models buildLawrence(const TabulatedBrdf& table, Budgets budgets, const TaskCont
 }
 
 Models buildBilgili(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfOutSamples samples = sampleHalfOut(table, bilgiliAxes(), control.between(0, 0.1));
+  std::array<BilgiliFactors, 3> all;
+  for (int c = 0; c < 3; ++c)
+    all[std::size_t(c)] = factorizeBilgili(samples, bilgiliTerms(samples.axes, largest(budgets) / 3), c,
+                                           control.between(0.1 + 0.3 * c, 0.4 + 0.3 * c));
+  Models models;
+  for (const std::size_t budget : budgets) {
+    std::array<BilgiliFactors, 3> channels;
+    std::size_t bytes = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      channels[c] = truncateBilgili(all[c], bilgiliTerms(samples.axes, budget / 3), samples);
+      bytes += channels[c].bytes();
+    }
+    models.push_back({makeBilgiliBrdf(std::move(channels)), bytes});
+  }
+  return models;
+}
+
+Models buildBilgiliLuminance(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
   const HalfOutSamples samples = sampleHalfOut(table, bilgiliAxes(), control);
-  const BilgiliFactors all = factorizeBilgili(samples, bilgiliTerms(samples.axes, largest(budgets)), control);
+  const BilgiliFactors all = factorizeBilgili(samples, bilgiliTerms(samples.axes, largest(budgets)), {}, control);
   Models models;
   for (const std::size_t budget : budgets) {
     const BilgiliFactors factors = truncateBilgili(all, bilgiliTerms(samples.axes, budget), samples);
@@ -150,9 +170,12 @@ constexpr Baseline rows[] = {
      unlimited, buildLawrence},
     {"bivariate", "Romeiro et al. 2008", "bivariate table", "Romeiro, Vasilyev and Zickler 2008, Passive Reflectometry",
      97'200, buildBivariate},
-    {"bilgili", "Bilgili et al. 2011", "recursive Tucker decomposition of the luminance",
+    {"bilgili", "Bilgili et al. 2011", "recursive Tucker decomposition of each channel",
      "Bilgili, Öztürk and Kurt 2011, A General BRDF Representation Based on Tensor Decomposition", unlimited,
      buildBilgili},
+    {"bilgili-luminance", "Bilgili et al. 2011, luminance", "recursive Tucker decomposition of the luminance",
+     "Bilgili, Öztürk and Kurt 2011, A General BRDF Representation Based on Tensor Decomposition", unlimited,
+     buildBilgiliLuminance},
     {"nonparametric", "Bagher et al. 2016", "microfacet model with tabulated factors",
      "Bagher, Snyder and Nowrouzezahrai 2016, A Non-Parametric Factor Microfacet Model for Isotropic BRDFs", 0,
      buildNonparametric},

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <optional>
 
 #include "core/baselines/half_vector_sampler.h"
 #include "core/coordinates/half_out.h"
@@ -18,7 +17,7 @@ namespace {
 
 /// All cells count: a hole takes the value of the theta_h before. Left free, products grow without bounds there, and
 /// pairs between a hole and a measured node would read them.
-factorization::MaskedTensor logLuminance(const HalfOutSamples& s) {
+factorization::MaskedTensor logarithm(const HalfOutSamples& s, std::optional<int> channel) {
   const HalfOutAxes& axes = s.axes;
   const std::size_t slice = axes.phiH.size() * axes.thetaO.size();
   factorization::MaskedTensor tensor;
@@ -27,7 +26,7 @@ factorization::MaskedTensor logLuminance(const HalfOutSamples& s) {
   tensor.sizes[2] = int(axes.thetaO.size());
   tensor.weights.assign(s.values.size(), 1.0f);
   for (std::size_t i = 0; i < s.values.size(); ++i)
-    tensor.values.push_back(s.valid[i]   ? float(std::log1p(luminance(s.values[i])))
+    tensor.values.push_back(s.valid[i]   ? float(std::log1p(channel ? s.values[i][*channel] : luminance(s.values[i])))
                             : i >= slice ? tensor.values[i - slice]
                                          : 0.0f);
   return tensor;
@@ -37,7 +36,7 @@ double between(const std::vector<double>& curve, const NodeInterval& at) {
   return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
 }
 
-double luminanceAt(const BilgiliFactors& f, const HalfOut& at) {
+double valueAt(const BilgiliFactors& f, const HalfOut& at) {
   const NodeInterval h = findInterval(f.axes.thetaH, at.thetaH), p = findInterval(f.axes.phiH, std::abs(at.phiH)),
                      o = findInterval(f.axes.thetaO, at.thetaO);
   double sum = 0;
@@ -56,7 +55,7 @@ void fitColours(const HalfOutSamples& s, BilgiliFactors& f) {
       for (std::size_t o = 0; o < axes.thetaO.size(); ++o, ++at) {
         const double weight = projectedMeasure(s, h, p, o);
         if (!(weight > 0)) continue;
-        const double value = luminanceAt(f, {.thetaO = axes.thetaO[o], .thetaH = axes.thetaH[h], .phiH = axes.phiH[p]});
+        const double value = valueAt(f, {.thetaO = axes.thetaO[o], .thetaH = axes.thetaH[h], .phiH = axes.phiH[p]});
         weights += weight;
         y += weight * value;
         yy += weight * value * value;
@@ -78,13 +77,15 @@ std::size_t termBytes(const HalfOutAxes& axes) {
 
 constexpr std::size_t colourBytes = 7 * sizeof(float);  // kd, ks, highest
 
-Rgb reflectanceAt(const BilgiliFactors& f, const HalfOut& at) {
-  return glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at));
+/// @param parts the luminance, or three channels.
+Rgb reflectanceAt(std::span<const BilgiliFactors> parts, const HalfOut& at) {
+  if (parts.size() == 1) return glm::max(Rgb(0), parts[0].kd + parts[0].ks * valueAt(parts[0], at));
+  return {valueAt(parts[0], at), valueAt(parts[1], at), valueAt(parts[2], at)};
 }
 
 /// The luminance times the cosine of the light at the nodes, per solid angle of the half vector.
-TensorHalfVectorSampler bilgiliSampler(const BilgiliFactors& f) {
-  const HalfOutAxes& axes = f.axes;
+TensorHalfVectorSampler bilgiliSampler(std::span<const BilgiliFactors> parts) {
+  const HalfOutAxes& axes = parts[0].axes;
   std::vector<double> density(axes.size(), 0);
   for (std::size_t h = 0; h < axes.thetaH.size(); ++h)
     for (std::size_t p = 0; p < axes.phiH.size(); ++p)
@@ -94,14 +95,14 @@ TensorHalfVectorSampler bilgiliSampler(const BilgiliFactors& f) {
         if (!valid) continue;
         const double cosD = glm::dot(fromSpherical(node.thetaO, 0), fromSpherical(node.thetaH, node.phiH));
         density[axes.index(h, p, o)] =
-            luminance(reflectanceAt(f, node)) * std::max(0.0, pair.wi.z) * halfOutJacobian(std::max(0.0, cosD));
+            luminance(reflectanceAt(parts, node)) * std::max(0.0, pair.wi.z) * halfOutJacobian(std::max(0.0, cosD));
       }
   return {axes, density};
 }
 
 class BilgiliBrdf final : public Brdf {
  public:
-  explicit BilgiliBrdf(BilgiliFactors factors) : factors_(std::move(factors)) {}
+  explicit BilgiliBrdf(std::vector<BilgiliFactors> parts) : parts_(std::move(parts)) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -109,7 +110,7 @@ class BilgiliBrdf final : public Brdf {
       const auto& [wi, wo] = pairs[i];
       values[i] = Rgb(0);
       if (isBelowHorizon(wi) || isBelowHorizon(wo)) continue;
-      if (const HalfOut at = toHalfOut(wi, wo); at.valid) values[i] = reflectanceAt(factors_, at);
+      if (const HalfOut at = toHalfOut(wi, wo); at.valid) values[i] = reflectanceAt(parts_, at);
     }
   }
   bool isReciprocal() const override { return false; }
@@ -120,18 +121,20 @@ class BilgiliBrdf final : public Brdf {
 
  private:
   const TensorHalfVectorSampler& sampler() const {
-    std::call_once(samplerOnce_, [this] { sampler_.emplace(bilgiliSampler(factors_)); });
+    std::call_once(samplerOnce_, [this] { sampler_.emplace(bilgiliSampler(parts_)); });
     return *sampler_;
   }
 
-  BilgiliFactors factors_;
+  std::vector<BilgiliFactors> parts_;
   mutable std::once_flag samplerOnce_;
   mutable std::optional<TensorHalfVectorSampler> sampler_;
 };
 
 }  // namespace
 
-std::size_t BilgiliFactors::bytes() const { return terms.size() * termBytes(axes) + colourBytes; }
+std::size_t BilgiliFactors::bytes() const {
+  return terms.size() * termBytes(axes) + (channel ? sizeof(float) : colourBytes);
+}
 
 HalfOutAxes bilgiliAxes() { return makeHalfOutAxes(90, 45, 45); }
 
@@ -140,9 +143,10 @@ int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget) {
   return int(std::max<std::size_t>(1, room / termBytes(axes)));
 }
 
-BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control) {
-  BilgiliFactors result{.axes = samples.axes};
-  factorization::MaskedTensor left = logLuminance(samples);
+BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, std::optional<int> channel,
+                                const TaskControl& control) {
+  BilgiliFactors result{.axes = samples.axes, .channel = channel};
+  factorization::MaskedTensor left = logarithm(samples, channel);
   const double total = left.squaredNorm();
   if (!left.values.empty()) result.highest = *std::max_element(left.values.begin(), left.values.end());
   result.residuals.push_back(total > 0 ? 1 : 0);
@@ -154,7 +158,7 @@ BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const 
     result.terms.push_back({std::move(best.a), std::move(best.b), std::move(best.c)});
     result.residuals.push_back(total > 0 ? std::sqrt(left.squaredNorm() / total) : 0);
   }
-  fitColours(samples, result);
+  if (!channel) fitColours(samples, result);
   return result;
 }
 
@@ -163,12 +167,16 @@ BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const H
   const std::size_t count = std::min(std::size_t(std::max(terms, 1)), factors.terms.size());
   result.terms.resize(count);
   result.residuals.resize(count + 1);
-  fitColours(samples, result);
+  if (!result.channel) fitColours(samples, result);
   return result;
 }
 
-std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
-  return std::make_shared<const BilgiliBrdf>(std::move(factors));
+std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors luminance) {
+  return std::make_shared<const BilgiliBrdf>(std::vector{std::move(luminance)});
+}
+
+std::shared_ptr<const Brdf> makeBilgiliBrdf(std::array<BilgiliFactors, 3> channels) {
+  return std::make_shared<const BilgiliBrdf>(std::vector<BilgiliFactors>(channels.begin(), channels.end()));
 }
 
 }  // namespace gonio::baselines

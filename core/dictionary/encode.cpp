@@ -195,7 +195,12 @@ EncodeResult encodeWithin(const Encoder& encoder, const TabulatedBrdf& table, En
 }  // namespace
 
 EncodeOptions publishedEncodeOptions(std::size_t coefficients) {
-  return {.coefficients = coefficients, .refinements = 0, .scaled = false, .solidAngles = false};
+  return {.coefficients = coefficients,
+          .refinements = 0,
+          .scaled = false,
+          .sharedDictionary = false,
+          .bounded = false,
+          .solidAngles = false};
 }
 
 Encoder::Encoder(const Ensemble& ensemble) : ensemble_(ensemble) {
@@ -215,10 +220,11 @@ std::vector<double> Encoder::dictionaryErrors(const Eigen::ArrayXf& signal, std:
   return errors;
 }
 
-std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signals& signals, std::size_t coefficients,
-                                               const TaskControl& control) const {
+std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signals& signals,
+                                               const EncodeOptions& options, const TaskControl& control) const {
   std::array<std::vector<double>, 3> errors;
-  parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) { errors[c] = dictionaryErrors(signals[c], coefficients); },
+  parallelForBlocks(3, 1,
+                    [&](std::size_t c, std::size_t) { errors[c] = dictionaryErrors(signals[c], options.coefficients); },
                     {.stop = control.stop, .progress = {}});
   const auto smallest = [](const std::vector<double>& values) {
     return int(std::min_element(values.begin(), values.end()) - values.begin());
@@ -231,6 +237,7 @@ std::array<int, 3> Encoder::chooseDictionaries(const EncodeAttempt<float>::Signa
     separateError += errors[c][std::size_t(separate[c])];
     for (std::size_t d = 0; d < common.size(); ++d) common[d] += errors[c][d];
   }
+  if (!options.sharedDictionary) return separate;
   const int shared = smallest(common);
   return common[std::size_t(shared)] <= acceptedLoss * separateError ? std::array{shared, shared, shared} : separate;
 }
@@ -264,6 +271,7 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
                       signals[c] = trial.signals[c].cast<float>();
+                      if (!options.bounded) return;
                       const SignalRange range = rangeOf(trial.signals[c], table, *geometry, isScaled(options));
                       trial.channels[c].highest = range.highest;
                       trial.channels[c].lowest = range.lowest;
@@ -271,7 +279,7 @@ Encoder::Trial Encoder::tried(DataTransform transform, const TabulatedBrdf& tabl
                         trial.channels[c].largestValue = largestValue(table, int(c));
                     },
                     {.stop = control.stop, .progress = {}});
-  const std::array<int, 3> chosen = chooseDictionaries(signals, options.coefficients, control);
+  const std::array<int, 3> chosen = chooseDictionaries(signals, options, control);
   EncodeAttempt<float>::Dictionaries dictionaries;
   for (std::size_t c = 0; c < 3; ++c) {
     trial.channels[c].dictionary = chosen[c];
@@ -307,7 +315,7 @@ EncodedCandidate Encoder::candidate(const Trial& trial, const ChannelCoefficient
   candidate.code = {.grid = ensemble_.grid,
                     .transform = trial.transform,
                     .scaled = isScaled(options),
-                    .hasLargestValues = trial.transform == DataTransform::cosineLog,
+                    .hasLargestValues = options.bounded && trial.transform == DataTransform::cosineLog,
                     .channels = trial.channels};
   for (std::size_t c = 0; c < 3; ++c) candidate.code.channels[c].coefficients = coefficients[c];
   if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);

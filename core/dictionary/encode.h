@@ -17,15 +17,16 @@ namespace gonio::dictionary {
 
 /// How the coefficients of a code are chosen.
 enum class CodingMethod {
-  /// Greedily: the largest projections. Over an orthonormal dictionary these are the atoms of orthogonal matching
-  /// pursuit, and their values the least-squares fit.
-  orthogonalMatchingPursuit,
+  /// The largest projections, which over an orthonormal dictionary are the least-squares fit, again after each update
+  /// of
+  /// the invalid cells (Blumensath and Davies 2009, "Iterative Hard Thresholding for Compressed Sensing").
+  iterativeHardThresholding,
   basisPursuit  ///< by the smallest sum of absolute values (core/dictionary/alternatives/basis_pursuit.h), then least
                 ///< squares
 };
 
 /// Names in JSON, in Python and on the command line, in the order of CodingMethod.
-inline constexpr std::array<std::string_view, 2> codingMethodNames{"omp", "basis-pursuit"};
+inline constexpr std::array<std::string_view, 2> codingMethodNames{"iterative-hard-thresholding", "basis-pursuit"};
 
 struct EncodeOptions {
   std::size_t coefficients = 1024;  ///< maximum per channel; a quantised file with that many has 2.0 to 2.8 kB
@@ -38,10 +39,12 @@ struct EncodeOptions {
   double gamma = 2;          ///< g of the gamma error (exponent 1/g) that selects the transform, [1, 3]
   int refinements = 15;      ///< rounds that update the invalid cells, see encode()
   int trialRefinements = 3;  ///< rounds before the transform is selected; the others refine the selected one
-  CodingMethod method = CodingMethod::orthogonalMatchingPursuit;
+  CodingMethod method = CodingMethod::iterativeHardThresholding;
   /// Whether signals have cell scaling (GridGeometry::cellScaling). Over an ensemble that was trained without it they
   /// never have it.
   bool scaled = true;
+  bool sharedDictionary = true;  ///< whether one dictionary serves all channels where that costs little, see encode()
+  bool bounded = true;      ///< whether decoded values are limited by the range of the table (ChannelCode::highest)
   bool solidAngles = true;  ///< whether the gamma error weights the cells by projected solid angles; else equally
   bool quantised =
       false;  ///< whether values are rounded as in a quantised file (quantised()), before errors are measured
@@ -49,10 +52,10 @@ struct EncodeOptions {
 
 /// The options of the published method (Tongbuasirilai 2023, "Data-Driven Approaches for Sparse Reflectance Modeling
 /// and Acquisition", eq. 4.37 to 4.39 and section 4.3.2.4): one projection of the unscaled transformed values, in which
-/// invalid cells repeat the last valid value along theta_h (signalsOf()), without refinement; and an unweighted gamma
-/// error. The published number of coefficients, 262 per channel, was chosen there for a comparison at the size of the
-/// factors of Bagher et al. 2016 (here 2.7 kB for the code in half precision, 3.3 kB for the factors in single
-/// precision).
+/// invalid cells repeat the last valid value along theta_h (signalsOf()), without refinement, over the best dictionary
+/// of each channel; no bounds; and an unweighted gamma error. The published number of coefficients, 262 per channel,
+/// was chosen there for a comparison at the size of the factors of Bagher et al. 2016 (here 2.7 kB for the code in half
+/// precision, 3.3 kB for the factors in single precision).
 EncodeOptions publishedEncodeOptions(std::size_t coefficients = 262);
 
 /// The code of one transform.
@@ -86,17 +89,18 @@ class Encoder {
   /// @param ensemble must outlive this object.
   explicit Encoder(const Ensemble& ensemble);
 
-  /// For each transform, chooses the dictionary with the most energy in its largest coefficients: one dictionary for
-  /// all channels, which makes the file smaller, unless separate dictionaries have at least a quarter less squared
-  /// error. Takes these coefficients (the exact minimiser, because the dictionaries are orthonormal). Then refinement
-  /// rounds replace the values of invalid cells, which are free, by those that the code gives them, so that the
-  /// coefficients represent the valid cells. This is iterative hard thresholding on the valid cells, with the momentum
-  /// of Beck and Teboulle 2009, "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems". With
-  /// CodingMethod::basisPursuit the rounds apply soft thresholding, and as many rounds of least squares follow. The
-  /// transform with the smallest gamma error after a few rounds is selected, and its rounds are repeated in double
-  /// precision, so that codes do not depend on the instruction set; if all rounds have a larger error than the few,
-  /// the few are used. A table of both orders of the directions (onCodeGrid()) is encoded over inBothOrders() of the
-  /// ensemble, with the largest coefficients of both parts. @throws Error if the table has another grid; Cancelled.
+  /// For each transform, chooses the dictionary with the most energy in its largest coefficients: with
+  /// EncodeOptions::sharedDictionary one for all channels, which makes the file smaller, unless separate dictionaries
+  /// have at least a quarter less squared error. Takes these coefficients (the exact minimiser, because the
+  /// dictionaries are orthonormal). Then refinement rounds replace the values of invalid cells, which are free, by
+  /// those that the code gives them, so that the coefficients represent the valid cells. This is iterative hard
+  /// thresholding on the valid cells, with the momentum of Beck and Teboulle 2009, "A Fast Iterative
+  /// Shrinkage-Thresholding Algorithm for Linear Inverse Problems". With CodingMethod::basisPursuit the rounds apply
+  /// soft thresholding, and as many rounds of least squares follow. The transform with the smallest gamma error after a
+  /// few rounds is selected, and its rounds are repeated in double precision, so that codes do not depend on the
+  /// instruction set; if all rounds have a larger error than the few, the few are used. A table of both orders of the
+  /// directions (onCodeGrid()) is encoded over inBothOrders() of the ensemble, with the largest coefficients of both
+  /// parts. @throws Error if the table has another grid; Cancelled.
   EncodeResult encode(const TabulatedBrdf& table, const EncodeOptions& options = {},
                       const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
@@ -116,7 +120,7 @@ class Encoder {
   /// The squared error of a signal over each dictionary.
   std::vector<double> dictionaryErrors(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
   /// For each channel.
-  std::array<int, 3> chooseDictionaries(const std::array<Eigen::ArrayXf, 3>& signals, std::size_t coefficients,
+  std::array<int, 3> chooseDictionaries(const std::array<Eigen::ArrayXf, 3>& signals, const EncodeOptions& options,
                                         const TaskControl& control) const;
 
   const Ensemble& ensemble_;

@@ -174,6 +174,31 @@ double PdvSampler::pdf(const Direction& wi, const Direction& wo) const {
   return matte + (1 - cosine) * rows_.probability(viewer.theta, bin) * wi.z / ((high - low) * (high + low) * limit);
 }
 
+PublishedPdvSampler::PublishedPdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,
+                                         const std::vector<double>& deviationNodes)
+    : rows_(brdf, thetaNodes, deviationNodes, DeviationRows::Ring::whole) {}
+
+DirectionSample PublishedPdvSampler::sample(const Direction& wo, const glm::dvec3& u) const {
+  const double sine = std::hypot(wo.x, wo.y), thetaR = std::atan2(sine, wo.z);
+  const std::size_t bin = rows_.sampleBin(thetaR, u.x);
+  const double low = rows_.low(bin), high = rows_.high(bin, sine);
+  const double deviation = std::sqrt(low * low + u.y * (high - low) * (high + low));
+  const ProjectedDirections at = fromProjectedDeviation({thetaR, deviation, 2 * pi * u.z});
+  if (!at.valid) return {};
+  const Direction wi = AzimuthRotation(std::atan2(wo.y, wo.x))(at.pair.wi);
+  return {wi, pdf(wi, wo)};
+}
+
+double PublishedPdvSampler::pdf(const Direction& wi, const Direction& wo) const {
+  if (!(wi.z > 0) || !(wo.z >= 0)) return 0;
+  const double sine = std::hypot(wo.x, wo.y);
+  const std::size_t bin = rows_.binOf(std::hypot(wi.x + wo.x, wi.y + wo.y));
+  if (bin >= rows_.bins()) return 0;
+  const double low = rows_.low(bin), high = rows_.high(bin, sine);
+  if (!(high > low)) return 0;
+  return rows_.probability(std::atan2(sine, wo.z), bin) * wi.z / ((high - low) * (high + low) * pi);
+}
+
 namespace {
 
 /// findInterval() of one set of nodes for many places: a table of even steps gives the node to begin at.

@@ -65,4 +65,20 @@ class PdvSampler {
   DeviationRows rows_;
 };
 
+/// The scheme of PdvSampler as it is printed (Tongbuasirilai 2023, eq. 4.27-4.32): the azimuth uniformly over the whole
+/// circle. Samples off the disk are lost (their density is 0), so that the density integrates to less than 1, to 0.4 at
+/// grazing angles, and it has no cosine-weighted part.
+class PublishedPdvSampler {
+ public:
+  /// As PdvSampler.
+  PublishedPdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,
+                      const std::vector<double>& deviationNodes);
+
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  double pdf(const Direction& wi, const Direction& wo) const;
+
+ private:
+  DeviationRows rows_;
+};
+
 }  // namespace gonio::factorization

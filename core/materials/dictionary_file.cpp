@@ -28,28 +28,39 @@ using nlohmann::json;
 
 constexpr io::ContainerFormat dictionaryFormat{.name = "dictionary", .signature = "GONIODIC"};
 constexpr int maxDictionaries = 256;
-/// Maximum deviation from orthonormality of matrices that were orthonormal before they were rounded to single
-/// precision.
-constexpr double maxRounding = 1e-4;
+constexpr const char* halfPrecision = "half";
+/// Maximum deviation from orthonormality of matrices that were orthonormal before they were rounded.
+constexpr double maxRounding = 1e-4, maxHalfRounding = 1e-2;
 
-Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size) {
-  const Eigen::MatrixXd matrix = file.squareMatrix<float>(size).cast<double>();
-  if (!(dictionary::orthonormalityError(matrix) < maxRounding)) file.fail("found a matrix that is not orthonormal");
-  return dictionary::polished(dictionary::polished(matrix));
+Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size, bool half) {
+  Eigen::MatrixXd matrix;
+  if (half)
+    matrix = file.squareMatrix<Eigen::half>(size).cast<double>();
+  else
+    matrix = file.squareMatrix<float>(size).cast<double>();
+  if (!(dictionary::orthonormalityError(matrix) < (half ? maxHalfRounding : maxRounding)))
+    file.fail("found a matrix that is not orthonormal");
+  return dictionary::polished(dictionary::polished(half ? dictionary::polished(matrix) : matrix));
 }
 
 }  // namespace
 
-void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path) {
+void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path, bool half) {
   json sparsities = json::array();
   for (const Dictionary& dictionary : ensemble.dictionaries) sparsities.push_back(dictionary.sparsity);
   io::ContainerWriter file(dictionaryFormat);
   json description{
       {"grid", gridJson(ensemble.grid)}, {"sparsities", sparsities}, {"learnedFrom", ensemble.learnedFrom}};
   if (!ensemble.scaled) description["scaled"] = false;
+  if (half) description["precision"] = halfPrecision;
   file.description(description);
   for (const Dictionary& dictionary : ensemble.dictionaries)
-    for (const Eigen::MatrixXd& mode : dictionary.modes) file.values(Eigen::MatrixXf(mode.cast<float>()));
+    for (const Eigen::MatrixXd& mode : dictionary.modes) {
+      if (half)
+        file.values(mode.cast<Eigen::half>().eval());
+      else
+        file.values(mode.cast<float>().eval());
+    }
   io::writeFileAtomically(path, file.bytes());
 }
 
@@ -60,6 +71,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
   auto named = std::make_shared<NamedEnsemble>();
   named->ensemble.grid = gridOf(root.object("grid"));
   if (root.contains("scaled")) named->ensemble.scaled = root.flag("scaled");
+  const bool half = root.contains("precision") && root.text("precision") == halfPrecision;
   const json& sparsities = root.array("sparsities");
   if (sparsities.empty() || sparsities.size() > maxDictionaries)
     file.fail("found " + std::to_string(sparsities.size()) + " dictionaries, expected 1 to 256");
@@ -68,11 +80,11 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
   const auto sizes = dictionary::modeSizes(named->ensemble.grid);
   std::uint64_t numbers = 0;
   for (const int size : sizes) numbers += std::uint64_t(size) * std::uint64_t(size);
-  file.expectRemaining(sparsities.size() * numbers * sizeof(float));
+  file.expectRemaining(sparsities.size() * numbers * (half ? sizeof(Eigen::half) : sizeof(float)));
   for (const json& sparsity : sparsities) {
     Dictionary& dictionary = named->ensemble.dictionaries.emplace_back();
     dictionary.sparsity = sparsity.is_number_integer() ? sparsity.get<int>() : 0;
-    for (std::size_t mode = 0; mode < 3; ++mode) dictionary.modes[mode] = orthonormalMatrix(file, sizes[mode]);
+    for (std::size_t mode = 0; mode < 3; ++mode) dictionary.modes[mode] = orthonormalMatrix(file, sizes[mode], half);
   }
   named->id = std::stoull(io::sha256Hex(source).substr(0, 16), nullptr, 16);
   return named;
@@ -85,7 +97,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const std::filesystem::path&
 namespace {
 
 /// In the order of the list in CMakeLists.txt.
-constexpr std::uint64_t ids[] = {0x35974214a2211932, 0x6bebf51c078c57af};
+constexpr std::uint64_t ids[] = {0x35974214a2211932, 0x9eb94cec83c11a00, 0x6bebf51c078c57af};
 
 }  // namespace
 

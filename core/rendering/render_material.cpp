@@ -75,6 +75,12 @@ RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<S
 RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedDensity> tabulated)
     : RenderMaterial(brdf, chosenDensity(*brdf, std::move(tabulated))) {}
 
+std::shared_ptr<const RenderMaterial> RenderMaterial::withSampler(std::shared_ptr<const Brdf> brdf,
+                                                                  std::shared_ptr<const Brdf> sampler) {
+  return std::shared_ptr<const RenderMaterial>(
+      new RenderMaterial(std::move(brdf), Density{.sampler = std::move(sampler)}));
+}
+
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance) {
   return std::shared_ptr<const RenderMaterial>(new RenderMaterial(std::make_shared<const DiffuseBrdf>(reflectance),
                                                                   ReflectionBound::ofDiffuse(maxChannel(reflectance))));

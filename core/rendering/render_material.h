@@ -28,20 +28,23 @@ class RenderMaterial {
                           DensityUse use = DensityUse::whereNeeded);
   /// The same with an existing tabulated density.
   RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedDensity> tabulated);
+  /// With the importance sampling of another BRDF, e.g. of factors of the material (sampledBy()).
+  static std::shared_ptr<const RenderMaterial> withSampler(std::shared_ptr<const Brdf> brdf,
+                                                           std::shared_ptr<const Brdf> sampler);
 
   const Brdf& brdf() const { return *brdf_; }
   /// As Brdf::sample() and pdf().
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
-    const auto& [closedForm, tabulated] = density_;
+    const auto& [closedForm, tabulated, sampler] = density_;
     return closedForm  ? closedForm->sample(wo, u)
            : tabulated ? tabulatedMixture(*tabulated).sample(wo, u)
-                       : brdf_->sample(wo, u);
+                       : (sampler ? sampler : brdf_)->sample(wo, u);
   }
   double pdf(const Direction& wi, const Direction& wo) const {
-    const auto& [closedForm, tabulated] = density_;
+    const auto& [closedForm, tabulated, sampler] = density_;
     return closedForm  ? closedForm->pdf(wi, wo)
            : tabulated ? tabulatedMixture(*tabulated).pdf(wi, wo)
-                       : brdf_->pdf(wi, wo);
+                       : (sampler ? sampler : brdf_)->pdf(wi, wo);
   }
   /// Computed at the first call, see ReflectionBound.
   const ReflectionBound& bound() const;
@@ -53,10 +56,11 @@ class RenderMaterial {
   RenderMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
       : brdf_(std::move(brdf)), bound_(bound) {}
 
-  /// At most one of the two; none: the BRDF's own density.
+  /// At most one of them; none: the BRDF's own density.
   struct Density {
     std::optional<SamplingDensity> closedForm = {};
     std::shared_ptr<const TabulatedDensity> tabulated = {};
+    std::shared_ptr<const Brdf> sampler = {};
   };
   static Density chosenDensity(const Brdf& brdf, std::shared_ptr<const TabulatedDensity> tabulated);
   RenderMaterial(std::shared_ptr<const Brdf> brdf, Density density);

@@ -11,6 +11,7 @@
 #include "core/rendering/environment.h"
 #include "core/rendering/plan_check.h"
 #include "core/rendering/render_picture.h"
+#include "core/rendering/sampling_method.h"
 #include "core/rendering/scene_file.h"
 #include "core/study/accuracy_study.h"
 #include "python/bindings/representations.h"
@@ -26,7 +27,8 @@ struct Filled {
 };
 
 Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& up,
-            const std::string& environment, double rotation) {
+            const std::string& environment, double rotation, const std::string& sampling = {},
+            const TaskControl& control = {}) {
   Filled filled{.scene = rendering::openScene(name, int(given.size()), rendering::upAxisOf(up)), .materials = {}};
   if (!environment.empty()) filled.scene.environment = rendering::openEnvironment(environment);
   filled.scene.environmentRotation += rotation;
@@ -34,18 +36,20 @@ Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, co
   if (given.size() > places)
     throw Error("materials: found " + std::to_string(given.size()) + ", expected at most " + std::to_string(places) +
                 ", as many as the scene '" + filled.scene.name + "' shows");
-  for (const PyMaterialPtr& material : given) filled.materials.push_back(material->rendered());
+  for (const PyMaterialPtr& material : given)
+    filled.materials.push_back(sampling.empty() ? material->rendered()
+                                                : rendering::sampledBy(sampling, material->brdf(), control));
   filled.materials = rendering::bindMaterials(filled.scene, filled.materials);
   return filled;
 }
 
 py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& up,
                  const std::string& environment, double rotation, int width, int height, int samples,
-                 std::uint64_t seed, const py::object& progress) {
+                 const std::string& sampling, std::uint64_t seed, const py::object& progress) {
   if (width < 1 || height < 1 || width > 8192 || height > 8192) throw Error("size: expected 1 to 8192 pixels");
   if (samples < 1) throw Error("samples: expected 1 or more");
   return toArrays(resultOf(progress, [&](const TaskControl& control) {
-    const Filled filled = fill(given, scene, up, environment, rotation);
+    const Filled filled = fill(given, scene, up, environment, rotation, sampling, {control.stop, {}});
     const rendering::PathTracer tracer(
         filled.scene, filled.materials,
         rendering::checkedPlan(filled.scene, filled.materials, {}, {}, {control.stop, {}}), seed);

@@ -134,6 +134,7 @@ PyFactors withCurves(const PyFactors& from, const py::object& f1, const py::obje
 struct PyCode {
   dictionary::SparseCode code;
   PyDictionaryPtr dictionary;
+  dictionary::CodePrecision precision = dictionary::CodePrecision::quantised;  ///< of its file
   std::size_t bytes = 0;
   double seconds = 0;
   double renderedSnr = std::numeric_limits<double>::quiet_NaN();
@@ -147,7 +148,7 @@ PyDictionaryPtr orBundled(const PyDictionaryPtr& dictionary) {
 dictionary::CodingMethod codingMethodOf(const std::string& name) {
   const auto found = std::ranges::find(dictionary::codingMethodNames, name);
   if (found == dictionary::codingMethodNames.end())
-    throw Error("method: found '" + name + "', expected omp or basis-pursuit");
+    throw Error("method: found '" + name + "', expected iterative-hard-thresholding or basis-pursuit");
   return dictionary::CodingMethod(found - dictionary::codingMethodNames.begin());
 }
 
@@ -160,14 +161,17 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
   options.relativeError = relativeError;
   options.gamma = gamma;
   options.method = codingMethodOf(method);
-  options.quantised = true;
-  if (asPublished && options.method != dictionary::CodingMethod::orthogonalMatchingPursuit)
-    throw Error("method: found '" + method + "', expected omp because as_published projects once");
+  options.quantised = !asPublished || bytes;
+  if (asPublished && options.method != dictionary::CodingMethod::iterativeHardThresholding)
+    throw Error("method: found '" + method + "', expected none because as_published projects once");
   if (bytes) options.bytes = *bytes - std::min(*bytes, formats::codeHeaderBytes);
   options.transforms.clear();
   for (const std::string& transform : transforms) options.transforms.push_back(transformOf(transform));
   return resultOf(progress, [&](const TaskControl& control) {
-    PyCode result{.code = {}, .dictionary = orBundled(given)};
+    PyCode result{
+        .code = {},
+        .dictionary = !given && asPublished ? materials::publishedEnsemble() : orBundled(given),
+        .precision = options.quantised ? dictionary::CodePrecision::quantised : dictionary::CodePrecision::single};
     const auto table = material.table(control.between(0, 0.1));
     const auto& ensemble = result.dictionary->ensemble;
     auto sampled = dictionary::onCodeGrid(table, ensemble, {control.stop, {}});
@@ -183,7 +187,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
       encoded = encoder.encode(*sampled, options, control.between(0.1, 1));
     }
     // The coefficients as in the file.
-    const auto file = formats::encodeCode(encoded.code, result.dictionary->id);
+    const auto file = formats::encodeCode(encoded.code, result.dictionary->id, result.precision);
     result.code = formats::readCode(io::MemorySource(file)).code;
     result.bytes = file.size();
     result.seconds = encoded.seconds;
@@ -194,7 +198,7 @@ PyCode encodeSparsely(const PyMaterial& material, std::size_t coefficients, cons
 
 PyCode readCode(const std::string& path, const PyDictionaryPtr& given) {
   const formats::CodeFile file = formats::readCode(path);
-  PyCode result{.code = file.code, .dictionary = given};
+  PyCode result{.code = file.code, .dictionary = given, .precision = file.precision};
   if (given)
     formats::checkDictionary(file, *given);
   else
@@ -313,10 +317,14 @@ void bindRepresentations(py::module_& module) {
       .def_readonly("seconds", &PyCode::seconds)
       .def_readonly("rendered_snr", &PyCode::renderedSnr)
       .def_property_readonly("warnings", [](const PyCode& c) { return toTexts(c.warnings); })
+      .def_property_readonly(
+          "dictionary",
+          [](const PyCode& c) { return std::const_pointer_cast<materials::NamedEnsemble>(c.dictionary); })
       .def_property_readonly("channels", coefficientsOf)
       .def("material", decodeCode, py::call_guard<py::gil_scoped_release>())
-      .def("save",
-           [](const PyCode& c, const std::string& path) { formats::writeCode(c.code, c.dictionary->id, path); });
+      .def("save", [](const PyCode& c, const std::string& path) {
+        formats::writeCode(c.code, c.dictionary->id, path, c.precision);
+      });
   using Given = std::shared_ptr<materials::NamedEnsemble>;
   module.def("encode", [](const PyMaterial& material, std::size_t coefficients, const Given& dictionary,
                           const std::vector<std::string>& transforms, double gamma, std::optional<double> relativeError,

@@ -31,7 +31,7 @@ def _handles(materials: Union[Material, Sequence[Material]]) -> list[Any]:
 
 def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", size: Union[int, tuple[int, int]] = 256,
            samples: int = 64, environment: PathLike = "", rotation: float = 0.0, seed: int = 1, alpha: bool = False,
-           progress: Progress = None, up: str = "y") -> NDArray[np.float32]:
+           progress: Progress = None, up: str = "y", sampling: str = "auto") -> NDArray[np.float32]:
     """Renders an image by path tracing. Only the effects that can change a pixel are simulated (gonio.effects()).
 
     Args:
@@ -46,17 +46,19 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
         alpha: Whether to add the coverage as a fourth channel. The colours are multiplied by it (premultiplied alpha).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
         up: Axis of a mesh that points up, "y" or "z". Bundled scenes are y up, and scene files state the axis of each mesh.
+        sampling: Density from which directions are sampled for the materials, to compare methods: "auto" (the one with the least
+            noise at equal time), "pdv", "published", "lawrence", "bilgili", "ggx" or "cosine" (docs/scenes.md).
 
     Returns:
         Linear RGB radiance (sRGB primaries), shape (height, width, 3), or (height, width, 4) with alpha; row 0 is the top.
 
     Raises:
-        Error: The scene or environment is unknown or cannot be read, there are more materials than slots, or `up` is "z" for a
-            scene that is not a mesh.
+        Error: The scene, environment or sampling method is unknown or cannot be read, there are more materials than slots, or
+            `up` is "z" for a scene that is not a mesh.
     """
     width, height = (size, size) if isinstance(size, int) else size
     picture, coverage = _core.render(_handles(materials), os.fsencode(scene), up, os.fsencode(environment), rotation, width,
-                                     height, samples, seed, progress)
+                                     height, samples, "" if sampling == "auto" else sampling, seed, progress)
     return np.dstack((picture, coverage)) if alpha else picture
 
 

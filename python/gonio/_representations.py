@@ -197,8 +197,8 @@ def factorize_baseline(material: Material, method: str, bytes: int = 44680, prog
 
     Args:
         material: The material to factorise. A material that is not a table is sampled as a table first (1 s).
-        method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd", "cosine-series",
-            "nmf" or "gaussian-process" ([command line](command-line.md#baselines)).
+        method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "bilgili-luminance", "nonparametric", "cp", "hosvd",
+            "cosine-series", "nmf" or "gaussian-process" ([command line](command-line.md#baselines)).
         bytes: Maximum size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -333,6 +333,11 @@ class Code:
         return self._handle.warnings
 
     @property
+    def dictionary(self) -> Dictionary:
+        """The ensemble of dictionaries that it was encoded with."""
+        return Dictionary(self._handle.dictionary)
+
+    @property
     def channels(self) -> list[ChannelCode]:
         """The coefficients of red, green and blue, a list of three."""
         return [ChannelCode(*channel) for channel in self._handle.channels]
@@ -356,7 +361,7 @@ class Code:
 def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Dictionary] = None,
            transforms: Sequence[str] = ("log-plus", "cosine-log"), gamma: float = 2.0,
            relative_error: Optional[float] = None, max_bytes: Optional[int] = None,
-           rendered_snr: Optional[float] = None, method: str = "omp", as_published: bool = False,
+           rendered_snr: Optional[float] = None, method: str = "iterative-hard-thresholding", as_published: bool = False,
            progress: Progress = None) -> Code:
     """Encodes a material as a sparse code. Takes about 1 s, or a minute if `rendered_snr` is given.
 
@@ -372,11 +377,11 @@ def encode(material: Material, coefficients: int = 1024, dictionary: Optional[Di
             their energy; None: no such limit.
         max_bytes: Use fewer coefficients if the file would be larger than this; None: no such limit.
         rendered_snr: Use the smallest number of coefficients that reaches this rendered SNR in dB; None: no such limit.
-        method: "omp" (the largest coefficients, which orthogonal matching pursuit would choose) or "basis-pursuit" (the
-            coefficients are chosen by minimising half the squared error plus lambda times the sum of their absolute values;
+        method: "iterative-hard-thresholding" (the largest coefficients) or "basis-pursuit" (the coefficients are chosen by minimising half the squared error plus lambda times the sum of their absolute values;
             docs/dictionaries.md).
-        as_published: Encode the transformed values without cell scaling, by one projection (Tongbuasirilai 2023,
-            eq. 4.37 to 4.39; docs/dictionaries.md).
+        as_published: Encode the transformed values without cell scaling, by one projection for each channel, over the bundled
+            dictionaries that were learned so if `dictionary` is None; values are neither limited to the range of the material
+            nor, without `max_bytes`, quantised (Tongbuasirilai 2023, eq. 4.37 to 4.39; docs/dictionaries.md).
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:

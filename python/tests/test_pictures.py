@@ -27,6 +27,15 @@ def test_a_white_sphere_in_a_white_room_is_white(tmp_path):
     np.testing.assert_allclose(picture[inside][:, :3], 1, rtol=0.05)
 
 
+def test_every_sampling_method_has_the_same_mean(paint):
+    """All densities estimate the same image; only their noise differs."""
+    expected = gonio.render(paint, "sphere", size=24, samples=256).mean()
+    for method in ("pdv", "lawrence", "bilgili", "ggx", "cosine"):
+        assert gonio.render(paint, "sphere", size=24, samples=64, sampling=method).mean() == pytest.approx(expected, rel=0.02), method
+    with pytest.raises(gonio.Error, match="sampling: found 'best', expected one of auto, pdv, published"):
+        gonio.render(paint, "sphere", size=8, samples=1, sampling="best")
+
+
 def test_effects_have_reasons(chrome):
     effects = {effect.name: effect for effect in gonio.effects(chrome)}
     assert not effects["cast-shadows"].simulated and effects["cast-shadows"].reason

@@ -120,7 +120,7 @@ def test_codes_by_other_methods(code, tmp_path):
     assert len(convex.channels[0].values) <= 64
     # Without the scale the decoded transformed values are the sums of atoms themselves.
     channel = published.channels[1]
-    atoms = gonio.dictionary().atoms(channel.dictionary)
+    atoms = published.dictionary.atoms(channel.dictionary)
     nodes = (20, 30, 60)
     signal = sum(value * atoms[0][nodes[2], i[0]] * atoms[1][nodes[1], i[1]] * atoms[2][nodes[0], i[2]]
                  for value, i in zip(channel.values.astype(float), channel.indices))

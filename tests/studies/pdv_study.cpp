@@ -27,7 +27,6 @@
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
 #include "core/rendering/render_picture.h"
-#include "tests/studies/research/factorization/printed_pdv_sampler.h"
 #include "tests/studies/study_program.h"
 
 namespace gonio::study::pdv_study {
@@ -64,7 +63,7 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
   const factorization::PdvFactors factors = factorization::factorizePdv(table, {.terms = 1}).factors;
   const auto first = factorization::makePdvBrdf(factors);
   const factorization::PdvSampler exact(*first, factors.thetaNodes, factors.deviationNodes);
-  const factorization::PrintedPdvSampler printed(*first, factors.thetaNodes, factors.deviationNodes);
+  const factorization::PublishedPdvSampler printed(*first, factors.thetaNodes, factors.deviationNodes);
   const fitting::FitResult fit = fitting::fit(table, models::ggx(), {});
   const auto ggx = models::ggx().instantiate(fit.parameters);
   const std::size_t bytes[] = {formats::pdvFileBytes(factorization::PdvForm::threeFactors, 10)};

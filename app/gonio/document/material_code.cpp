@@ -73,7 +73,7 @@ QString dictionaryText(const MaterialCode& code) {
     const int sparsity = code.dictionary->ensemble.dictionaries[std::size_t(channels[c].dictionary)].sparsity;
     texts << MaterialCodeText::tr("%1 no. %2 (learned with %3)")
                  .arg(MaterialCodeText::tr(names[c]))
-                 .arg(channels[c].dictionary + 1)
+                 .arg(channels[c].dictionary)
                  .arg(sparsity);
   }
   return texts.join(QStringLiteral("\n"));

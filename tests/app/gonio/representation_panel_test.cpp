@@ -75,7 +75,7 @@ class RepresentationPanelTest : public QObject {
     for (const auto& candidate : expected.candidates)
       QVERIFY2(reported.contains(QString::number(candidate.gammaError, 'g', 3)), qPrintable(reported));
     for (const auto& channel : expected.code.channels)
-      QVERIFY(reported.contains(QStringLiteral("no. %1 ").arg(channel.dictionary + 1)));
+      QVERIFY(reported.contains(QStringLiteral("no. %1 ").arg(channel.dictionary)));
   }
 
   /// The file has the bytes of the code that is shown.

@@ -46,6 +46,7 @@ class BaselinesTest : public QObject {
     const std::map<std::string_view, Form> others{{"lawrence", Form::none},
                                                   {"nonparametric", Form::microfacets},
                                                   {"bilgili", Form::viewer},
+                                                  {"bilgili-luminance", Form::viewer},
                                                   {"mccool", Form::product}};
     for (const Baseline& baseline : allBaselines()) {
       const auto other = others.find(baseline.id);

@@ -49,6 +49,20 @@ class BilgiliTest : public QObject {
     }
   }
 
+  /// Each channel one product, of colours that no line through the luminance has.
+  void channelsAreExactWhereTheLuminanceIsNot() {
+    const HalfOutSamples s = halfOutSamples(axesWithoutHorizon(), [&](double h, double p, double o, double) {
+      return Rgb(std::expm1(product(h, p, o)), std::expm1(product(h / 3, p, o) / 2), std::expm1((1 + p) * (2 - o)));
+    });
+    std::array<BilgiliFactors, 3> channels;
+    for (int c = 0; c < 3; ++c) {
+      channels[std::size_t(c)] = factorizeBilgili(s, 1, c);
+      QCOMPARE(channels[std::size_t(c)].bytes(), factorizeBilgili(s, 1).bytes() - 24);
+    }
+    QVERIFY(worstAtNodes(s, *makeBilgiliBrdf(channels)) < 1e-3);
+    QVERIFY(worstAtNodes(s, *makeBilgiliBrdf(factorizeBilgili(s, 5))) > 0.1);
+  }
+
   void residualNeverRises() {
     const HalfOutSamples s = halfOutSamples(makeHalfOutAxes(12, 8, 9), [](double h, double p, double o, double) {
       return Rgb(std::exp(-5 * h * (1 + o)) + 0.1 * std::abs(std::sin(3 * p * h)));

@@ -3,6 +3,7 @@
 #include "core/dictionary/encode.h"
 
 #include <QTest>
+#include <limits>
 
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/code_packing.h"
@@ -243,11 +244,20 @@ class EncodeTest : public QObject {
     for (std::size_t c = 0; c < 3; ++c) {
       const ChannelCode& channel = encoded.code.channels[c];
       const Eigen::ArrayXd& signal = signals[c];
-      Workspace<double> workspace;
-      const double* projection = transposedModeProducts(
-          signal.data(), modeSizes(smallGrid), ensemble.dictionaries[std::size_t(channel.dictionary)].modes, workspace);
-      std::vector<Coefficient<double>> largest;
-      selectLargest(std::span(projection, smallGrid.size()), 30, largest);
+      const auto largestOver = [&](const Dictionary& dictionary) {
+        Workspace<double> workspace;
+        const double* projection =
+            transposedModeProducts(signal.data(), modeSizes(smallGrid), dictionary.modes, workspace);
+        std::vector<Coefficient<double>> largest;
+        selectLargest(std::span(projection, smallGrid.size()), 30, largest);
+        return largest;
+      };
+      auto largest = largestOver(ensemble.dictionaries[std::size_t(channel.dictionary)]);
+      // The best dictionary of each channel, and no bounds.
+      for (const Dictionary& other : ensemble.dictionaries)
+        QVERIFY(energy<double>(largestOver(other)) <= (1 + 1e-5) * energy<double>(largest));
+      QCOMPARE(channel.highest, std::numeric_limits<float>::max());
+      QVERIFY(!encoded.code.hasLargestValues);
       QCOMPARE(channel.coefficients.size(), std::size_t(30));
       // To the last bit of single precision: the projections are computed in double.
       std::ranges::sort(largest, isLarger<double>);

@@ -11,7 +11,6 @@
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/math/quadrature.h"
-#include "tests/studies/research/factorization/printed_pdv_sampler.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
@@ -152,7 +151,7 @@ class PdvSamplerTest : public QObject {
 
   /// The printed scheme loses what the errata of the dissertation say; of the draws themselves, too.
   void printedSchemeLosesDraws() {
-    const PrintedPdvSampler sampler(abcBrdf(), thetas, deviations);
+    const PublishedPdvSampler sampler(abcBrdf(), thetas, deviations);
     for (std::size_t n = 0; n < std::size(anglesDegrees); ++n) {
       const double thetaR = radians(anglesDegrees[n]), total = integral(sampler, thetaR, deviations);
       QVERIFY2(std::abs(total - keptByPrinted[n]) < 3e-3,

@@ -111,6 +111,30 @@ class DictionaryFileTest : public QObject {
     QVERIFY(contains(errorOf([&] { materials::readCheckpoint("five materials", cut); }), "cut.checkpoint"));
   }
 
+  /// Half the bytes; orthonormal again, near the ensemble that was written.
+  void halfPrecision() {
+    const auto single = materials::readDictionary(writtenEnsemble());
+    const auto path = outputPath("dictionary/half.dictionary");
+    materials::writeDictionary(single->ensemble, path, true);
+    const auto half = materials::readDictionary(path);
+    QVERIFY(half->id != single->id);
+    QCOMPARE(half->ensemble.learnedFrom, single->ensemble.learnedFrom);
+    QVERIFY(orthonormalityError(half->ensemble) < 1e-10);
+    std::size_t numbers = 0;
+    for (std::size_t d = 0; d < half->ensemble.dictionaries.size(); ++d)
+      for (std::size_t mode = 0; mode < 3; ++mode) {
+        const Eigen::MatrixXd &a = single->ensemble.dictionaries[d].modes[mode],
+                              &b = half->ensemble.dictionaries[d].modes[mode];
+        numbers += std::size_t(a.size());
+        QVERIFY((a - b).cwiseAbs().maxCoeff() < 1e-3);
+      }
+    const auto size = std::filesystem::file_size(writtenEnsemble()) - std::filesystem::file_size(path);
+    QVERIFY(size > 2 * numbers - 40 && size <= 2 * numbers);
+    QVERIFY(contains(errorWith(path, std::uint32_t(std::filesystem::file_size(path) - 2), std::uint16_t(0x7e00),
+                               [](const std::filesystem::path& changed) { materials::readDictionary(changed); }),
+                     "not orthonormal"));
+  }
+
   void codeRoundTrip() {
     const auto dictionary = materials::readDictionary(writtenEnsemble());
     const SparseCode code = Encoder(dictionary->ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 60}).code;
