@@ -98,8 +98,12 @@ std::vector<ExportFile> exportedFiles(const ExportResult& made, const fs::path& 
 }
 
 std::string proposedName(const std::string& material, const editing::EditList& edits) {
+  // An RGL file is named NAME_rgb.bsdf, and the targets add such an ending again.
+  std::string_view base = material;
+  for (const std::string_view ending : {"_rgb", "_spec"})
+    if (base.ends_with(ending)) base.remove_suffix(ending.size());
   std::string name;
-  for (const char c : plainText(editing::editedName(material, edits)))
+  for (const char c : plainText(editing::editedName(std::string(base), edits)))
     if (c != ',') name += c == ' ' ? '_' : c;
   return name;
 }

@@ -38,6 +38,10 @@ struct ExportResult {
   std::uint64_t bytes() const;
 };
 
+/// What a target is for: renderers that read measured values; engines and programs that read parameters of a shading
+/// model; tables and data for other programs.
+enum class TargetGroup { renderers, engines, data };
+
 /// A renderer or format to which a material can be exported. exportTargets() is the table that the dialog, goniotool
 /// and the documentation use.
 struct ExportTarget {
@@ -48,7 +52,8 @@ struct ExportTarget {
   std::vector<std::string_view> suffixes;  ///< the files are NAME with each suffix, e.g. "_rgb.bsdf"
   bool usesSize = false;                   ///< uses ExportOptions::size
   bool usesSnr = false;                    ///< uses ExportOptions::snr: files grow with it
-  const SceneFormat* scene = nullptr;      ///< format of scenes with the material; null if the target has none
+  TargetGroup group = TargetGroup::engines;
+  const SceneFormat* scene = nullptr;  ///< format of scenes with the material; null if the target has none
   /// Makes the export. Takes a few seconds. @throws Error; Cancelled.
   ExportResult (*make)(const materials::EditedMaterial&, const ExportOptions&, const TaskControl&);
 
@@ -76,7 +81,7 @@ void addScene(ExportResult& made, const ExportTarget& target, const rendering::S
 std::vector<ExportFile> exportedFiles(const ExportResult& made, const std::filesystem::path& name);
 
 /// The default name of an export: editing::editedName() as plainText(), without commas and with '_' for spaces, since
-/// other programs treat both as separators. Examples: "chrome", "chrome_rougher".
+/// other programs treat both as separators. Examples: "chrome", "chrome_rougher", "satin_rougher" of satin_rgb.bsdf.
 std::string proposedName(const std::string& material, const editing::EditList& edits);
 
 }  // namespace gonio::exports

@@ -12,11 +12,17 @@
 namespace gonio::exports {
 
 std::span<const ExportTarget> exportTargets() {
-  static const std::vector<ExportTarget> targets{
-      mitsubaTarget(), pbrtTarget(),      blenderTarget(), principledTarget(),
-      gltfTarget(),    materialXTarget(), openPbrTarget(), standardSurfaceTarget(),
-      valuesTarget(),  glslTarget(),      merlTarget(),    merlCircleTarget(),
-      utiaTarget(),    csvTarget(),       slicesTarget()};
+  static const std::vector<ExportTarget> targets = [] {
+    std::vector<ExportTarget> all;
+    const auto add = [&](TargetGroup group, std::initializer_list<ExportTarget> members) {
+      for (const ExportTarget& one : members) all.emplace_back(one).group = group;
+    };
+    add(TargetGroup::renderers, {mitsubaTarget(), pbrtTarget()});
+    add(TargetGroup::engines, {blenderTarget(), principledTarget(), gltfTarget(), materialXTarget(), openPbrTarget(),
+                               standardSurfaceTarget(), valuesTarget(), glslTarget()});
+    add(TargetGroup::data, {merlTarget(), merlCircleTarget(), utiaTarget(), csvTarget(), slicesTarget()});
+    return all;
+  }();
   return targets;
 }
 

@@ -38,6 +38,7 @@ Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size, bool half
     matrix = file.squareMatrix<Eigen::half>(size).cast<double>();
   else
     matrix = file.squareMatrix<float>(size).cast<double>();
+  if (!matrix.allFinite()) file.fail("found a matrix entry that is not finite");
   if (!(dictionary::orthonormalityError(matrix) < (half ? maxHalfRounding : maxRounding)))
     file.fail("found a matrix that is not orthonormal");
   return dictionary::polished(dictionary::polished(half ? dictionary::polished(matrix) : matrix));

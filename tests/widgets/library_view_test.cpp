@@ -89,6 +89,33 @@ class LibraryViewTest : public QObject {
     }
   }
 
+  /// By what a material looks like, which is known once it has a thumbnail.
+  void searchByLook() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems({{"a", "chrome", "", "", "", "Metal"},
+                    {"b", "cherry", "", "", "", "Paint"},
+                    {"c", "felt", "", "", "", "Fabric"}});
+    const auto set = [&](const char* id, const QColor& colour, double hue, double roughness) {
+      LibraryThumbnail made = makeThumbnail(hue, roughness);
+      made.image.fill(colour);
+      model.setThumbnail(id, made);
+    };
+    view.search()->setText("shiny red");
+    QCOMPARE(idsOf(view), QStringList());
+    set("a", QColor(160, 160, 160), -1, 0.01);
+    set("b", QColor(150, 20, 20), 0, 0.1);
+    set("c", QColor(20, 120, 30), 127, 0.6);
+    const std::pair<const char*, QStringList> searches[] = {{"shiny red", {"b"}},  {"mirror", {"a"}},
+                                                            {"carpaint", {"b"}},   {"matt green", {"c"}},
+                                                            {"shiny", {"b", "a"}}, {"grey", {"a"}}};
+    for (const auto& [text, ids] : searches) {
+      view.search()->setText("");
+      view.search()->setText(text);
+      QCOMPARE(idsOf(view), ids);
+    }
+  }
+
   /// By the mean colour of the thumbnail and the roughness; lightness from light to dark.
   void orderByLightnessAndSimilarity() {
     LibraryModel model;

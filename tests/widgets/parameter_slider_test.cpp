@@ -51,6 +51,27 @@ class ParameterSliderTest : public QObject {
     QCOMPARE(order.count("end"), 1);
   }
 
+  /// A drag that comes back to the reference reaches it exactly: a value that reads the same would be marked as
+  /// changed.
+  void aDragReachesTheReference() {
+    ParameterSlider slider;
+    slider.setRange(0.125, 8, ParameterScale::logarithmic);
+    slider.resize(233, 24);
+    slider.setReference(1.1);
+    slider.setNumber(1.1);
+    slider.show();
+    const auto x = [&](int step) { return QPoint(120 + step, 12); };
+    // Along the slider, one pixel after the other: one of them is the reference.
+    QTest::mousePress(&slider, Qt::LeftButton, {}, {30, 12});
+    int reached = 0;
+    for (int step = -20; step <= 40; ++step) {
+      QTest::mouseMove(&slider, x(step));
+      reached += slider.number() == 1.1;
+    }
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, x(40));
+    QCOMPARE(reached, 1);
+  }
+
   void shiftDragIsFineAndControlSnaps() {
     ParameterSlider slider;
     slider.resize(220, 24);

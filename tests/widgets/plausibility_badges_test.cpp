@@ -45,6 +45,21 @@ class PlausibilityBadgesTest : public QObject {
     QCOMPARE(badge(badges, 0)->state(), PlausibilityBadge::State::unknown);
   }
 
+  /// A measurement that is not reciprocal is no fault of the user's; an edited one is marked, and so are other
+  /// failures.
+  void anUntouchedMeasurementIsNotBlamed() {
+    std::vector<metrics::PlausibilityCheck> failed = checks();
+    for (auto& check : failed) check.passed = false;
+    PlausibilityBadges badges;
+    badges.setChecks(failed, true);
+    for (std::size_t i = 0; i < failed.size(); ++i)
+      QCOMPARE(badge(badges, int(i))->state(),
+               failed[i].name == "reciprocity" ? PlausibilityBadge::State::inherent : PlausibilityBadge::State::failed);
+    badges.setChecks(failed);
+    for (std::size_t i = 0; i < failed.size(); ++i)
+      QCOMPARE(badge(badges, int(i))->state(), PlausibilityBadge::State::failed);
+  }
+
   /// By keyboard: Space opens what it means, the worst value and its angle; again closes it.
   void aPressExplains() {
     PlausibilityBadges badges;

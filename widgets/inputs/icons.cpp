@@ -49,6 +49,30 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
       painter.drawLine(QPointF(8, 6.5), QPointF(8, 9.5));
       painter.drawPoint(QPointF(8, 11.6));
       return;
+    case Glyph::note:
+      painter.drawEllipse(QRectF(2.5, 2.5, 11, 11));
+      painter.drawLine(QPointF(8, 7.5), QPointF(8, 11));
+      painter.drawPoint(QPointF(8, 5));
+      return;
+    case Glyph::sliders:
+      for (const auto& [y, knob] : {std::pair{3.5, 10.0}, {8.0, 5.0}, {12.5, 9.0}}) {
+        painter.drawLine(QPointF(2, y), QPointF(knob - 2, y));
+        painter.drawEllipse(QPointF(knob, y), 1.6, 1.6);
+        painter.drawLine(QPointF(knob + 2, y), QPointF(14, y));
+      }
+      return;
+    case Glyph::curves: {
+      QPainterPath curve;
+      curve.moveTo(1.5, 13);
+      curve.cubicTo(6, 13, 5.5, 3, 8, 3);
+      curve.cubicTo(10.5, 3, 10, 13, 14.5, 13);
+      painter.drawPath(curve);
+      return;
+    }
+    case Glyph::blend:
+      painter.drawEllipse(QRectF(1.5, 3.5, 9, 9));
+      painter.drawEllipse(QRectF(5.5, 3.5, 9, 9));
+      return;
     case Glyph::shown:
     case Glyph::hidden: {
       QPainterPath eye;

@@ -7,7 +7,22 @@
 
 namespace gonio::widgets {
 
-enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, pending, shown, hidden };
+enum class Glyph {
+  reset,
+  collapsed,
+  expanded,
+  search,
+  close,
+  passed,
+  warning,
+  note,
+  pending,
+  shown,
+  hidden,
+  sliders,
+  curves,
+  blend
+};
 
 /// A small icon, drawn in the palette's text colour when it is painted, so that it is sharp at any scale and follows
 /// the theme.

@@ -90,7 +90,12 @@ void ParameterSlider::end() {
 }
 
 void ParameterSlider::editTo(double fraction, bool snap) {
-  const double value = valueAt(snap ? snapped(fraction) : fraction);
+  double value = valueAt(snap ? snapped(fraction) : fraction);
+  // Under the pointer, a value that reads as the reference is the reference: the slider would be marked as changed at
+  // "1" otherwise.
+  constexpr double halfPixel = 0.5;
+  if (m_dragging && m_reference && std::abs(fraction - fractionOf(*m_reference)) * groove().width() < halfPixel)
+    value = *m_reference;
   if (value == m_number) return;
   setNumber(value);
   Q_EMIT numberEdited(value);

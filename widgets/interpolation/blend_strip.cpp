@@ -21,7 +21,7 @@ constexpr int minRows = 4, usualRows = 5;
 
 BlendStrip::BlendStrip(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Interpolation spaces side by side"));
+  setAccessibleName(tr("Methods of blending side by side"));
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }

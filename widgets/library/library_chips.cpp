@@ -65,7 +65,9 @@ bool LibraryOrder::matches(int row) const {
   const QDateTime opened = index.data(LibraryModel::OpenedRole).toDateTime();
   if (m_filter.recent && (opened.isNull() || opened.daysTo(QDateTime::currentDateTime()) > recentDays)) return false;
   if (m_words.isEmpty()) return true;
-  const QStringList own = wordsOf(QStringList{index.data().toString(), kind, tags.join(' ')}.join(' '));
+  const QStringList own = wordsOf(
+      QStringList{index.data().toString(), kind, tags.join(' '), index.data(LibraryModel::LookRole).toString()}.join(
+          ' '));
   // A badge is one term: "measured" does not match "near-measured copy".
   const QStringList origin = termsOf(badge + ' ' + m_model->group(row, LibraryGrouping::source));
   const auto begins = [](const QStringList& all, const QString& word) {
@@ -160,6 +162,8 @@ void LibraryChips::rebuild() {
     list->removeAll(QString());
     list->removeDuplicates();
   }
+  // The user's own badges come last: chips do not shift when the first document is saved.
+  std::ranges::stable_partition(badges, [&](const QString& badge) { return !meanings[badge].isEmpty(); });
   m_tags = m_model.tags();
   const auto keep = [](QStringList& wanted, const QStringList& present) {
     wanted.removeIf([&](const QString& text) { return !present.contains(text); });

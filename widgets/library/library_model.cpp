@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "core/math/colour.h"
 #include "core/metrics/brdf_metric.h"
@@ -133,6 +134,7 @@ void LibraryModel::setThumbnail(const QString& id, const LibraryThumbnail& thumb
   entry.thumbnail = thumbnail;
   entry.lab = meanLab(thumbnail.image);
   entry.pixmap = QPixmap::fromImage(thumbnail.image);
+  entry.look = lookWords(thumbnail, entry.lab);
   Q_EMIT dataChanged(index(row), index(row));
 }
 
@@ -191,8 +193,10 @@ QStringList LibraryModel::tags() const {
 }
 
 QString LibraryModel::toolTip(const Entry& entry) const {
-  QStringList lines{QStringLiteral("<b>%1</b>").arg(entry.item.name.toHtmlEscaped()),
-                    entry.item.toolTip.toHtmlEscaped()};
+  QStringList lines;
+  if (!entry.item.toolTip.contains(entry.item.name))
+    lines << QStringLiteral("<b>%1</b>").arg(entry.item.name.toHtmlEscaped());
+  lines << entry.item.toolTip.toHtmlEscaped();
   const LibraryNote note = m_notes.value(entry.item.id);
   if (note.rating > 0) lines << tr("Rating: %1 of %2").arg(note.rating).arg(LibraryNote::maxRating);
   if (!note.tags.isEmpty()) lines << tr("Tags: %1").arg(note.tags.join(QStringLiteral(", ")).toHtmlEscaped());
@@ -219,6 +223,44 @@ Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {
 QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
   return indexes.isEmpty() ? nullptr : toDrag(indexes.front().data(IdRole).toString());
 }
+
+QString lookWords(const LibraryThumbnail& thumbnail, const Rgb& lab) {
+  constexpr double smallestChroma = 12;  // below it, a metal with a tint is called grey
+  const bool isGrey = thumbnail.hue < 0 || std::hypot(lab.y, lab.z) < smallestChroma;
+  struct Range {
+    double end;
+    const char* words;
+  };
+  // Hues in degrees; L* in percent; widths of highlights as GGX alpha.
+  constexpr Range
+      hues[] = {{15, "red"},   {42, "orange brown"},   {70, "yellow gold"},   {165, "green"}, {200, "cyan turquoise"},
+                {255, "blue"}, {290, "purple violet"}, {345, "pink magenta"}, {360, "red"}},
+      lightnesses[] = {{22, "dark black"}, {75, "grey silver"}, {101, "light white"}},
+      widths[] = {
+          {0.03, "mirror polished shiny glossy"}, {0.12, "shiny glossy"}, {0.3, "satin"}, {2, "matt matte rough"}};
+  const auto wordsAt = [](double value, std::span<const Range> ranges) {
+    const auto found = std::ranges::find_if(ranges, [&](const Range& range) { return value < range.end; });
+    return QString::fromLatin1(found == ranges.end() ? "" : found->words);
+  };
+  QStringList words{wordsAt(thumbnail.roughness, widths)};
+  words << (isGrey ? wordsAt(lab.x, lightnesses) : wordsAt(thumbnail.hue, hues));
+  if (!isGrey && lab.x < lightnesses[0].end) words << QStringLiteral("dark");
+  return words.join(' ');
+}
+
+namespace {
+
+/// Other words for the kinds of the bundled library.
+QString otherNames(const QString& kind) {
+  const std::pair<const char*, const char*> names[] = {
+      {"paint", "carpaint lacquer coating"}, {"metal", "metallic"},  {"film", "vinyl foil wrap"},
+      {"fabric", "cloth textile"},           {"plastic", "polymer"}, {"ceramic", "tile porcelain"}};
+  for (const auto& [name, others] : names)
+    if (kind.compare(QLatin1String(name), Qt::CaseInsensitive) == 0) return QString::fromLatin1(others);
+  return {};
+}
+
+}  // namespace
 
 QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
@@ -266,6 +308,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       const QDateTime opened = m_notes.value(entry.item.id).opened;
       return opened.isNull() ? 1e18 : -double(opened.toMSecsSinceEpoch());
     }
+    case LookRole:
+      return QStringList{entry.look, otherNames(entry.item.kind)}.join(' ');
     case BadgeRole:
       return entry.item.badge;
     case BadgeMeaningRole:

@@ -78,7 +78,8 @@ class LibraryModel : public QAbstractListModel {
     RatingOrderRole,
     TagsRole,
     OpenedRole,  ///< null: never opened
-    OpenedOrderRole
+    OpenedOrderRole,
+    LookRole  ///< words for the look of the thumbnail and for the kind: "shiny red carpaint"
   };
 
   using QAbstractListModel::QAbstractListModel;
@@ -130,6 +131,7 @@ class LibraryModel : public QAbstractListModel {
     Rgb lab{0};  ///< of the thumbnail
     QPixmap pixmap;
     QString failure, failureBadge;
+    QString look;  ///< lookWords() of the thumbnail
   };
   struct Heading {
     QString title;
@@ -150,6 +152,11 @@ class LibraryModel : public QAbstractListModel {
   };
   std::optional<Reference> m_reference;
 };
+
+/// Words by which people search for a look, from the thumbnail: its colour ("red", "dark") and the width of its
+/// highlight
+/// ("mirror", "shiny", "matt"). @param lab the mean colour, CIE L*, a*, b*.
+QString lookWords(const LibraryThumbnail& thumbnail, const Rgb& lab);
 
 /// The mean of a picture's opaque pixels, in linear light, as CIE L*, a*, b*; black if there are none.
 Rgb meanLab(const QImage& picture);

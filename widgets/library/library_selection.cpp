@@ -46,7 +46,7 @@ QMenu* libraryMenu(const QStringList& ids, const CommonNotes& common, const Libr
   if (ids.size() == 2 && actions.comparePair)
     menu->addAction(QMenu::tr("&Compare These 2"), menu, [=] { actions.comparePair(ids); });
   if (actions.interpolate)
-    menu->addAction(single ? QMenu::tr("&Interpolate with This") : QMenu::tr("&Interpolate These %1").arg(count),
+    menu->addAction(single ? QMenu::tr("&Blend with This") : QMenu::tr("&Blend These %1").arg(count),
                     Qt::SHIFT | Qt::Key_Return, menu, [=] { actions.interpolate(ids); });
   if (!single && actions.study)
     menu->addAction(QMenu::tr("&Measure Representations of These %1...").arg(count), menu, [=] { actions.study(ids); });

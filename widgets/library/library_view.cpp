@@ -43,10 +43,13 @@ void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool
   painter.drawLine(middle - across, middle + across);
 }
 
-/// Lets "blue-metallic-paint" break after a hyphen, and "ch_mint_rgb" after an underscore.
-QString breakable(QString name) {
-  const QChar here(0x200b);
-  return name.replace('-', QStringLiteral("-") + here).replace('_', QStringLiteral("_") + here);
+/// The name with spaces for underscores, in at most two lines: "blue-metallic-paint" may break after a hyphen. What has
+/// no room is left out in the middle: the end of a name, such as ", rougher", distinguishes it.
+QString shownName(QString name, const QFontMetrics& metrics, int width) {
+  constexpr double usedWidth = 1.7;  // of two lines: words leave some of the first one empty
+  name.replace('_', ' ');
+  return metrics.elidedText(name, Qt::ElideMiddle, int(usedWidth * width))
+      .replace('-', QStringLiteral("-") + QChar(0x200b));
 }
 
 void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
@@ -77,16 +80,18 @@ void paintPill(QPainter& painter, const QStyleOptionViewItem& option, const QRec
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
-/// A word at the lower edge of the picture.
-void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, const QString& badge) {
-  if (badge.isEmpty()) return;
-  QFont font = option.font;
+QFont badgeFont(QFont font) {
   font.setPointSizeF(font.pointSizeF() * 0.78);
-  const QFontMetrics metrics(font);
-  const QString text = metrics.elidedText(badge, Qt::ElideRight, picture.width() - 2 * margin);
-  QRect pill(0, 0, metrics.horizontalAdvance(text) + 2 * margin, metrics.height());
-  pill.moveCenter({picture.center().x(), picture.bottom() - pill.height() / 2});
-  paintPill(painter, option, pill, font, text);
+  return font;
+}
+
+/// A quiet word below the name.
+void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line, const QString& badge) {
+  const QFont font = badgeFont(option.font);
+  painter.setFont(font);
+  painter.setPen(option.palette.color(QPalette::PlaceholderText));
+  painter.drawText(line, Qt::AlignHCenter | Qt::AlignTop,
+                   QFontMetrics(font).elidedText(badge, Qt::ElideRight, line.width()));
 }
 
 /// "4" and a star in the upper left corner of the picture.
@@ -120,7 +125,8 @@ QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModel
     const int width = view ? view->viewport()->width() - 2 * view->spacing() - 1 : m_tile;
     return {width, option.fontMetrics.height() + 3 * margin};
   }
-  return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() + 3 * margin};
+  return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() +
+                                   QFontMetrics(badgeFont(option.font)).height() + 3 * margin};
 }
 
 void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -163,8 +169,14 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
                     labelLines * option.fontMetrics.height());
   painter->setPen(text);
   painter->setFont(option.font);
-  painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
-  paintBadge(*painter, option, picture,
+  const QString name = shownName(index.data().toString(), option.fontMetrics, label.width());
+  painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, name);
+  // Directly below the name, of one line or two.
+  const int nameHeight =
+      option.fontMetrics.boundingRect(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, name).height();
+  const QRect badge(label.left(), label.top() + std::min(nameHeight, label.height()), label.width(),
+                    option.rect.bottom() - label.top() - nameHeight);
+  paintBadge(*painter, option, badge,
              index.data(failed ? LibraryModel::FailureBadgeRole : LibraryModel::BadgeRole).toString());
   if (index.data(LibraryModel::FavouriteRole).toBool()) paintStar(*painter, option, picture);
   if (const int rating = index.data(LibraryModel::RatingRole).toInt(); rating > 0)

@@ -29,6 +29,14 @@ QString draggedFile(const QMimeData* data) {
   return {};
 }
 
+QStringList draggedFiles(const QMimeData* data) {
+  QStringList files;
+  if (data->hasFormat(idFormat)) return files;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
+}
+
 QString draggedMaterial(const QMimeData* data) {
   const QString file = draggedFile(data);
   const std::string path = file.toStdString();

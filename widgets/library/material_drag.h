@@ -13,6 +13,8 @@ QMimeData* toDrag(const QString& id);
 
 /// The content of a drag: the id of a library material, else the first local file; empty if there is neither.
 QString draggedFile(const QMimeData* data);
+/// All files of a drag from another program; empty for a material of the library.
+QStringList draggedFiles(const QMimeData* data);
 /// The same if it is a material or a document, by suffix or content; else empty.
 QString draggedMaterial(const QMimeData* data);
 

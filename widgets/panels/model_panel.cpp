@@ -6,11 +6,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/inputs/icons.h"
 #include "widgets/inputs/plain_text_style.h"
-#include "widgets/panels/elided_label.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -44,26 +45,43 @@ ModelBox::ModelBox(QWidget* parent) : QComboBox(parent) {
   connect(this, &QComboBox::activated, this, [this](int index) { Q_EMIT modelChosen(m_entries[std::size_t(index)]); });
 }
 
+/// A title is an entry that cannot be chosen.
+void ModelBox::addTitle(const QString& title) {
+  addItem(title);
+  QStandardItem* item = qobject_cast<QStandardItemModel*>(QComboBox::model())->item(count() - 1);
+  item->setFlags(Qt::NoItemFlags);
+  QFont bold = font();
+  bold.setBold(true);
+  item->setFont(bold);
+  m_entries.push_back(nullptr);
+}
+
+void ModelBox::addModel(const models::Model& model) {
+  addItem(toQString(model.spec().name));
+  setItemData(count() - 1, modelToolTip(model.spec()), richToolTipRole);
+  m_entries.push_back(&model);
+}
+
 void ModelBox::fill() {
-  auto* items = qobject_cast<QStandardItemModel*>(QComboBox::model());
+  if (!m_suggested.empty()) addTitle(tr("Suggested"));
+  for (const models::Model* one : m_suggested) addModel(*one);
   for (const auto family :
        {models::ModelFamily::empirical, models::ModelFamily::analytic, models::ModelFamily::series}) {
-    // A title is an entry that cannot be chosen.
-    addItem(familyTitle(family));
-    QStandardItem* title = items->item(count() - 1);
-    title->setFlags(Qt::NoItemFlags);
-    QFont bold = font();
-    bold.setBold(true);
-    title->setFont(bold);
-    m_entries.push_back(nullptr);
-    for (const models::Model* one : models::allModels()) {
-      if (one->spec().family != family) continue;
-      addItem(toQString(one->spec().name));
-      setItemData(count() - 1, modelToolTip(one->spec()), richToolTipRole);
-      m_entries.push_back(one);
-    }
+    addTitle(familyTitle(family));
+    for (const models::Model* one : models::allModels())
+      if (one->spec().family == family) addModel(*one);
   }
   setMaxVisibleItems(int(m_entries.size()));
+}
+
+void ModelBox::setSuggested(const std::vector<const models::Model*>& suggested) {
+  if (suggested == m_suggested) return;
+  const models::Model* chosen = currentIndex() >= 0 ? m_entries[std::size_t(currentIndex())] : nullptr;
+  m_suggested = suggested;
+  clear();
+  m_entries.clear();
+  fill();
+  setModel(chosen);
 }
 
 void ModelBox::setModel(const models::Model* model) {
@@ -73,19 +91,14 @@ void ModelBox::setModel(const models::Model* model) {
 }
 
 ModelPanel::ModelPanel(QWidget* parent)
-    : QWidget(parent),
-      m_models(new ModelBox(this)),
-      m_fit(new QPushButton(tr("Fit"), this)),
-      m_costs(new ElidedLabel(this)) {
+    : QWidget(parent), m_models(new ModelBox(this)), m_fit(new QPushButton(tr("Fit"), this)) {
   m_fit->setToolTip(tr("Fits the model to the measurement (Ctrl+F5)"));
-  m_costs->setForegroundRole(QPalette::PlaceholderText);
   auto* top = new QHBoxLayout;
   top->addWidget(m_models, 1);
   top->addWidget(m_fit);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(top);
-  layout->addWidget(m_costs);
   connect(m_fit, &QPushButton::clicked, this, &ModelPanel::fitRequested);
   connect(m_models, &ModelBox::modelChosen, this, &ModelPanel::modelChosen);
   setModel(nullptr);
@@ -93,13 +106,43 @@ ModelPanel::ModelPanel(QWidget* parent)
 
 void ModelPanel::setModel(const models::Model* model) { m_models->setModel(model); }
 
-void ModelPanel::setCosts(const QString& line, const QString& details) {
-  // Equal texts too would make a label and its tooltip anew, at each step of a slider.
-  if (line != m_costs->text()) m_costs->setText(line);
-  if (details != m_costs->toolTip()) m_costs->setToolTip(details);
+void ModelPanel::setBusy(bool busy) { m_fit->setText(busy ? tr("Fitting") : tr("Fit")); }
+
+CostLine::CostLine(QWidget* parent) : QWidget(parent), m_line(new QToolButton(this)), m_details(new QLabel(this)) {
+  m_line->setCheckable(true);
+  m_line->setAutoRaise(true);
+  m_line->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_line->setIcon(glyphIcon(Glyph::collapsed));
+  m_line->setFocusPolicy(Qt::StrongFocus);
+  m_line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  m_line->setToolTip(
+      tr("How closely the fitted model matches the measurement, and what the material costs. Press to show the "
+         "numbers."));
+  m_details->setWordWrap(true);
+  m_details->setTextFormat(Qt::PlainText);
+  m_details->setForegroundRole(QPalette::PlaceholderText);
+  m_details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_details->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(m_line);
+  layout->addWidget(m_details);
+  connect(m_line, &QToolButton::toggled, this, [this](bool open) {
+    m_line->setIcon(glyphIcon(open ? Glyph::expanded : Glyph::collapsed));
+    m_details->setVisible(open);
+  });
+  setCosts({}, {});
 }
 
-void ModelPanel::setBusy(bool busy) { m_fit->setText(busy ? tr("Fitting") : tr("Fit")); }
+QString CostLine::line() const { return m_line->text(); }
+
+void CostLine::setCosts(const QString& line, const QString& details) {
+  // Equal texts too would lay out the inspector anew, at each step of a slider.
+  if (line != m_line->text()) m_line->setText(line);
+  if (details != m_details->text()) m_details->setText(details);
+  setVisible(!line.isEmpty());
+}
 
 }  // namespace gonio::widgets
 

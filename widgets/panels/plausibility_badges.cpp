@@ -36,9 +36,10 @@ PlausibilityBadge::PlausibilityBadge(QWidget* parent) : QAbstractButton(parent) 
 
 void PlausibilityBadge::setState(State state) {
   m_state = state;
-  const QString outcome = state == State::passed   ? tr("passed")
-                          : state == State::failed ? tr("failed")
-                                                   : tr("checking");
+  const QString outcome = state == State::passed     ? tr("passed")
+                          : state == State::failed   ? tr("failed")
+                          : state == State::inherent ? tr("a property of the measurement")
+                                                     : tr("checking");
   setAccessibleName(tr("%1: %2").arg(text(), outcome));
   setToolTip(tr("%1: %2. Press for an explanation.").arg(text(), outcome));
   update();
@@ -62,9 +63,10 @@ void PlausibilityBadge::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(frame, frame.height() / 2, frame.height() / 2);
   const double line = fontMetrics().height() * 0.85;
   painter.setPen(colour);
-  const Glyph glyph = m_state == State::passed   ? Glyph::passed
-                      : m_state == State::failed ? Glyph::warning
-                                                 : Glyph::pending;
+  const Glyph glyph = m_state == State::passed     ? Glyph::passed
+                      : m_state == State::failed   ? Glyph::warning
+                      : m_state == State::inherent ? Glyph::note
+                                                   : Glyph::pending;
   paintGlyph(painter, glyph, QRectF(line * 0.6, (height() - line) / 2, line, line));
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRectF(line * 1.9, 0, width() - line * 2.2, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
@@ -103,8 +105,13 @@ int PlausibilityBadges::current() const {
   return -1;
 }
 
-void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>& checks) {
+bool PlausibilityBadges::isInherent(const metrics::PlausibilityCheck& check) const {
+  return m_untouched && !check.passed && check.name == "reciprocity";
+}
+
+void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>& checks, bool untouched) {
   m_checks = checks;
+  m_untouched = untouched;
   while (m_badges.size() < checks.size()) {
     auto* badge = new PlausibilityBadge(this);
     const int place = int(m_badges.size());
@@ -120,7 +127,9 @@ void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>
     m_badges[i]->setVisible(i < checks.size());
     if (i >= checks.size()) continue;
     m_badges[i]->setText(plausibilityWord(checks[i]));
-    m_badges[i]->setState(checks[i].passed ? PlausibilityBadge::State::passed : PlausibilityBadge::State::failed);
+    m_badges[i]->setState(checks[i].passed        ? PlausibilityBadge::State::passed
+                          : isInherent(checks[i]) ? PlausibilityBadge::State::inherent
+                                                  : PlausibilityBadge::State::failed);
   }
   m_empty->setVisible(checks.empty());
   explain();
@@ -143,7 +152,9 @@ void PlausibilityBadges::explain() {
   const bool open = index >= 0 && index < int(m_checks.size());
   m_explanation->setVisible(open);
   m_show->setVisible(open && m_checks[std::size_t(index)].at);
-  if (open) m_explanation->setText(plausibilityText(m_checks[std::size_t(index)]));
+  if (!open) return;
+  const metrics::PlausibilityCheck& check = m_checks[std::size_t(index)];
+  m_explanation->setText(plausibilityText(check, isInherent(check)));
 }
 
 // What the checks of plausibility mean, for people.
@@ -211,15 +222,17 @@ Text textOf(const metrics::PlausibilityCheck& check) {
 
 QString plausibilityWord(const metrics::PlausibilityCheck& check) { return textOf(check).word; }
 
-QString plausibilityText(const metrics::PlausibilityCheck& check) {
+QString plausibilityText(const metrics::PlausibilityCheck& check, bool inherent) {
   const Text text = textOf(check);
   const bool locate = check.at && (check.worst > 0 || !check.passed);
   const QString worst = locate ? PlausibilityText::tr("%1, %2.").arg(text.worst, where(check))
                                : PlausibilityText::tr("%1.").arg(text.worst);
   return QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>%4")
-      .arg(check.passed ? PlausibilityText::tr("Passed.") : PlausibilityText::tr("Failed."),
+      .arg(check.passed ? PlausibilityText::tr("Passed.")
+           : inherent   ? PlausibilityText::tr("A property of the measurement.")
+                        : PlausibilityText::tr("Failed."),
            text.meaning.toHtmlEscaped(), worst.toHtmlEscaped(),
-           check.passed ? QString() : QStringLiteral("<p>%1</p>").arg(text.remedy.toHtmlEscaped()));
+           check.passed || inherent ? QString() : QStringLiteral("<p>%1</p>").arg(text.remedy.toHtmlEscaped()));
 }
 
 }  // namespace gonio::widgets

@@ -13,12 +13,12 @@ class QPushButton;
 
 namespace gonio::widgets {
 
-/// A word with a symbol: passed, failed, or not known yet. Does not rely on colour.
+/// A word with a symbol: passed, failed, a property of the measurement, or not known yet. Does not rely on colour.
 class PlausibilityBadge : public QAbstractButton {
   Q_OBJECT
 
  public:
-  enum class State { unknown, passed, failed };
+  enum class State { unknown, passed, failed, inherent };
   explicit PlausibilityBadge(QWidget* parent = nullptr);
 
   void setState(State state);
@@ -41,7 +41,8 @@ class PlausibilityBadges : public QWidget {
  public:
   explicit PlausibilityBadges(QWidget* parent = nullptr);
 
-  void setChecks(const std::vector<metrics::PlausibilityCheck>& checks);
+  /// @param untouched whether the material has no edits: a measurement that is not reciprocal is not a fault then.
+  void setChecks(const std::vector<metrics::PlausibilityCheck>& checks, bool untouched = false);
   /// The checks are out of date: shows them as not known yet, with their last text.
   void setPending();
   /// Nothing to check.
@@ -55,16 +56,19 @@ class PlausibilityBadges : public QWidget {
  private:
   void explain();
   int current() const;
+  bool isInherent(const metrics::PlausibilityCheck& check) const;
 
   std::vector<metrics::PlausibilityCheck> m_checks;
+  bool m_untouched = false;
   std::vector<PlausibilityBadge*> m_badges;
   QGridLayout* m_grid;
   QLabel *m_empty, *m_explanation;
   QPushButton* m_show;
 };
 
-/// The word of a check, and rich text about it.
+/// The word of a check, and rich text about it. @param inherent whether a check that failed states a property of the
+/// measurement, which needs no remedy.
 QString plausibilityWord(const metrics::PlausibilityCheck& check);
-QString plausibilityText(const metrics::PlausibilityCheck& check);
+QString plausibilityText(const metrics::PlausibilityCheck& check, bool inherent = false);
 
 }  // namespace gonio::widgets

@@ -51,7 +51,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_entries->setAutoRaise(true);
   m_entries->setPopupMode(QToolButton::InstantPopup);
   m_entries->setMenu(new QMenu(m_entries));
-  m_entries->setToolTip(tr("All tasks in progress; choose one to cancel it"));
+  m_entries->setToolTip(tr("All tasks in progress; each can be cancelled"));
   m_noticeTime.setSingleShot(true);
   connect(&m_noticeTime, &QTimer::timeout, m_notice, &QLabel::clear);
   setEntries({});
@@ -83,10 +83,11 @@ void ProgressStrip::setEntries(const std::vector<Entry>& entries) {
   if (!same) menu->clear();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const int id = entries[i].id;
-    QAction* action = same ? actions[qsizetype(i)] : menu->addAction(QString());
-    action->setText(tr("Cancel: %1").arg(menuText(entries[i].text)));
+    // Each task is a menu of its own, so that the press that opens the list cannot cancel the task under the pointer.
+    QAction* action = same ? actions[qsizetype(i)] : menu->addMenu(QString())->menuAction();
+    action->setText(menuText(entries[i].text));
     action->setData(id);
-    if (!same) connect(action, &QAction::triggered, this, [this, id] { Q_EMIT entryCancelRequested(id); });
+    if (!same) action->menu()->addAction(tr("Cancel"), this, [this, id] { Q_EMIT entryCancelRequested(id); });
   }
 }
 

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/parameters/colour_swatch.h"
 
-#include <QColorDialog>
 #include <QPainter>
 #include <algorithm>
 
 #include "core/rendering/tone_map.h"
+#include "widgets/parameters/colour_picker.h"
 
 namespace gonio::widgets {
 
@@ -58,12 +58,10 @@ void ColourSwatch::openDialog() {
   const Rgb before = m_colour;
   double scale = 1;
   // On the heap and without an event loop of its own: the row of the swatch may go while the dialog is open.
-  auto* dialog = new QColorDialog(displayColour(before, scale), this);
+  auto* dialog = new ColourPicker(displayColour(before, scale), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  // Qt's own has an eyedropper (Pick Screen Colour), which reads the preview too; not every native one has.
-  dialog->setOption(QColorDialog::DontUseNativeDialog);
-  dialog->setWindowTitle(tr("%1: tint").arg(accessibleName()));
-  connect(dialog, &QColorDialog::currentColorChanged, this, [this, scale](const QColor& chosen) {
+  dialog->setWindowTitle(accessibleName());
+  connect(dialog, &ColourPicker::colourChanged, this, [this, scale](const QColor& chosen) {
     const Rgb linear(fromSrgb(chosen.redF()), fromSrgb(chosen.greenF()), fromSrgb(chosen.blueF()));
     setColour(linear * scale);
     Q_EMIT colourEdited(m_colour);
@@ -75,6 +73,9 @@ void ColourSwatch::openDialog() {
     }
     Q_EMIT editingFinished();
   });
+  // Below the swatch, so that the picture, which shows the result, is in view.
+  dialog->adjustSize();
+  dialog->move(mapToGlobal(QPoint(width() - dialog->width(), height())));
   Q_EMIT editingStarted();
   dialog->open();
 }

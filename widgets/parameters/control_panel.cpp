@@ -52,8 +52,13 @@ QString shortened(const QStringList& changes) {
 
 }  // namespace
 
-ControlPanel::ControlPanel(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
+ControlPanel::ControlPanel(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)), m_line(new QLabel) {
   m_layout->setContentsMargins(0, 0, 0, 0);
+  m_line->setObjectName(QStringLiteral("changes"));
+  m_line->setForegroundRole(QPalette::PlaceholderText);
+  m_line->setIndent(fontMetrics().height());
+  m_line->setMinimumWidth(1);  // a long text must not widen the whole inspector
+  m_layout->addWidget(m_line);
   setEdit(nullptr);
 }
 
@@ -74,20 +79,23 @@ void ControlPanel::showEmpty(const QString& text) {
   m_diffuse = nullptr;
   delete m_content;
   auto* hint = new QLabel(text, this);
+  hint->setObjectName(QStringLiteral("hint"));
   hint->setWordWrap(true);
   hint->setEnabled(false);
   m_content = hint;
-  m_layout->addWidget(m_content);
+  m_layout->insertWidget(0, m_content);
+  m_line->hide();
 }
 
 void ControlPanel::build(const models::ModelSpec& spec) {
   m_spec = &spec;
-  m_editing = false;
+  m_moved.reset();
   m_controls.clear();
   m_diffuse = nullptr;
   delete m_content;
   m_content = new QWidget(this);
-  m_layout->addWidget(m_content);
+  m_layout->insertWidget(0, m_content);
+  m_line->show();
   auto* layout = new QVBoxLayout(m_content);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(fontMetrics().height() / 3);
@@ -100,35 +108,23 @@ void ControlPanel::build(const models::ModelSpec& spec) {
 ParameterRow* ControlPanel::addRow(const models::ParameterSpec& spec) {
   auto* row = new ParameterRow(spec, m_content);
   m_content->layout()->addWidget(row);
-  connect(row, &ParameterRow::editingStarted, this, [this] {
-    m_editing = true;
-    Q_EMIT editingStarted();
-  });
-  connect(row, &ParameterRow::editingFinished, this, [this] {
-    m_editing = false;
-    placeChanges();
-    Q_EMIT editingFinished();
-  });
+  connect(row, &ParameterRow::editingStarted, this, &ControlPanel::editingStarted);
+  connect(row, &ParameterRow::editingFinished, this, &ControlPanel::editingFinished);
   return row;
 }
 
 void ControlPanel::addControl(ArtistControl control) {
   ParameterRow* row = addRow(specOf(control));
-  connect(row, &ParameterRow::valueEdited, this,
-          [this, control](const Rgb& value) { Q_EMIT controlEdited(control, value); });
+  connect(row, &ParameterRow::valueEdited, this, [this, control](const Rgb& value) {
+    m_moved = control;
+    Q_EMIT controlEdited(control, value);
+  });
   connect(row, &ParameterRow::resetRequested, this, [this, control] { Q_EMIT controlResetRequested(control); });
   row->setActive(editing::actsOn(control, *m_spec),
                  tr("The model %1 has no parameter for this control. The model Layered lobes has parameters "
                     "for every control.")
                      .arg(toQString(m_spec->name)));
-  auto* changes = new QLabel(m_content);
-  changes->setObjectName(QStringLiteral("changes"));
-  changes->setWordWrap(true);
-  changes->setForegroundRole(QPalette::PlaceholderText);
-  changes->setIndent(fontMetrics().height());
-  changes->hide();
-  m_content->layout()->addWidget(changes);
-  m_controls.push_back({row, changes});
+  m_controls.push_back({row});
 }
 
 void ControlPanel::addDiffuse() {
@@ -144,21 +140,26 @@ void ControlPanel::addDiffuse() {
   connect(m_diffuse, &ParameterRow::resetRequested, this, [this] { Q_EMIT diffuseResetRequested(m_diffuseParameter); });
 }
 
+/// One line below all rows: lines between them would move the next slider away from under the hand.
 void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
+  QStringList all;
+  std::optional<ArtistControl> first;
   for (std::size_t i = 0; i < m_controls.size(); ++i) {
-    const QStringList changes = changesOf(ArtistControl(i), edit);
-    QLabel& label = *m_controls[i].changes;
-    label.setText(shortened(changes));
-    const QString toolTip = changes.size() > maxNamedChanges ? changes.join('\n') : QString();
-    if (toolTip != label.toolTip()) label.setToolTip(toolTip);
+    m_controls[i].changes = changesOf(ArtistControl(i), edit);
+    if (m_controls[i].changes.isEmpty()) continue;
+    if (!first) first = ArtistControl(i);
+    all << tr("%1: %2").arg(toQString(specOf(ArtistControl(i)).label),
+                            m_controls[i].changes.join(QStringLiteral("; ")));
   }
-  placeChanges();
+  const auto shown = m_moved && !changes(*m_moved).isEmpty() ? m_moved : first;
+  // Equal texts too would make a label and its tooltip anew, at each step of a slider.
+  const QString text = shown ? changes(*shown) : QString(), toolTip = all.join('\n');
+  if (text != m_line->text()) m_line->setText(text);
+  if (toolTip != m_line->toolTip()) m_line->setToolTip(toolTip);
 }
 
-/// Lines come and go only when the hand has left the slider: rows keep their places under it.
-void ControlPanel::placeChanges() {
-  if (m_editing) return;
-  for (const Control& control : m_controls) control.changes->setVisible(!control.changes->text().isEmpty());
+QString ControlPanel::changes(ArtistControl control) const {
+  return m_controls.empty() ? QString() : shortened(m_controls[std::size_t(control)].changes);
 }
 
 ParameterRow* ControlPanel::row(ArtistControl control) const {

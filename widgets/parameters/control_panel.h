@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -15,8 +16,8 @@ namespace gonio::widgets {
 
 class ParameterRow;
 
-/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's diffuse term. Below a
-/// control that was moved, its effect on the parameters is listed; controls without parameters in the model are
+/// The artist's controls (editing::artistControls()) of an edit, and the colour of the model's diffuse term. A line
+/// below the controls states what the one that was moved last changes; controls without parameters in the model are
 /// disabled, with an explanation. Does not own the values, like ParameterPanel.
 class ControlPanel : public QWidget {
   Q_OBJECT
@@ -29,6 +30,8 @@ class ControlPanel : public QWidget {
 
   /// Null if nothing can be edited.
   ParameterRow* row(editing::ArtistControl control) const;
+  /// The parameters that a control changes, "Roughness 0.3 → 0.6"; at most two are named. Empty: it changes none.
+  QString changes(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
   std::optional<editing::ArtistControl> currentControl() const;
   /// The model's parameter of the diffuse colour if its row is under the pointer or has the focus.
@@ -50,11 +53,10 @@ class ControlPanel : public QWidget {
   void addDiffuse();
   ParameterRow* addRow(const models::ParameterSpec& spec);
   void showChanges(const editing::DifferentialEdit& edit);
-  void placeChanges();
 
   struct Control {
     ParameterRow* row = nullptr;
-    QLabel* changes = nullptr;
+    QStringList changes = {};
   };
 
   const ParameterRow* currentRow() const;
@@ -66,7 +68,8 @@ class ControlPanel : public QWidget {
   ParameterRow* m_diffuse = nullptr;
   std::optional<models::ParameterSpec> m_diffuseSpec;  ///< of the model, with the name used in this panel
   int m_diffuseParameter = -1;
-  bool m_editing = false;  ///< whether an interaction is running
+  QLabel* m_line;                                 ///< the changes of one control, and in its tooltip those of all
+  std::optional<editing::ArtistControl> m_moved;  ///< by the user, last
 };
 
 }  // namespace gonio::widgets

@@ -33,7 +33,8 @@ std::pair<double, double> sliderRange(const models::ParameterSpec& spec, double 
 }
 
 namespace {
-constexpr int labelEms = 9;
+/// The longest label of a control has room on one line, in bold, too.
+constexpr int labelCharacters = 17;
 /// Arrow keys in the number field step by this fraction of the slider's range.
 constexpr double fieldStepFraction = 0.01;
 }  // namespace
@@ -49,7 +50,9 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
       m_trailing(new QWidget(this)),
       m_reset(new QToolButton(this)) {
   const int em = fontMetrics().height();
-  m_label->setFixedWidth(labelEms * em * 3 / 4);
+  QFont bold = font();
+  bold.setBold(true);
+  m_label->setFixedWidth(QFontMetrics(bold).averageCharWidth() * labelCharacters);
   m_label->setWordWrap(true);
   m_label->installEventFilter(this);
   m_field->setRange(spec.hardMin, spec.hardMax);

@@ -110,10 +110,10 @@ void ParameterRow::buildChannels() {
   if (!isColour(*m_spec)) return;
   m_swatch = new ColourSwatch(this);
   m_swatch->setAccessibleName(tr("Colour of %1").arg(toQString(m_spec->label)));
-  m_swatch->setToolTip(
-      tr("Opens a dialog for the colour of %1; its button \"Pick Screen Color\" takes a colour from the "
-         "screen, such as from the preview")
-          .arg(toQString(m_spec->label)));
+  m_swatch->setToolTip(tr("Opens a colour wheel for %1; its button \"Pick from Screen\" takes a colour from the "
+                          "screen, such as from the "
+                          "preview")
+                           .arg(toQString(m_spec->label)));
   m_line->setTrailing(m_swatch);
   connect(m_swatch, &ColourSwatch::editingStarted, this, &ParameterRow::editingStarted);
   connect(m_swatch, &ColourSwatch::colourEdited, this, [this](const Rgb& value) { offer(value); });

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_widget.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QSurfaceFormat>
+#include <utility>
 
 #include "widgets/preview/gl/scene_uniforms.h"
 #include "widgets/preview/preview_overlay.h"
@@ -82,6 +84,12 @@ void PreviewWidget::connectThread() {
   connect(&m_thread, &PictureThread::compiling, this, [this] {
     if (m_content.hasMaterial()) m_overlay->setStatus(tr("Compiling shaders..."));
   });
+}
+
+void PreviewWidget::setLoading(const QString& name) {
+  if (std::exchange(m_loading, name) == name) return;
+  showOverlay();
+  update();
 }
 
 void PreviewWidget::setFlickering(bool flickering) {
@@ -163,6 +171,20 @@ void PreviewWidget::showFailure(const QString& message) {
   Q_EMIT failed(message);
 }
 
+/// Dark around the material in a dark window, mid-grey in a light one: the viewport is no hole in either.
+void PreviewWidget::adoptPalette() {
+  const bool isDark = palette().color(QPalette::Window).lightness() < 128;
+  DisplaySettings settings = m_settings;
+  settings.backgroundCentre = isDark ? DisplaySettings().backgroundCentre : QColor(148, 148, 150);
+  settings.backgroundEdge = isDark ? DisplaySettings().backgroundEdge : QColor(118, 118, 120);
+  if (settings.backgroundEdge != m_settings.backgroundEdge) setDisplay(settings);
+}
+
+void PreviewWidget::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) adoptPalette();
+}
+
 void PreviewWidget::startDrawing() {
   QSurfaceFormat format;
   format.setVersion(4, 1);
@@ -173,6 +195,7 @@ void PreviewWidget::startDrawing() {
 
 void PreviewWidget::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  adoptPalette();
   startDrawing();
 }
 
@@ -184,6 +207,8 @@ void PreviewWidget::paintEvent(QPaintEvent*) {
   const QRect place = unstretched(m_state.picture.size(), rect());
   if (place != rect()) painter.fillRect(rect(), m_settings.backgroundEdge);
   painter.drawImage(place, m_state.picture);
+  constexpr QColor veil(20, 20, 20, 150);
+  if (!m_loading.isEmpty()) painter.fillRect(rect(), veil);
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent* event) {
@@ -197,6 +222,7 @@ void PreviewWidget::showOverlay() {
   m_overlay->setComparison(shown, {m_content.first().name(), m_content.second().name()},
                            m_flickering && m_content.isComparing());
   if (!m_failure.isEmpty()) return m_overlay->setHint(m_failure);
+  if (!m_loading.isEmpty()) return m_overlay->setHint(tr("Opening %1...").arg(m_loading));
   m_overlay->setHint(m_content.hasMaterial() ? QString()
                                              : tr("Open a material (Ctrl+O), drop a file here,\n"
                                                   "or double-click a material in the library."));

@@ -55,6 +55,8 @@ class PreviewWidget : public QWidget {
   QString graphics() const { return m_graphics; }
   /// Whether the picture has all its samples.
   bool converged() const;
+  /// Dims the picture and names what is being opened in its place; empty: shows it as it is.
+  void setLoading(const QString& name);
   /// Whether the picture was traced on the CPU.
   bool showsFilm() const { return m_state.sides[0].isTraced; }
   /// Requests have increasing numbers: the number of the last request, and of the displayed picture.
@@ -70,6 +72,7 @@ class PreviewWidget : public QWidget {
   void splitMoved(double fraction);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -77,6 +80,7 @@ class PreviewWidget : public QWidget {
  private:
   void connectContent();
   void connectThread();
+  void adoptPalette();
   void startDrawing();
   void requestPicture();
   void adopt(const PictureState& state);
@@ -95,6 +99,7 @@ class PreviewWidget : public QWidget {
   DisplaySettings m_settings;
   bool m_flickering = false, m_filtersNoise = true;
   QString m_failure;
+  QString m_loading;      ///< what is being opened; empty: nothing
   QString m_unavailable;  ///< why nothing can be drawn; empty: OpenGL works, or was not started
   QString m_graphics;
   PreviewOverlay* m_overlay;

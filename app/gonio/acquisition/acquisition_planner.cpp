@@ -128,7 +128,7 @@ void AcquisitionPlanner::learn(const QStringList& ids, int components) {
   m_basis.reset();
   m_learned.clear();
   m_tasks.run<Basis>(
-      {tr("Learning from %n materials", nullptr, int(ids.size())), m_taskKey},
+      {.title = tr("Learning from %n materials", nullptr, int(ids.size())), .key = m_taskKey, .isLong = true},
       [ids, components](const TaskControl& control) { return learnLibraryComponents(ids, components, control); },
       [this, ids, components](const Basis& basis) {
         m_basis = basis;

@@ -251,7 +251,7 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
         Qt::QueuedConnection);
   };
   m_tasks.run<bool>(
-      {tr("Computing the error curve"), stepKey},
+      {.title = tr("Computing the error curve"), .key = stepKey, .isLong = true},
       [input, reference = m_referenceReader.reference(), showError](const TaskControl& control) {
         measureCurve(input, reference, showError, control);
         return true;

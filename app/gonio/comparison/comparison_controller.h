@@ -23,7 +23,7 @@ namespace gonio::app {
 enum class StandIn {
   match,           ///< the proposed match with the reference image
   representation,  ///< a representation of the material
-  blend            ///< the current blend of the Interpolation panel
+  blend            ///< the current blend of the Blend panel
 };
 
 /// A spectral material at one wavelength.

@@ -67,6 +67,13 @@ std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   return lines;
 }
 
+QString matchWord(double renderedSnr, double flip) {
+  constexpr double indistinguishable = 40, close = 30, visible = 0.02;
+  if (std::isinf(renderedSnr) && renderedSnr > 0) return ComparisonNumbersText::tr("exact");
+  if (renderedSnr >= indistinguishable && !(flip > visible)) return ComparisonNumbersText::tr("indistinguishable");
+  return renderedSnr >= close ? ComparisonNumbersText::tr("close") : ComparisonNumbersText::tr("approximate");
+}
+
 QString comparisonValue(double value) {
   if (std::isnan(value)) return ComparisonNumbersText::tr("undefined");
   if (std::isinf(value)) return QStringLiteral("∞");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct ComparisonLine {
 };
 /// All numbers with their names; the values are NaN if `numbers` is null.
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers);
+/// How close two materials look, in a word: "indistinguishable" from 40 dB of rendered SNR if FLIP is at most 0.02,
+/// "close" from 30 dB, "approximate" below; "exact" for an infinite SNR. @param flip NaN: not measured.
+QString matchWord(double renderedSnr, double flip = std::numeric_limits<double>::quiet_NaN());
 /// Text of a value: "23.4", "∞" for equal pictures, "undefined" for NaN.
 QString comparisonValue(double value);
 /// Comma-separated text: subjects and scene in comment lines, then one line with quantity, value and unit per number.

@@ -12,6 +12,7 @@
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "widgets/inputs/plain_text_style.h"
+#include "widgets/parameters/formula_text.h"
 
 namespace gonio::app {
 
@@ -19,7 +20,7 @@ namespace {
 const QString comparisonKey = QStringLiteral("comparison");
 /// After the last change: while the hand moves nothing is measured.
 constexpr int comparisonDelayMilliseconds = 250;
-constexpr int columnCount = 4, valueColumn = 1;
+constexpr int columnCount = 4, valueColumn = 1, meaningColumn = 3;
 
 struct Measured {
   ComparisonReferencePtr reference;
@@ -141,8 +142,22 @@ void ComparisonPanel::fillTable(const Shown& shown) {
         item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
       m_table->setItem(row, column, item);
     }
+    showFormula(row, line);
   }
   m_copy->setEnabled(shown.numbers && shown.current);
+}
+
+/// The formula of a metric is typeset by a label over its cell.
+void ComparisonPanel::showFormula(int row, const ComparisonLine& line) {
+  if (line.formulaHtml.isEmpty()) return m_table->removeCellWidget(row, meaningColumn);
+  m_table->item(row, meaningColumn)->setText({});
+  m_table->item(row, meaningColumn)->setData(Qt::AccessibleTextRole, line.meaning);
+  auto* label = qobject_cast<QLabel*>(m_table->cellWidget(row, meaningColumn));
+  if (!label) m_table->setCellWidget(row, meaningColumn, label = new QLabel);
+  label->setTextFormat(Qt::RichText);
+  label->setContentsMargins(3, 0, 3, 0);
+  label->setText(widgets::formulaHtml(line.meaning.toStdString()));
+  widgets::setRichToolTip(*label, line.formulaHtml);
 }
 
 void ComparisonPanel::copy() {

@@ -44,6 +44,7 @@ class ComparisonPanel : public QWidget {
   };
   void showNumbers();
   void fillTable(const Shown& shown);
+  void showFormula(int row, const ComparisonLine& line);
   void copy();
   bool hasBoth() const;
 

@@ -13,7 +13,7 @@ namespace gonio::app {
 
 namespace {
 constexpr int progressMilliseconds = 80;
-constexpr int foregroundThreads = 2, liveThreads = 2;
+constexpr int foregroundThreads = 2, longThreads = 2, liveThreads = 2;
 /// A check of a minute must not keep the library without its pictures.
 constexpr int lowPriorityThreads = 2;
 }  // namespace
@@ -29,6 +29,7 @@ struct BackgroundTasks::Task {
 
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
+  m_longPool.setMaxThreadCount(longThreads);
   m_lowPriorityPool.setMaxThreadCount(lowPriorityThreads);
   m_livePool.setMaxThreadCount(liveThreads);
   m_filePool.setMaxThreadCount(1);
@@ -78,6 +79,8 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
       m_livePool.start(body);
     else if (request.file)
       m_filePool.start(body);
+    else if (request.isLong)
+      m_longPool.start(body);
     else
       m_pool.start(body);
   };
@@ -183,7 +186,7 @@ void BackgroundTasks::drop(const QString& key) {
 void BackgroundTasks::stopAll() {
   for (const auto& task : m_tasks) task->stop.request_stop();
   m_held.clear();
-  QThreadPool* const pools[] = {&m_lowPriorityPool, &m_livePool, &m_filePool, &m_pool};
+  QThreadPool* const pools[] = {&m_lowPriorityPool, &m_livePool, &m_filePool, &m_longPool, &m_pool};
   for (QThreadPool* pool : pools) pool->clear();
   for (QThreadPool* pool : pools) pool->waitForDone();
   m_progressTimer.stop();

@@ -18,13 +18,14 @@ namespace gonio::app {
 
 /// How a background task is reported to the user and how it relates to other tasks.
 struct TaskRequest {
-  QString title;       ///< "Loading chrome.binary"
-  QString key;         ///< a newer task with the same key stops the older one, and the older result is dropped
-  bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
-  bool live = false;   ///< at normal priority in separate threads, never shown, not cancelled by Esc; for work after
-                       ///< each step of an interaction (checks, comparisons, plots)
-  bool file = false;   ///< writes a file requested by the user; such tasks run one after the other, are never replaced
-                       ///< and have no key
+  QString title;        ///< "Loading chrome.binary"
+  QString key;          ///< a newer task with the same key stops the older one, and the older result is dropped
+  bool quiet = false;   ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
+  bool live = false;    ///< at normal priority in separate threads, never shown, not cancelled by Esc; for work after
+                        ///< each step of an interaction (checks, comparisons, plots)
+  bool file = false;    ///< writes a file requested by the user; such tasks run one after the other, are never replaced
+                        ///< and have no key
+  bool isLong = false;  ///< takes many seconds; runs in separate threads, so that short tasks need not wait for it
   std::shared_ptr<Pause> pause = nullptr;  ///< the work waits while it is paused
 };
 
@@ -110,7 +111,7 @@ class BackgroundTasks : public QObject {
   /// Running tasks take precedence over waiting ones.
   std::shared_ptr<Task> newestShown() const;
 
-  QThreadPool m_pool, m_lowPriorityPool, m_livePool, m_filePool;
+  QThreadPool m_pool, m_longPool, m_lowPriorityPool, m_livePool, m_filePool;
   QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while tasks are held
   std::vector<std::function<void()>> m_held;
   int m_lastId = 0;

@@ -194,6 +194,12 @@ materials::EditedMaterial Document::edited() const {
   return edited;
 }
 
+QString Document::folder() const {
+  if (!path().isEmpty()) return QFileInfo(path()).absolutePath();
+  const QFileInfo source(material() ? QString::fromStdString(material()->material.source.path.string()) : QString());
+  return source.isFile() ? source.absolutePath() : QString();
+}
+
 editing::EditList Document::describedEdits() const { return path().isEmpty() ? edits() : editing::EditList(); }
 
 void Document::select(int edit) {

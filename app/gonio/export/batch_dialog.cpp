@@ -30,7 +30,8 @@ BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, cons
   build();
   chooseTarget(settings.value(export_settings::target).toString().toStdString());
   m_snr->setValue(settings.value(export_settings::snr, exports::ExportOptions().snr).toDouble());
-  m_folder->setText(settings.value(export_settings::folder, QDir::homePath()).toString());
+  const QString beside = controller.document().folder();
+  m_folder->setText(beside.isEmpty() ? settings.value(export_settings::folder, QDir::homePath()).toString() : beside);
   connect(m_targets, &QComboBox::currentIndexChanged, this, &BatchDialog::showFiles);
   connect(m_folder, &QLineEdit::textChanged, this, &BatchDialog::showFiles);
   connect(m_replace, &QCheckBox::toggled, this, &BatchDialog::showFiles);

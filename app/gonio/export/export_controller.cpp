@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/export_controller.h"
 
+#include <QColor>
 #include <QCoreApplication>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -12,6 +13,8 @@
 #include "app/gonio/library/thumbnail.h"
 #include "core/documents/blend_source.h"
 #include "core/materials/material_formats.h"
+#include "core/math/colour.h"
+#include "core/metrics/image_errors.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -50,6 +53,21 @@ std::vector<std::string> messagesOf(const exports::ExportResult& made) {
   return messages;
 }
 
+/// The displayed picture in linear light, for the metrics.
+Image linearOf(const QImage& picture) {
+  Image linear(picture.width(), picture.height());
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; ++x) {
+      const QColor colour = QColor::fromRgba(picture.pixel(x, y));
+      linear.at(x, y) = glm::vec3(fromSrgb(colour.redF()), fromSrgb(colour.greenF()), fromSrgb(colour.blueF()));
+    }
+  return linear;
+}
+
+double flipOf(const QImage& original, const QImage& exported) {
+  return metrics::flip(linearOf(original), linearOf(exported));
+}
+
 QString labelOf(const exports::ExportTarget& target) { return widgets::toQString(target.label); }
 
 }  // namespace
@@ -65,25 +83,41 @@ QString fileNames(const exports::ExportTarget& target, const QString& name, cons
 
 ExportController::ExportController(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
+  constexpr int restMilliseconds = 1000;
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(restMilliseconds);
+  connect(&m_rest, &QTimer::timeout, this, [this] {
+    if (m_document.isInteracting()) return m_rest.start();
+    if (m_isKept && m_last) repeat();
+  });
+  for (const auto changed : {&Document::stateChanged, &Document::editChanged})
+    connect(&document, changed, this, [this] {
+      if (m_isKept && m_last) m_rest.start();
+    });
   connect(&document, &Document::materialChanged, this, [this] {
     m_last.reset();
+    m_isKept = false;
+    m_rest.stop();
     Q_EMIT lastChanged();
   });
 }
 
 void ExportController::tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
-                              const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
+                              const exports::ExportOptions& options, const QImage& original,
+                              std::function<void(ExportTrialPtr)> done,
                               const std::function<void(const QString&)>& failed) {
   m_tasks.run<ExportTrialPtr>(
       {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
-      [material, &target, options](const TaskControl& control) {
+      [material, &target, options, original](const TaskControl& control) {
         constexpr double madeFraction = 0.8;
         auto trial = std::make_shared<ExportTrial>();
         trial->made = exports::makeExport(target, material, options, control.between(0, madeFraction));
-        trial->original =
-            spherePicture(*material.shown.brdf, trialPixels, trialSamples, control.between(madeFraction, 0.9));
+        trial->original = original.isNull() ? spherePicture(*material.shown.brdf, trialPixels, trialSamples,
+                                                            control.between(madeFraction, 0.9))
+                                            : original;
         if (trial->made.brdf) {
           trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 0.95));
+          trial->flip = flipOf(trial->original, trial->exported);
           trial->cost = study::measureUse(*trial->made.brdf, control.between(0.95, 1));
         }
         return trial;
@@ -138,6 +172,11 @@ void ExportController::writeInBackground(const ExportRequest& request, Writer wr
       },
       [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); },
       [this, files] { Q_EMIT cancelled(files); });
+}
+
+void ExportController::setKeptUpToDate(bool kept) {
+  m_isKept = kept;
+  Q_EMIT lastChanged();
 }
 
 void ExportController::repeat() {

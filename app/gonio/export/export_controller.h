@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <optional>
 
 #include "app/gonio/document/background_task.h"
@@ -32,6 +33,7 @@ QLabel* exportText();
 struct ExportTrial {
   exports::ExportResult made;
   QImage original, exported;
+  double flip = 0;                     ///< of the two pictures; NaN: not rendered
   std::optional<study::UseCost> cost;  ///< of ExportResult::brdf
 };
 using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
@@ -56,8 +58,9 @@ class ExportController : public QObject {
   BackgroundTasks& tasks() { return m_tasks; }
 
   /// Makes an export of a material (Document::edited()) without writing it; a newer trial replaces an older one.
+  /// @param original the picture of the material of an earlier trial; null: it is rendered.
   void tryOut(const materials::EditedMaterial& material, const exports::ExportTarget& target,
-              const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
+              const exports::ExportOptions& options, const QImage& original, std::function<void(ExportTrialPtr)> done,
               const std::function<void(const QString&)>& failed);
   void dropTrial();
   /// Progress of the trial, [0, 1]; nullopt if none is running.
@@ -73,6 +76,9 @@ class ExportController : public QObject {
   /// Repeats the last export of this document with its current state. Precondition: canRepeat().
   void repeat();
   bool canRepeat() const { return m_last.has_value(); }
+  /// Whether the last export of this document is repeated when its edits have rested for a second.
+  void setKeptUpToDate(bool kept);
+  bool isKeptUpToDate() const { return m_isKept; }
   const std::optional<ExportRequest>& last() const { return m_last; }
 
  Q_SIGNALS:
@@ -92,6 +98,8 @@ class ExportController : public QObject {
   Document& m_document;
   BackgroundTasks& m_tasks;
   std::optional<ExportRequest> m_last;
+  bool m_isKept = false;
+  QTimer m_rest;  ///< until the edits have rested
 };
 
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/export/export_controller.h"
 #include "widgets/inputs/dialogs.h"
 #include "widgets/parameters/parameter_text.h"
@@ -71,11 +72,27 @@ void ExportPictures::paintEvent(QPaintEvent*) {
 namespace {
 
 constexpr int trialDelayMilliseconds = 300;
-enum Column { labelColumn, snrColumn, bytesColumn };
+enum Column { labelColumn, matchColumn, bytesColumn };
+constexpr int targetRole = Qt::UserRole;  ///< index of the target of a row
+
+QString groupTitle(exports::TargetGroup group) {
+  switch (group) {
+    case exports::TargetGroup::renderers:
+      return ExportDialog::tr("Renderers");
+    case exports::TargetGroup::engines:
+      return ExportDialog::tr("Engines and DCC");
+    default:
+      return ExportDialog::tr("Tables and data");
+  }
+}
 
 QString exportSnrText(double snr) {
   if (std::isnan(snr)) return ExportDialog::tr("not rendered");
   return std::isfinite(snr) ? ExportDialog::tr("%1 dB").arg(snr, 0, 'f', 1) : ExportDialog::tr("exact");
+}
+
+QString exportMatchText(const ExportTrial& trial) {
+  return std::isnan(trial.made.snr) ? exportSnrText(trial.made.snr) : matchWord(trial.made.snr, trial.flip);
 }
 
 QString exportBytesText(std::uint64_t bytes) {
@@ -122,23 +139,36 @@ ExportDialog::~ExportDialog() { m_controller.dropTrial(); }
 
 QWidget* ExportDialog::targetList() {
   m_targets = new QTreeWidget;
-  m_targets->setHeaderLabels({tr("Target"), tr("Rendered SNR"), tr("Size")});
+  m_targets->setHeaderLabels({tr("Target"), tr("Match"), tr("Size")});
   m_targets->setRootIsDecorated(false);
   m_targets->setUniformRowHeights(true);
   m_targets->setAccessibleName(tr("Target"));
   int widest = 0;
-  for (const exports::ExportTarget& target : exports::exportTargets()) {
-    const QString label = widgets::toQString(target.label);
+  QTreeWidgetItem* group = nullptr;
+  const auto targets = exports::exportTargets();
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    if (i == 0 || targets[i].group != targets[i - 1].group) {
+      group = new QTreeWidgetItem(m_targets, {groupTitle(targets[i].group)});
+      group->setFlags(Qt::ItemIsEnabled);
+      QFont bold = font();
+      bold.setBold(true);
+      group->setFont(labelColumn, bold);
+    }
+    const QString label = widgets::toQString(targets[i].label);
     widest = std::max(widest, fontMetrics().horizontalAdvance(label));
-    auto* item = new QTreeWidgetItem({label});
-    item->setToolTip(labelColumn, widgets::toQString(target.description));
-    for (const Column column : {snrColumn, bytesColumn}) item->setTextAlignment(column, Qt::AlignRight);
-    m_targets->addTopLevelItem(item);
+    auto* item = new QTreeWidgetItem(group, {label});
+    item->setData(labelColumn, targetRole, int(i));
+    item->setToolTip(labelColumn, widgets::toQString(targets[i].description));
+    item->setTextAlignment(bytesColumn, Qt::AlignRight);
   }
+  m_targets->expandAll();
+  m_targets->setItemsExpandable(false);
+  m_targets->setIndentation(fontMetrics().height());
   m_targets->header()->setStretchLastSection(false);
   m_targets->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_targets->header()->setSectionResizeMode(labelColumn, QHeaderView::Stretch);
-  m_targets->setMinimumWidth(widest + fontMetrics().horizontalAdvance(tr("Rendered SNR") + QStringLiteral("100.0 MB")) +
+  m_targets->setMinimumWidth(widest +
+                             fontMetrics().horizontalAdvance(tr("indistinguishable") + QStringLiteral("100.0 MB")) +
                              6 * fontMetrics().height());
   return m_targets;
 }
@@ -161,9 +191,14 @@ QWidget* ExportDialog::details() {
   m_withScene->setToolTip(
       tr("Adds a scene with the preview's shapes, lights, environment and camera, for Mitsuba, pbrt and Blender; a "
          "blurred background is not exported"));
+  m_keep = new QCheckBox(tr("&Keep up to date"));
+  m_keep->setToolTip(
+      tr("Writes the files again whenever the edits have rested for a second, until another material is "
+         "opened; File > Keep Export Up to Date switches it off"));
   auto* form = new QFormLayout;
   form->addRow(tr("&Rendered SNR ≥"), m_snr);
   form->addRow(QString(), m_withScene);
+  form->addRow(QString(), m_keep);
   layout->addWidget(m_description);
   layout->addLayout(form);
   layout->addWidget(m_pictures, 1);
@@ -202,11 +237,16 @@ void ExportDialog::restore() {
   m_withScene->setChecked(m_settings.value(export_settings::scene, false).toBool());
   const auto& last = m_controller.last();
   chooseTarget(last ? last->target->id : m_settings.value(export_settings::target).toString().toStdString());
+  m_keep->setChecked(m_controller.isKeptUpToDate());
+  setName(last ? last->name : QDir(startFolder()).filePath(proposedName()));
+}
+
+/// Beside the document; for a bundled material without one, where the last export went.
+QString ExportDialog::startFolder() const {
+  const QString beside = m_controller.document().folder();
+  if (!beside.isEmpty()) return beside;
   const QString folder = m_settings.value(export_settings::folder).toString();
-  const QString documentFolder = QFileInfo(m_controller.document().path()).absolutePath();
-  const QString home = m_controller.document().path().isEmpty() ? QDir::homePath() : documentFolder;
-  setName(last ? last->name
-               : QDir(QDir(folder).exists() && !folder.isEmpty() ? folder : home).filePath(proposedName()));
+  return !folder.isEmpty() && QDir(folder).exists() ? folder : QDir::homePath();
 }
 
 void ExportDialog::remember() {
@@ -217,20 +257,32 @@ void ExportDialog::remember() {
 }
 
 const exports::ExportTarget& ExportDialog::target() const {
-  return exports::exportTargets()[std::size_t(m_targets->indexOfTopLevelItem(m_targets->currentItem()))];
+  // The keyboard may make the title of a group current.
+  const QTreeWidgetItem* current = m_targets->currentItem();
+  if (!current->parent()) current = current->child(0);
+  return exports::exportTargets()[std::size_t(current->data(labelColumn, targetRole).toInt())];
 }
 
 void ExportDialog::chooseTarget(std::string_view id) {
   const exports::ExportTarget* found = exports::findExportTarget(id);
   const auto index = found ? found - exports::exportTargets().data() : 0;
-  m_targets->setCurrentItem(m_targets->topLevelItem(int(index)));
+  for (QTreeWidgetItem* item : rows())
+    if (item->data(labelColumn, targetRole).toInt() == int(index)) m_targets->setCurrentItem(item);
+}
+
+/// The rows of targets, without those of groups.
+QList<QTreeWidgetItem*> ExportDialog::rows() const {
+  QList<QTreeWidgetItem*> rows;
+  for (int group = 0; group < m_targets->topLevelItemCount(); ++group)
+    for (int row = 0; row < m_targets->topLevelItem(group)->childCount(); ++row)
+      rows << m_targets->topLevelItem(group)->child(row);
+  return rows;
 }
 
 QString ExportDialog::name() const {
   const QString text = QDir::fromNativeSeparators(m_name->text().trimmed());
   if (text.isEmpty()) return {};
-  const QString folder = m_settings.value(export_settings::folder, QDir::homePath()).toString();
-  const auto path = target().nameOf(QFileInfo(QDir(folder), text).absoluteFilePath().toStdString());
+  const auto path = target().nameOf(QFileInfo(QDir(startFolder()), text).absoluteFilePath().toStdString());
   return QString::fromStdString(path.string());
 }
 
@@ -267,7 +319,7 @@ void ExportDialog::startTrial() {
   if (trial()) return;
   const Key wanted = key();
   m_controller.tryOut(
-      m_material, target(), options(),
+      m_material, target(), options(), m_trials.empty() ? QImage() : m_trials.begin()->second->original,
       [this, wanted, self = QPointer(this)](const ExportTrialPtr& made) {
         if (!self) return;
         m_trials[wanted] = made;
@@ -281,11 +333,13 @@ void ExportDialog::startTrial() {
 }
 
 void ExportDialog::showTrial() {
-  for (int i = 0; i < m_targets->topLevelItemCount(); ++i) {
-    const auto found = m_trials.find(Key::of(exports::exportTargets()[std::size_t(i)], m_snr->value()));
+  for (QTreeWidgetItem* item : rows()) {
+    const auto index = std::size_t(item->data(labelColumn, targetRole).toInt());
+    const auto found = m_trials.find(Key::of(exports::exportTargets()[index], m_snr->value()));
     const ExportTrial* of = found == m_trials.end() ? nullptr : found->second.get();
-    m_targets->topLevelItem(i)->setText(snrColumn, of ? exportSnrText(of->made.snr) : QString());
-    m_targets->topLevelItem(i)->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
+    item->setText(matchColumn, of ? exportMatchText(*of) : QString());
+    item->setToolTip(matchColumn, of ? tr("Rendered SNR: %1").arg(exportSnrText(of->made.snr)) : QString());
+    item->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
   }
   const ExportTrialPtr shown = trial();
   const QImage original = m_trials.empty() ? QImage() : m_trials.begin()->second->original;
@@ -295,8 +349,9 @@ void ExportDialog::showTrial() {
     m_cost->setText(!shown->made.brdf ? tr("Values at individual directions, which are not rendered; %1.")
                                             .arg(exportBytesText(shown->made.bytes()))
                     : std::isfinite(shown->made.snr)
-                        ? tr("Rendered SNR of the export against the material: %1; BRDF SNR: %2; %3.")
-                              .arg(exportSnrText(shown->made.snr), exportSnrText(shown->made.brdfSnr),
+                        ? tr("Match: %1 (rendered SNR %2, FLIP %3, BRDF SNR %4); %5.")
+                              .arg(exportMatchText(*shown), exportSnrText(shown->made.snr),
+                                   QString::number(shown->flip, 'f', 3), exportSnrText(shown->made.brdfSnr),
                                    exportBytesText(shown->made.bytes()))
                         : tr("Images of the export and of the material are identical; %1.")
                               .arg(exportBytesText(shown->made.bytes())));
@@ -350,6 +405,7 @@ void ExportDialog::accept() {
   const ExportTrialPtr made = trial();
   m_controller.dropTrial();
   m_controller.write(m_material, {&target(), options(), name(), withScene() ? m_scene : nullptr}, made);
+  m_controller.setKeptUpToDate(m_keep->isChecked());
   remember();
   QDialog::accept();
 }

@@ -20,6 +20,7 @@ class QProgressBar;
 class QPushButton;
 class QSettings;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace gonio::app {
 
@@ -56,7 +57,7 @@ class ExportDialog : public QDialog {
   const exports::ExportTarget& target() const;
   void chooseTarget(std::string_view id);
   /// Absolute path without the target's suffixes; empty if the field is empty. A relative entry is resolved against the
-  /// folder of the last export.
+  /// folder with which the dialog starts.
   QString name() const;
   void setName(const QString& name);
   /// The trial of the selected target with the current options; null while it is being made or if it failed.
@@ -78,7 +79,9 @@ class ExportDialog : public QDialog {
   QWidget* targetList();
   QWidget* details();
   QWidget* nameRow();
+  QList<QTreeWidgetItem*> rows() const;
   QString proposedName() const;
+  QString startFolder() const;
   void restore();
   void remember();
   Key key() const;
@@ -105,7 +108,7 @@ class ExportDialog : public QDialog {
   QLabel *m_cost, *m_warnings, *m_files;
   QProgressBar* m_progress;
   QDoubleSpinBox* m_snr;
-  QCheckBox* m_withScene;
+  QCheckBox *m_withScene, *m_keep;
   QLineEdit* m_name;
   QPushButton* m_export;
 };

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -167,7 +168,9 @@ void ImageDialog::restore(const QString& name) {
   m_settings->restore(s, scene.environment && scene.showEnvironment);
   const int format = stored("format", png).toInt() == exr ? exr : png;
   m_format->setCurrentIndex(format);
-  m_path->setText(widgets::inDialogFolder(purpose, name + (format == exr ? ".exr" : ".png")));
+  const QString beside = m_parts.document.folder();
+  m_path->setText(QDir(beside.isEmpty() ? widgets::dialogFolder(purpose) : beside)
+                      .filePath(name + (format == exr ? ".exr" : ".png")));
 }
 
 void ImageDialog::remember() {

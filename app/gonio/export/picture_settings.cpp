@@ -3,7 +3,6 @@
 #include "app/gonio/export/picture_settings.h"
 
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -11,6 +10,8 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
+
+#include "widgets/parameters/colour_picker.h"
 
 namespace gonio::app {
 
@@ -103,11 +104,11 @@ void PictureSettings::showSize() {
 }
 
 void PictureSettings::chooseColour() {
-  auto* dialog = new QColorDialog(m_colour, this);
+  auto* dialog = new widgets::ColourPicker(m_colour, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Background colour"));
-  connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
-    m_colour = colour;
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    m_colour = dialog->colour();
     showChoices();
   });
   dialog->open();

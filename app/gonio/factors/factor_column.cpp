@@ -39,7 +39,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
   switch (axis) {
     case FactorAxis::theta:
       return {.title = FactorColumnText::tr("F1: specular strength vs. angle"),
-              .label = FactorColumnText::tr("θR, angle of the mirror direction [°]"),
+              .label = FactorColumnText::tr("angle of the mirror direction [°]"),
               .symbol = FactorColumnText::tr("θR"),
               .suffix = FactorColumnText::tr("°"),
               .valueLabel = transformedValue(transform),
@@ -47,7 +47,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .tick = 15};
     case FactorAxis::deviation:
       return {.title = FactorColumnText::tr("F2: highlight profile"),
-              .label = FactorColumnText::tr("|Δp|, distance from the mirror direction"),
+              .label = FactorColumnText::tr("distance from the mirror direction"),
               .symbol = FactorColumnText::tr("|Δp|"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr("Dotted lines: distances from the mirror direction to the nearest and the "

@@ -48,6 +48,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_form(new QComboBox),
       m_logarithmic(new QCheckBox(tr("&Logarithmic"))),
       m_preserveDetail(new QCheckBox(tr("&Preserve measured detail"))),
+      m_details(new QCheckBox(tr("&Details"))),
       m_factorise(new QPushButton(tr("&Factorise"))),
       m_resetAll(new QPushButton(tr("&Reset All"))),
       m_save(new QPushButton(tr("&Save..."))),
@@ -85,12 +86,19 @@ void FactorCurvesPanel::buildControls() {
       tr("Deletes the active edit of the factor curves, which restores all curves and the measured detail"));
   auto* top = new widgets::FlowLayout;
   for (QWidget* widget : std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_preserveDetail, m_resetAll,
-                                                         m_save, m_factorise})
+                                                         m_save, m_factorise, m_details})
     top->addWidget(widget);
   top->addWidget(new widgets::CurveLegend);
   auto* columns = new QHBoxLayout;
   for (FactorColumn* column : m_columns) columns->addWidget(column, 3);
   columns->addWidget(m_terms, 2);
+  m_details->setToolTip(tr("Shows the number of terms of the curves, and what they leave out of the measurement"));
+  const auto showDetails = [this](bool shown) {
+    m_terms->setVisible(shown);
+    for (FactorColumn* column : m_columns) column->residuals().setVisible(shown);
+  };
+  connect(m_details, &QCheckBox::toggled, this, showDetails);
+  showDetails(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(top);

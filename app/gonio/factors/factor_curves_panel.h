@@ -30,6 +30,8 @@ class FactorCurvesPanel : public QWidget {
   FactorCurvesPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   FactorColumn& column(FactorAxis axis) const { return *m_columns[std::size_t(axis)]; }
+  /// Shows the number of terms and what they leave out.
+  QCheckBox& details() const { return *m_details; }
   QCheckBox& preserveDetail() const { return *m_preserveDetail; }
   /// Whether the factors of the document's material are known, or nothing is shown.
   bool isSettled() const;
@@ -81,7 +83,7 @@ class FactorCurvesPanel : public QWidget {
   Document& m_document;
   BackgroundTasks& m_tasks;
   QComboBox *m_channel, *m_form;
-  QCheckBox *m_logarithmic, *m_preserveDetail;
+  QCheckBox *m_logarithmic, *m_preserveDetail, *m_details;
   QPushButton *m_factorise, *m_resetAll, *m_save;
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;

@@ -96,7 +96,7 @@ std::function<void(const FigureMeasurement&)> FigureController::collector() {
 void FigureController::measure() {
   if (isMeasuring()) return;
   m_tasks.run<bool>(
-      {tr("Measuring the cells of the figure"), m_measureKey},
+      {.title = tr("Measuring the cells of the figure"), .key = m_measureKey, .isLong = true},
       [description = m_description, known = m_known, collect = collector()](const TaskControl& control) {
         measureFigure(description, control, {.known = known, .measured = collect});
         return true;

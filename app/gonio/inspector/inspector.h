@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QButtonGroup>
 #include <QScrollArea>
 #include <QString>
 
@@ -12,6 +13,7 @@ class QSettings;
 namespace gonio::widgets {
 class CollapsibleSection;
 class ControlPanel;
+class CostLine;
 class EditStack;
 class FactList;
 class ModelPanel;
@@ -31,8 +33,11 @@ class RepresentationPanel;
 class TableErrorMonitor;
 class WavelengthPanel;
 
-/// The right side of the window: Source, Model, Edits, Controls, Parameters, Plausibility and Representation of a
-/// document, in collapsible sections.
+/// The kinds of editing: the controls of a model, the factor curves of the measurement, a blend with other materials.
+enum class EditingKind { sliders, curves, blend };
+
+/// The right side of the window: the kinds of editing, the controls, their cost and the list of edits; then, under
+/// Details, the model, all parameters, plausibility, representation and source.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
@@ -45,6 +50,9 @@ class Inspector : public QScrollArea {
   widgets::EditStack* edits() const { return m_edits; }
   RepresentationPanel* representation() const { return m_representation; }
   WavelengthPanel* wavelength() const { return m_wavelength; }
+  /// Marks the kind of editing whose panel is in view. Emits nothing.
+  void setKind(EditingKind kind);
+  EditingKind kind() const { return EditingKind(m_kinds.checkedId()); }
   /// Expands the Representation section.
   void unfoldRepresentation();
   /// Expands the section that contains a row, scrolls to the row and gives it the focus.
@@ -59,10 +67,15 @@ class Inspector : public QScrollArea {
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
+  /// The user chose a kind of editing.
+  void kindChosen(gonio::app::EditingKind kind);
   /// The user wants another edit of factor curves, which FactorCurvesPanel adds.
   void factorEditRequested();
 
  private:
+  QWidget* buildKinds();
+  void addSection(QLayout& layout, const QString& key, const QString& title, QWidget* content);
+  QWidget* buildDetails();
   void connectDocument();
   void connectControls();
   void connectParameters();
@@ -86,11 +99,13 @@ class Inspector : public QScrollArea {
   WavelengthPanel* m_wavelength;
   RepresentationPanel* m_representation;
   widgets::ModelPanel* m_model;
+  widgets::CostLine* m_cost;
   widgets::PlausibilityBadges* m_plausibility;
   PlausibilityMonitor* m_monitor;
   widgets::ControlPanel* m_controls;
   widgets::ParameterPanel* m_parameters;
   widgets::EditStack* m_edits;
+  QButtonGroup m_kinds;                                    ///< by EditingKind
   QMap<QString, widgets::CollapsibleSection*> m_sections;  ///< by their name in the settings
   const models::Model* m_shownModel = nullptr;             ///< model of the sliders
   QString m_noSliders;                                     ///< text shown instead of sliders if there is no model

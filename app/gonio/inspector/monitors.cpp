@@ -52,9 +52,9 @@ void PlausibilityMonitor::check() {
         return Findings{editing::checkEditPlausibility(base, edits, control),
                         editing::energiesThrough(base, edits, control)};
       },
-      [this](const Findings& findings) {
+      [this, edits](const Findings& findings) {
         m_current = true;
-        m_badges.setChecks(findings.checks);
+        m_badges.setChecks(findings.checks, editing::isIdentity(edits));
         m_energies = findings.energies;
         Q_EMIT energiesChanged();
       });

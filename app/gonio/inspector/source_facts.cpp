@@ -130,12 +130,6 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
 
 namespace {
 
-/// Of a rendered SNR, dB: where people see a difference of two spheres side by side.
-QString closeness(double snr) {
-  if (snr >= 40) return SourceFactsText::tr("indistinguishable");
-  return snr >= 30 ? SourceFactsText::tr("close") : SourceFactsText::tr("approximate");
-}
-
 QString timesOf(const QString& what, const std::optional<study::UseCost>& cost) {
   return SourceFactsText::tr("%1: %2").arg(what, cost ? widgets::timesText(*cost) : SourceFactsText::tr("measuring"));
 }
@@ -143,20 +137,24 @@ QString timesOf(const QString& what, const std::optional<study::UseCost>& cost) 
 }  // namespace
 
 QString costLine(const CostMonitor::Costs& costs) {
-  QString text;
+  QStringList parts;
   if (costs.fitBytes > 0)
-    text = costs.fitSnr ? SourceFactsText::tr("Fit: %1 (%2 dB), %3 bytes. ")
-                              .arg(closeness(*costs.fitSnr), snrText(*costs.fitSnr))
-                              .arg(costs.fitBytes)
-                        : SourceFactsText::tr("Fit: measuring. ");
-  return text + SourceFactsText::tr("Frame: %1")
-                    .arg(costs.edited ? widgets::secondsText(1e-3 * costs.edited->frameMilliseconds)
-                                      : SourceFactsText::tr("measuring"));
+    parts << SourceFactsText::tr("Match: %1")
+                 .arg(costs.fitSnr ? matchWord(*costs.fitSnr) : SourceFactsText::tr("measuring"));
+  parts << (costs.edited
+                ? SourceFactsText::tr("%1 a frame").arg(widgets::secondsText(1e-3 * costs.edited->frameMilliseconds))
+                : SourceFactsText::tr("measuring a frame"));
+  if (costs.fitBytes > 0) parts << QLocale().formattedDataSize(qint64(costs.fitBytes), 1, QLocale::DataSizeSIFormat);
+  return parts.join(QStringLiteral("; "));
 }
 
 QString costDetails(const CostMonitor::Costs& costs, const fitting::FitResult* fit) {
   QStringList lines;
-  if (costs.fitSnr) lines << SourceFactsText::tr("Rendered SNR of the fit: %1 dB").arg(snrText(*costs.fitSnr));
+  // A line that came and went would move the rows below it under the hand.
+  if (costs.fitBytes > 0)
+    lines << SourceFactsText::tr("Rendered SNR of the fit: %1")
+                 .arg(costs.fitSnr ? SourceFactsText::tr("%1 dB").arg(snrText(*costs.fitSnr))
+                                   : SourceFactsText::tr("measuring"));
   if (fit) {
     const auto metrics = metrics::allBrdfMetrics();
     for (std::size_t i = 0; i < fit->errors.size(); ++i) {

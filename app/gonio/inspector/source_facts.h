@@ -16,8 +16,7 @@ namespace gonio::app {
 /// @param tableSnr rendered SNR of the table against the native form if the table is sampled, dB. @param measuring
 /// whether it is being measured.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);
-/// One line: how close the fit is and what a frame costs, "Fit: close (31.2 dB), 84 bytes. Frame: 5.2 ms". Empty
-/// without a material.
+/// One line: how close the fit is and what it costs, "Match: close; 5.2 ms a frame; 84 bytes".
 QString costLine(const CostMonitor::Costs& costs);
 /// All numbers of the line, one per line. @param fit of the active edit; null: read from a document, or none.
 QString costDetails(const CostMonitor::Costs& costs, const fitting::FitResult* fit);

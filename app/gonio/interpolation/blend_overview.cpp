@@ -72,12 +72,12 @@ void BlendPositionEditor::setExplanation(const QString& text) { m_explanation->s
 
 BlendOverview::BlendOverview(const BlendSpaces& spaces)
     : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("Resume Ren&dering"))) {
-  m_draw->setToolTip(tr("Resumes the cancelled preparation and rendering of the spaces"));
+  m_draw->setToolTip(tr("Resumes the cancelled preparation and rendering"));
   const QStringList steps{"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
   static_assert(BlendSpaces::pictureCount == 7);
   m_strip->setSteps(steps);
   m_strip->setEmptyText(
-      tr("Drop a material from the library on each slot to compare all interpolation spaces side by side.\nPress "
+      tr("Drop a material from the library on each slot to compare all methods of blending side by side.\nPress "
          "Current in a slot to use the open material."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -121,7 +121,7 @@ void BlendMaterials::fill(int slot, const QString& title, const QString& name,
 }
 
 void BlendMaterials::read(int slot, const QString& id) {
-  fill(slot, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
+  fill(slot, tr("Opening %1 for the blend").arg(shortName(id)), shortName(id),
        [id](const TaskControl& control) { return readBlendMaterial(id, control); });
 }
 
@@ -129,7 +129,7 @@ void BlendMaterials::useCurrent(int slot) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
-  fill(slot, tr("Preparing %1 for interpolation").arg(name), name,
+  fill(slot, tr("Preparing %1 for the blend").arg(name), name,
        [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
          return makeBlendMaterial(*material, name, source, control);
        });

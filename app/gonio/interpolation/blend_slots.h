@@ -31,7 +31,7 @@ BlendMaterial readBlendMaterial(const QString& id, const TaskControl& control);
 BlendMaterial makeBlendMaterial(const LoadedMaterial& material, const QString& name, documents::EditDocument source,
                                 const TaskControl& control);
 
-/// The two to four materials of the Interpolation panel, which are read in the background. Not part of the document.
+/// The two to four materials of the Blend panel, which are read in the background. Not part of the document.
 class BlendMaterials : public QObject {
   Q_OBJECT
 

@@ -152,7 +152,7 @@ void BlendSpaces::next() {
 
 void BlendSpaces::prepare(Space space) {
   m_tasks.run<widgets::PreparedBlendPtr>(
-      {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      {tr("Preparing blend: %1").arg(widgets::spaceName(space)), blendKey},
       [space, materials = m_materials, model = m_model, detail = m_preservesDetail](const TaskControl& control) {
         return widgets::prepareBlend(space, materials, documents::blendOptions(model, detail), control);
       },
@@ -196,7 +196,7 @@ void BlendSpaces::draw(Space space) {
     BlendCost cost;
   };
   m_tasks.run<Drawn>(
-      {tr("Rendering interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      {tr("Rendering blend: %1").arg(widgets::spaceName(space)), blendKey},
       [prepared = entry(space).prepared, order = m_order, strip = m_stripPictures](const TaskControl& control) {
         constexpr double drawn = 0.6;
         return Drawn{drawStrip(*prepared, order, strip, control.between(0, drawn)),

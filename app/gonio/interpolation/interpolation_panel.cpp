@@ -37,7 +37,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_positionEditor(new BlendPositionEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
-      m_modelLabel(new QLabel(tr("Mo&del"))),
+      m_modelLabel(new QLabel(tr("Mode&l"))),
       m_modelBox(new widgets::ModelBox),
       m_preserveDetail(new QCheckBox(tr("Preserve measured deta&il"))),
       m_show(new QCheckBox(tr("Show in the &preview"))),
@@ -62,7 +62,7 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->addItem(widgets::spaceName(space), int(space));
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
-  m_spaceBox->setAccessibleName(tr("Interpolation space"));
+  m_spaceBox->setAccessibleName(tr("Method of blending"));
   m_preserveDetail->setToolTip(tr(
       "On: adds the detail of each material that its fit, factors or code misses, by the weight of the material: the "
       "blend begins and ends at the materials.\nOff: blends the fits, factors or codes alone, as published; the image "
@@ -75,7 +75,7 @@ QWidget* InterpolationPanel::buildChoice() {
   m_open->setToolTip(
       tr("Opens the blend as a material that can be edited, saved and exported.\nUndo restores the previous "
          "material."));
-  auto* label = new QLabel(tr("Spa&ce"));
+  auto* label = new QLabel(tr("Metho&d"));
   label->setBuddy(m_spaceBox);
   auto* row = new QHBoxLayout;
   row->addWidget(label);
@@ -224,7 +224,7 @@ void InterpolationPanel::moveTo(const QPointF& position) {
 
 void InterpolationPanel::useMaterials(const QStringList& ids) {
   if (ids.size() > widgets::maxBlended)
-    return Q_EMIT failed(tr("Cannot interpolate %1 materials").arg(ids.size()),
+    return Q_EMIT failed(tr("Cannot blend %1 materials").arg(ids.size()),
                          tr("At most %1 materials can be blended. Select fewer.").arg(widgets::maxBlended));
   touched();
   if (ids.size() > 1) {

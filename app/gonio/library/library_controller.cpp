@@ -91,12 +91,22 @@ QString titled(const std::string& kind) {
   return title;
 }
 
+/// Where the better copy of a published fit is; empty if there is none.
+QString measuredCopyText(const materials::LibraryEntry& entry) {
+  if (entry.origin == materials::LibraryOrigin::measured || entry.origin == materials::LibraryOrigin::nearMeasured)
+    return {};
+  for (const materials::LibraryEntry& other : materials::bundledLibrary())
+    if (other.name == entry.name && other.origin == materials::LibraryOrigin::nearMeasured)
+      return '\n' + LibraryController::tr("The near-measured copy of the same name is closer to the material.");
+  return {};
+}
+
 std::vector<widgets::LibraryItem> bundledItems() {
   std::vector<widgets::LibraryItem> items;
   for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     items.push_back({.id = QString::fromStdString("library:" + entry.id),
                      .name = QString::fromStdString(entry.name),
-                     .toolTip = QString::fromStdString(entry.description),
+                     .toolTip = QString::fromStdString(entry.description) + measuredCopyText(entry),
                      .badge = badgeOf(entry.origin),
                      .source = sourceOf(entry),
                      .kind = titled(entry.kind),

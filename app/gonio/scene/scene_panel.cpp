@@ -161,6 +161,10 @@ rendering::RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
 
 QString sceneTitle(const std::string& name) {
   QString title = QString::fromStdString(name);
+  // The shape first, then the light that the scene itself has: "sphere-point-light", "sphere-under-lamp".
+  for (const char* light : {"-distant-light", "-point-light", "-under-lamp"})
+    if (title.endsWith(QLatin1String(light)))
+      title.replace(title.size() - qsizetype(qstrlen(light)), 1, QStringLiteral(", "));
   return title.replace('-', ' ').replace(0, 1, title.at(0).toUpper());
 }
 

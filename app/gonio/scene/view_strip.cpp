@@ -4,17 +4,21 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
 #include <QStandardItemModel>
 #include <algorithm>
+#include <utility>
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/scene/scene_panel.h"
+#include "core/models/model.h"
 #include "core/rendering/environment.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
@@ -26,6 +30,7 @@ namespace {
 
 constexpr double maxStops = 5, hardStops = 10;
 constexpr QSize iconSize(48, 24);
+constexpr int maxBoxCharacters = 34;
 /// What a list holds beside names: the scene's own light, no environment, a file.
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
 enum Background { plain, checker, environment, blurred };
@@ -94,7 +99,11 @@ void ViewStrip::build() {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(4);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
+    box->setMaximumWidth(fontMetrics().averageCharWidth() * maxBoxCharacters);
+    // A letter that is typed after a choice is a key of the preview; it would choose another entry.
+    connect(box, &QComboBox::activated, this, [this] { m_preview.setFocus(Qt::OtherFocusReason); });
   }
+  m_scenes->view()->installEventFilter(this);
   // The lists show whole names where the boxes have no room for them.
   for (QComboBox* box : {m_scenes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -103,6 +112,7 @@ void ViewStrip::build() {
   add(tr("&Background"), m_backgrounds);
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
+  layout->addStretch();
   m_slider->setMinimumWidth(fontMetrics().height() * 3);
   m_slider->setMaximumWidth(fontMetrics().height() * 6);
 }
@@ -158,6 +168,33 @@ void ViewStrip::drawLights() {
          .quiet = true},
         [name](const TaskControl&) { return pictureOf(*rendering::openEnvironment(name)); },
         [this, id](const QImage& picture) { setLightIcon(id, picture); });
+  }
+}
+
+bool ViewStrip::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show && !std::exchange(m_hasSceneIcons, true)) drawScenes();
+  return QWidget::eventFilter(watched, event);
+}
+
+void ViewStrip::drawScenes() {
+  constexpr int side = 40, samples = 8;
+  m_scenes->view()->setIconSize({side, side});
+  for (const std::string& name : rendering::bundledSceneNames()) {
+    const QString id = QString::fromStdString(name);
+    m_tasks.run<QImage>(
+        {.title = tr("Rendering the icon of the scene %1").arg(id),
+         .key = QStringLiteral("scene icon ") + id,
+         .quiet = true},
+        [name](const TaskControl& control) {
+          const rendering::Scene scene = rendering::openScene(name, 1 + SceneMaterialSlots::count);
+          const models::Model& model = models::findModel("ggx");
+          const auto brdf = model.instantiate(models::defaultParameters(model.spec()));
+          const rendering::RenderOptions options{.width = side, .height = side, .samples = samples, .density = {}};
+          return displayedImage(rendering::renderPicture(*brdf, scene, options, control));
+        },
+        [this, id](const QImage& picture) {
+          m_scenes->setItemIcon(m_scenes->findData(id), QIcon(QPixmap::fromImage(picture)));
+        });
   }
 }
 

@@ -27,6 +27,9 @@ class ViewStrip : public QWidget {
   ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, EnvironmentController& environment,
             BackgroundTasks& tasks, QWidget* parent = nullptr);
 
+  /// Renders the icons of the scenes when their list is shown.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  Q_SIGNALS:
   /// The user wants to choose a file.
   void sceneFileRequested();
@@ -38,6 +41,8 @@ class ViewStrip : public QWidget {
   void fillLights();
   /// Renders small pictures of the bundled environments in the background.
   void drawLights();
+  /// The same for the bundled scenes, once their list is opened.
+  void drawScenes();
   void setLightIcon(const QString& name, const QImage& picture);
   void refresh();
   void chooseLight(int index);
@@ -47,6 +52,7 @@ class ViewStrip : public QWidget {
   ScenePanel& m_scene;
   EnvironmentController& m_environment;
   BackgroundTasks& m_tasks;
+  bool m_hasSceneIcons = false;
   QComboBox *m_scenes, *m_lights, *m_backgrounds;
   widgets::ParameterSlider* m_slider;
   widgets::NumberField* m_exposure;

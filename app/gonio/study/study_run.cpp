@@ -122,7 +122,7 @@ void StudyRun::start(std::size_t material) {
   const QString title = m_ids.size() < 2 ? tr("Measuring representations of %1").arg(name)
                                          : tr("Measuring %1 (%2 of %3)").arg(name).arg(material + 1).arg(m_ids.size());
   m_tasks.run<bool>(
-      {title, m_key},
+      {.title = title, .key = m_key, .isLong = true},
       [loaded, id = m_ids.value(qsizetype(material)), options, rows = wanted(material)](const TaskControl& control) {
         if (loaded) {
           study::runStudy({loaded->table(control), loaded->material.brdf}, rows, options, control);

@@ -75,6 +75,7 @@ void addMaterials(std::vector<SearchEntry>& entries, const widgets::LibraryModel
     entries.push_back({.text = (badge.isEmpty() ? CommandSearch::tr("Library > %1").arg(name)
                                                 : CommandSearch::tr("Library > %1 (%2)").arg(name, badge)),
                        .keywords = QString(name).replace('-', ' ') + ' ' +
+                                   index.data(widgets::LibraryModel::LookRole).toString() + ' ' +
                                    model.group(row, widgets::LibraryGrouping::kind) + ' ' +
                                    model.group(row, widgets::LibraryGrouping::source) + CommandSearch::tr(" material"),
                        .run = [&files, id] { files.open(id); }});
@@ -110,7 +111,9 @@ void addSliders(std::vector<SearchEntry>& entries, const Document& document, Ins
 void addModels(std::vector<SearchEntry>& entries, bool isOpen, DocumentController& controller) {
   for (const models::Model* model : models::allModels())
     entries.push_back({.text = CommandSearch::tr("Model > %1").arg(widgets::toQString(model->spec().name)),
-                       .keywords = widgets::toQString(model->spec().id) + ' ' + CommandSearch::tr("choose fit"),
+                       .keywords = widgets::toQString(model->spec().id) + ' ' +
+                                   widgets::toQString(model->spec().id).remove('-') + ' ' +
+                                   CommandSearch::tr("choose fit"),
                        .run = [&controller, model] { controller.chooseModel(*model); },
                        .enabled = isOpen});
 }
@@ -125,7 +128,7 @@ void addScenes(std::vector<SearchEntry>& entries, ScenePanel& scene, Environment
   for (const QString& light : lights + environment.recent())
     entries.push_back({.text = CommandSearch::tr("Light > %1")
                                    .arg(light.contains('/') ? light.section('/', -1) : sceneTitle(light.toStdString())),
-                       .keywords = CommandSearch::tr("environment hdri hdr lighting illumination"),
+                       .keywords = CommandSearch::tr("environment hdri hdr exr lighting illumination"),
                        .run = [&environment, light] { environment.open(light); }});
 }
 

@@ -2,13 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/dock_layout.h"
 
+#include <QAction>
 #include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMenuBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 namespace gonio::app {
 
@@ -18,8 +21,9 @@ constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
 /// Maximum initial width of a side dock, percent of the window: on a small screen there is room for two columns of the
 /// library, and for sliders that are long enough to aim with.
-constexpr int maxPercentLeft = 19, maxPercentRight = 28;
-const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout");
+constexpr int maxPercentLeft = 19, maxPercentRight = 31;
+const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout"),
+              workspaceKey = QStringLiteral("window/workspace");
 }  // namespace
 
 DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {
@@ -50,6 +54,10 @@ QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget*
     if (before != m_docks.rend()) m_window.tabifyDockWidget(*before, dock);
     dock->hide();
   }
+  // A dock behind others that is chosen in the menu comes to the front.
+  connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
+    if (shown) dock->raise();
+  });
   m_docks << dock;
   m_places.push_back({area, lines});
   return dock;
@@ -88,7 +96,28 @@ void DockLayout::show(const QString& name, bool shown) {
     m_window.resizeDocks({shownDock}, {bottomDockLines * m_window.fontMetrics().height()}, Qt::Vertical);
 }
 
+void DockLayout::addTabs(const QStringList& names, const std::function<void(Workspace)>& choose) {
+  m_tabs = new QTabBar;
+  m_tabs->setDrawBase(false);
+  m_tabs->setExpanding(false);
+  m_tabs->setAccessibleName(tr("Layouts"));
+  for (int i = 0; i < names.size(); ++i) {
+    m_tabs->addTab(names[i]);
+    m_tabs->setTabToolTip(i, tr("Shows the panels of this layout (Ctrl+%1)").arg(i + 1));
+  }
+  // Not when the current tab changes: a press on it brings the panels of its layout back.
+  connect(m_tabs, &QTabBar::tabBarClicked, this, [choose](int tab) {
+    if (tab >= 0) choose(Workspace(tab));
+  });
+  connect(m_tabs, &QTabBar::currentChanged, this, [this, choose](int tab) {
+    if (std::exchange(m_workspace, Workspace(tab)) != Workspace(tab)) choose(Workspace(tab));  // by the keyboard
+  });
+  m_window.menuBar()->setCornerWidget(m_tabs, Qt::TopRightCorner);
+}
+
 void DockLayout::showWorkspace(Workspace workspace) {
+  m_workspace = workspace;
+  if (m_tabs) m_tabs->setCurrentIndex(int(workspace));
   reset();
   switch (workspace) {
     case Workspace::edit:
@@ -132,9 +161,13 @@ void DockLayout::restore(const QSettings& settings) {
   // Without a stored layout, widths that are asked for before the window is laid out come out smaller.
   if (!m_window.restoreState(settings.value(layoutKey).toByteArray(), layoutVersion))
     QTimer::singleShot(0, this, &DockLayout::resizeSides);
+  const int workspace = std::clamp(settings.value(workspaceKey).toInt(), 0, int(Workspace::acquire));
+  m_workspace = Workspace(workspace);
+  if (m_tabs) m_tabs->setCurrentIndex(workspace);
 }
 
 void DockLayout::save(QSettings& settings) const {
+  settings.setValue(workspaceKey, int(m_workspace));
   settings.setValue(geometryKey, m_window.saveGeometry());
   settings.setValue(layoutKey, m_window.saveState(layoutVersion));
 }

@@ -4,11 +4,13 @@
 
 #include <QList>
 #include <QObject>
+#include <functional>
 #include <vector>
 
 class QDockWidget;
 class QMainWindow;
 class QSettings;
+class QTabBar;
 
 namespace gonio::app {
 
@@ -31,6 +33,10 @@ class DockLayout : public QObject {
   /// Shows and raises a dock, or hides it.
   void show(const QString& name, bool shown = true);
   void showWorkspace(Workspace workspace);
+  /// A tab for each workspace, with these names, in the row of the menus. The current one is the workspace that was
+  /// chosen last. @param choose shows a workspace.
+  void addTabs(const QStringList& names, const std::function<void(Workspace)>& choose);
+  QTabBar* tabs() const { return m_tabs; }
   void reset();
 
   /// Restores the window's geometry and its docks.
@@ -44,6 +50,8 @@ class DockLayout : public QObject {
   void resizeSides();
 
   QMainWindow& m_window;
+  QTabBar* m_tabs = nullptr;
+  Workspace m_workspace = Workspace::edit;  ///< chosen last
   QList<QDockWidget*> m_docks;
   struct Place {
     Qt::DockWidgetArea area;

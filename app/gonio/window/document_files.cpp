@@ -23,6 +23,7 @@
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "core/editing/edit_list.h"
+#include "core/export/export_target.h"
 #include "core/io/mesh_file.h"
 #include "core/materials/encode.h"
 #include "core/materials/material.h"
@@ -100,16 +101,14 @@ QString withSuffix(const QString& path, const QString& suffix) {
   return path.isEmpty() || path.endsWith(suffix, Qt::CaseInsensitive) ? path : path + suffix;
 }
 
-/// "gold-paint, rougher" for a document without a file of its own.
+/// "gold-paint_rougher" for a document without a file of its own.
 QString proposedName(const Document& document) {
-  return QString::fromStdString(editing::editedName(document.name().toStdString(), document.describedEdits()));
+  return QString::fromStdString(exports::proposedName(document.name().toStdString(), document.describedEdits()));
 }
 
-/// Where the last export went; at first beside the measured file.
-QString exportFolder(const materials::Material& material) {
-  const QString folder = widgets::dialogFolder(exportPurpose);
-  const QFileInfo source(QString::fromStdString(material.source.path.string()));
-  return folder == QDir::homePath() && source.isFile() ? source.absolutePath() : folder;
+/// Beside the document; for a bundled material without one, where the last export went.
+QString exportFolder(const Document& document) {
+  return document.folder().isEmpty() ? widgets::dialogFolder(exportPurpose) : document.folder();
 }
 
 constexpr auto saveButtons = QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel;
@@ -309,11 +308,15 @@ bool DocumentFiles::saveTo(const QString& path) {
 
 void DocumentFiles::saveInLibrary() {
   if (!m_parts.document.material()) return;
-  bool accepted = false;
-  QString name = QInputDialog::getText(m_window, tr("Save in Library"), tr("&Name:"), QLineEdit::Normal,
-                                       QFileInfo(m_parts.document.name()).completeBaseName(), &accepted)
-                     .trimmed();
-  if (!accepted || name.isEmpty()) return;
+  constexpr int characters = 60;
+  QInputDialog dialog(m_window);
+  dialog.setWindowTitle(tr("Save in Library"));
+  dialog.setLabelText(tr("&Name:"));
+  dialog.setTextValue(QFileInfo(m_parts.document.name()).completeBaseName());
+  dialog.resize(dialog.fontMetrics().averageCharWidth() * characters, dialog.sizeHint().height());
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString name = dialog.textValue().trimmed();
+  if (name.isEmpty()) return;
   const QDir folder(m_parts.library.ownFolder());
   const QString path =
       folder.filePath(name.replace(QRegularExpression(QStringLiteral(R"([/\\:*?"<>|])")), "-") + documentSuffix());
@@ -333,8 +336,7 @@ void DocumentFiles::exportBrdf() {
   for (const materials::MaterialFormat* format : formats) filters << formatFilter(*format);
   const auto suffixOf = [](const materials::MaterialFormat* format) { return formatSuffix(*format); };
   QString chosen = filters.front();
-  const QString suggested =
-      QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(formats.front()));
+  const QString suggested = QDir(exportFolder(document)).filePath(proposedName(document) + suffixOf(formats.front()));
   // The question whether to replace an existing file follows below, once it is known not to be a source file.
   const QString path =
       QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen,
@@ -387,7 +389,7 @@ void DocumentFiles::saveFit() {
 
 void DocumentFiles::askAndSave(const FileSave& save) {
   const QString path = QFileDialog::getSaveFileName(
-      m_window, save.title, widgets::inDialogFolder(exportPurpose, save.name + save.suffix), save.filter);
+      m_window, save.title, QDir(exportFolder(m_parts.document)).filePath(save.name + save.suffix), save.filter);
   if (path.isEmpty()) return;
   widgets::rememberDialogFolder(exportPurpose, path);
   m_parts.exports.save(withSuffix(path, save.suffix), save);

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QString>
 
@@ -30,7 +31,8 @@ bool isScene(const QString& path) {
 /// Describes the effect of dropping a file. @param asReference whether a material becomes the reference of comparisons.
 QString dropDescription(const QString& path, bool asReference = false) {
   const QString text =
-      isEnvironmentFile(path)      ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
+      QFileInfo(path).isDir()      ? QCoreApplication::translate("DroppedFiles", "Show the folder %1 in the library")
+      : isEnvironmentFile(path)    ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
       : isReferenceImageFile(path) ? QCoreApplication::translate("DroppedFiles", "Show the reference image %1")
       : isScene(path)              ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
       : asReference                ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
@@ -38,21 +40,45 @@ QString dropDescription(const QString& path, bool asReference = false) {
   return text.arg(path.section('/', -1));
 }
 
+/// Materials and documents among several files, which open as a selection of the library.
+QStringList materialsOf(const QStringList& files) {
+  QStringList materials;
+  for (const QString& file : files)
+    if (!isEnvironmentFile(file) && !isReferenceImageFile(file) && !isScene(file) && !QFileInfo(file).isDir())
+      materials << file;
+  return materials;
+}
+
 }  // namespace
 
-DropTarget::DropTarget(QWidget& window, Actions actions)
-    : QObject(&window), m_actions(std::move(actions)), m_overlay(new widgets::DropOverlay(&window)) {
+DropTarget::DropTarget(QWidget& window, Actions actions, Sources sources)
+    : QObject(&window),
+      m_actions(std::move(actions)),
+      m_sources(sources),
+      m_overlay(new widgets::DropOverlay(&window)) {
   window.setAcceptDrops(true);
   window.installEventFilter(this);
+}
+
+bool DropTarget::isAccepted(const QMimeData* data) const {
+  return !(m_sources == Sources::all ? QStringList{widgets::draggedFile(data)} : widgets::draggedFiles(data))
+              .join(QString())
+              .isEmpty();
 }
 
 bool DropTarget::eventFilter(QObject*, QEvent* event) {
   switch (event->type()) {
     case QEvent::DragEnter: {
       auto& enter = static_cast<QDragEnterEvent&>(*event);
+      if (!isAccepted(enter.mimeData())) {
+        enter.ignore();
+        return true;
+      }
       const QString file = widgets::draggedFile(enter.mimeData());
-      if (file.isEmpty()) return true;
-      m_overlay->announce(dropDescription(file, enter.modifiers() & Qt::ControlModifier));
+      const qsizetype count = materialsOf(widgets::draggedFiles(enter.mimeData())).size();
+      m_overlay->announce(
+          count > 1 ? QCoreApplication::translate("DroppedFiles", "Show %1 materials in the library").arg(count)
+                    : dropDescription(file, enter.modifiers() & Qt::ControlModifier));
       enter.acceptProposedAction();
       return true;
     }
@@ -71,7 +97,11 @@ bool DropTarget::eventFilter(QObject*, QEvent* event) {
 
 void DropTarget::drop(const QDropEvent& event) {
   const QString file = widgets::draggedFile(event.mimeData());
-  if (isEnvironmentFile(file))
+  if (const QStringList materials = materialsOf(widgets::draggedFiles(event.mimeData())); materials.size() > 1)
+    m_actions.openSeveral(materials);
+  else if (QFileInfo(file).isDir())
+    m_actions.openFolder(file);
+  else if (isEnvironmentFile(file))
     m_actions.openEnvironment(file);
   else if (isReferenceImageFile(file))
     m_actions.openImage(file);

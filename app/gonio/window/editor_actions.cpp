@@ -25,7 +25,6 @@
 #include "app/gonio/matching/match_controller.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/study/study_window.h"
-#include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
 #include "app/gonio/window/help.h"
 #include "app/gonio/window/preferences.h"
@@ -120,6 +119,11 @@ Action EditorActions::file(DocumentFiles& files, ExportController& exporter, Lib
                 .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_R},
                 .run = [&exporter] { exporter.repeat(); },
                 .enabled = [&exporter] { return exporter.canRepeat(); }},
+               {.text = tr("&Keep Export Up to Date"),
+                .help = tr("Repeats the last export whenever the edits have rested for a second"),
+                .run = [&exporter] { exporter.setKeptUpToDate(!exporter.isKeptUpToDate()); },
+                .enabled = [&exporter] { return exporter.canRepeat(); },
+                .checked = [&exporter] { return exporter.isKeptUpToDate(); }},
                {.text = tr("Export &Image..."),
                 .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
                 .run = [&files] { files.exportImage(); },
@@ -144,7 +148,7 @@ std::vector<Action> EditorActions::recentFiles(DocumentFiles& files) {
 
 Action EditorActions::edit(Document& document, DocumentController& controller, const Inspector& inspector,
                            const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory,
-                           QWidget* window) {
+                           const std::function<void(const QString&)>& notify, QWidget* window) {
   History& history = document.history();
   const auto modelEdit = [&document] { return document.active<editing::DifferentialEdit>(); };
   // Looked up once per change: the clipboard may belong to another program.
@@ -168,7 +172,13 @@ Action EditorActions::edit(Document& document, DocumentController& controller, c
           line(),
           {.text = tr("&Copy Edits"),
            .keys = {QKeySequence::Copy},
-           .run = [&document] { QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument())); },
+           .run =
+               [&document, notify] {
+                 QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument()));
+                 QStringList names;
+                 for (int i = 0; i < int(document.edits().size()); ++i) names << editName(document.edits(), i);
+                 notify(tr("Copied the edits of %1: %2").arg(document.name(), names.join(QStringLiteral(", "))));
+               },
            .enabled = [&document] { return !document.edits().empty(); }},
           {.text = tr("&Paste Edits"),
            .keys = {QKeySequence::Paste},
@@ -218,17 +228,22 @@ Action EditorActions::view(DockLayout& docks, ComparisonController& comparison, 
   return {.text = tr("&View"), .rows = rows};
 }
 
+QStringList EditorActions::workspaceNames() { return {tr("&Edit"), tr("&Compare"), tr("&Analyse"), tr("&Measure")}; }
+
+void EditorActions::showWorkspace(DockLayout& docks, ComparisonController& comparison, Workspace workspace) {
+  docks.showWorkspace(workspace);
+  if (workspace == Workspace::compare && comparison.comparison().mode == CompareMode::off) comparison.toggle();
+}
+
 std::vector<Action> EditorActions::layouts(DockLayout& docks, ComparisonController& comparison) {
-  const auto layout = [&docks](const QString& text, Qt::Key key, Workspace workspace) -> Action {
-    return {.text = text, .keys = {Qt::CTRL | key}, .run = [&docks, workspace] { docks.showWorkspace(workspace); }};
-  };
-  Action compare = layout(tr("&Compare"), Qt::Key_2, Workspace::compare);
-  compare.run = [show = compare.run, &comparison] {
-    show();
-    if (comparison.comparison().mode == CompareMode::off) comparison.toggle();
-  };
-  return {layout(tr("&Edit"), Qt::Key_1, Workspace::edit), compare,
-          layout(tr("&Analyse"), Qt::Key_3, Workspace::analyse), layout(tr("Ac&quire"), Qt::Key_4, Workspace::acquire)};
+  std::vector<Action> rows;
+  for (const QString& name : workspaceNames()) {
+    const auto number = int(rows.size());
+    rows.push_back({.text = name,
+                    .keys = {Qt::CTRL | Qt::Key(Qt::Key_1 + number)},
+                    .run = [&docks, &comparison, number] { showWorkspace(docks, comparison, Workspace(number)); }});
+  }
+  return rows;
 }
 
 std::vector<Action> EditorActions::picture(widgets::PreviewWidget& preview) {
@@ -358,8 +373,8 @@ Action EditorActions::theme(QSettings& settings) {
     applyTheme(*qApp, theme);
   };
   return {.text = tr("T&heme"),
-          .rows = {modeAction(tr("&System"), Theme::system, get, set), modeAction(tr("&Light"), Theme::light, get, set),
-                   modeAction(tr("&Dark"), Theme::dark, get, set)}};
+          .rows = {modeAction(tr("Follow &System"), Theme::system, get, set),
+                   modeAction(tr("&Light"), Theme::light, get, set), modeAction(tr("&Dark"), Theme::dark, get, set)}};
 }
 
 Action EditorActions::material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
@@ -392,7 +407,7 @@ Action EditorActions::material(DocumentFiles& files, DocumentController& control
            .help = tr("Saves the fitted model, without the measurement, as a table"),
            .run = [&files] { files.saveFit(); },
            .enabled = [&document] { return document.active<editing::DifferentialEdit>() != nullptr; }},
-          {.text = tr("&Interpolate..."),
+          {.text = tr("&Blend..."),
            .keys = {Qt::CTRL | Qt::Key_I},
            .help = tr("Blends the open material with others; the open material is put in slot A if this slot is empty"),
            .run =
@@ -402,7 +417,7 @@ Action EditorActions::material(DocumentFiles& files, DocumentController& control
                }},
           {.text = tr("&Open Blend as Material"),
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_K},
-           .help = tr("Opens the blend of the Interpolation panel as a material; Undo restores the previous material"),
+           .help = tr("Opens the blend of the Blend panel as a material; Undo restores the previous material"),
            .run = [&interpolation] { interpolation.openAsMaterial(); }},
           {.text = tr("Ac&quire..."),
            .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_A},
@@ -476,7 +491,7 @@ Action EditorActions::help(const std::function<void()>& search, const std::funct
                            QWidget* window) {
   return {
       .text = tr("&Help"),
-      .rows = {{.text = tr("&Search..."), .keys = {Qt::CTRL | Qt::Key_K}, .run = search},
+      .rows = {{.text = tr("&Search..."), .keys = {Qt::CTRL | Qt::Key_K, Qt::CTRL | Qt::Key_F}, .run = search},
                {.text = tr("&Guide"), .run = [window] { openGuide(window, guidePages().front().file); }},
                {.text = tr("S&hortcuts"),
                 .keys = {Qt::Key_F1, Qt::Key_Question},

@@ -6,6 +6,7 @@
 
 #include "app/gonio/figures/figure_dialog.h"
 #include "app/gonio/window/action_table.h"
+#include "app/gonio/window/dock_layout.h"
 
 class QSettings;
 
@@ -19,7 +20,6 @@ namespace gonio::app {
 class AcquisitionPanel;
 class BackgroundTasks;
 class ComparisonController;
-class DockLayout;
 class Document;
 class DocumentController;
 class DocumentFiles;
@@ -39,8 +39,10 @@ struct EditorActions {
  public:
   static Action file(DocumentFiles& files, ExportController& exporter, LibraryController& library, DockLayout& docks,
                      const std::function<void()>& openWindow, const std::function<void()>& quit, QWidget* window);
+  /// @param notify shows a line in the status bar.
   static Action edit(Document& document, DocumentController& controller, const Inspector& inspector,
-                     const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory, QWidget* window);
+                     const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory,
+                     const std::function<void(const QString&)>& notify, QWidget* window);
   static Action view(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview,
                      EnvironmentController& environment, MatchController& match, QSettings& settings, QWidget* window);
   static Action material(DocumentFiles& files, DocumentController& controller, BackgroundTasks& tasks,
@@ -48,6 +50,10 @@ struct EditorActions {
                          InterpolationPanel& interpolation, AcquisitionPanel& acquisition);
   static Action analyse(const FigureDialog::Parts& figures, ComparisonController& comparison, StudyWindow& study,
                         QWidget* window);
+  /// Shows the docks of a workspace; Compare also starts a comparison.
+  static void showWorkspace(DockLayout& docks, ComparisonController& comparison, DockLayout::Workspace workspace);
+  /// Names of the workspaces, as texts of actions.
+  static QStringList workspaceNames();
   /// @param search opens the command search. @param shortcuts returns the page of all shortcuts.
   static Action help(const std::function<void()>& search, const std::function<QString()>& shortcuts, QWidget* window);
 

@@ -172,11 +172,26 @@ void EditorParts::connectFirstPicture() {
   QObject::connect(&controller, &DocumentController::installing, &preview, [this] {
     if (!preview.isVisible()) return;
     m_requestsBefore = preview.lastRequest();
+    m_awaitsPicture = true;
     tasks.hold(maxMilliseconds);
   });
   QObject::connect(&preview, &widgets::PreviewWidget::frameRendered, &controller, [this] {
-    if (preview.shownRequest() > m_requestsBefore) tasks.release();
+    if (preview.shownRequest() <= m_requestsBefore) return;
+    m_awaitsPicture = false;
+    showLoading();
+    tasks.release();
   });
+  QObject::connect(&preview, &widgets::PreviewWidget::failed, &controller, [this] {
+    m_awaitsPicture = false;
+    showLoading();
+  });
+  QObject::connect(&tasks, &BackgroundTasks::changed, &preview, [this] { showLoading(); });
+}
+
+/// Until the first picture of a material, the picture of the one before is dimmed.
+void EditorParts::showLoading() {
+  const QString opening = controller.opening().section('/', -1);
+  if (!opening.isEmpty() || !m_awaitsPicture) preview.setLoading(opening);
 }
 
 bool EditorParts::isSettled() const {
@@ -200,7 +215,7 @@ void EditorParts::restoreSettings() {
   libraryView.setChipsShown(settings.value(chipsKey, false).toBool());
   library.model().setNotes(libraryStore.read());
   takeOldFavourites();
-  preview.overlay()->setStatusWanted(settings.value(overlayKey, true).toBool());
+  preview.overlay()->setStatusWanted(settings.value(overlayKey, false).toBool());
   preview.setNoiseFiltered(settings.value(noiseKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
   if (folder.isEmpty() || !QFileInfo::exists(folder))

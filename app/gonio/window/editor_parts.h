@@ -83,7 +83,10 @@ struct EditorParts {
   void connectFirstPicture();
   void use(const gonio::study::Representation& representation);
 
-  int m_requestsBefore = 0;  ///< the preview's last request for the previous material
+  void showLoading();
+
+  bool m_awaitsPicture = false;  ///< whether a material was opened whose first picture is not there yet
+  int m_requestsBefore = 0;      ///< the preview's last request for the previous material
 };
 
 }  // namespace gonio::app

@@ -30,7 +30,7 @@ namespace gonio::app {
 
 namespace {
 
-const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("editor.md");
+const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("getting-started.md");
 constexpr int lastListedLevel = 2;
 
 QString read(const QString& file) {
@@ -198,8 +198,8 @@ QString gestures() {
              HelpPagesText::tr("move the selected points, cancel the drag")) +
          row(HelpPagesText::tr("Enter in the library"), HelpPagesText::tr("open the material")) +
          row(HelpPagesText::tr("Ctrl + Enter, Shift + Enter in the library"),
-             HelpPagesText::tr("compare, interpolate with the material")) +
-         row(HelpPagesText::tr("Arrow keys, 1 to 4 in the interpolation pad"),
+             HelpPagesText::tr("compare, blend with the material")) +
+         row(HelpPagesText::tr("Arrow keys, 1 to 4 in the Blend panel"),
              HelpPagesText::tr("move the point, go to a corner"));
 }
 

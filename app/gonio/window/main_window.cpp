@@ -7,6 +7,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
@@ -39,6 +40,7 @@
 #include "app/gonio/window/editor_actions.h"
 #include "app/gonio/window/help.h"
 #include "app/gonio/window/preferences.h"
+#include "app/gonio/window/start_page.h"
 #include "app/gonio/window/status_line.h"
 #include "app/gonio/window/window_keys.h"
 #include "widgets/inputs/menu_text.h"
@@ -51,8 +53,10 @@
 namespace gonio::app {
 
 namespace {
-constexpr QSize firstSize(1440, 900), minSize(960, 600);
-constexpr int libraryLines = 27, inspectorLines = 28;
+constexpr QSize usualSize(1440, 900), minSize(960, 600);
+/// Of the screen, where it is larger than the usual size: the rest shows that there are other windows.
+constexpr double screenFraction = 0.9;
+constexpr int libraryLines = 27, inspectorLines = 32;
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -62,12 +66,14 @@ MainWindow::MainWindow(QWidget* parent)
            m_parts.preview, m_parts.scene, m_parts.environment, m_parts.comparison, m_parts.library, m_parts.settings},
           this),
       m_docks(new DockLayout(*this)),
-      m_messages(new widgets::MessageBar) {
+      m_messages(new widgets::MessageBar),
+      m_start(new StartPage(m_parts.recentFiles, &m_parts.preview)) {
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumSize(minSize);
   // The title bar, which the window system adds, has to fit too.
   const QSize frame(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
-  resize(firstSize.boundedTo(screen()->availableSize() - frame));
+  const QSize available = screen()->availableSize() - frame;
+  resize((available * screenFraction).expandedTo(usualSize).boundedTo(available));
   addCentre();
   addDocks();
   m_status = new StatusLine(*statusBar(), m_parts.document, m_parts.tasks, m_parts.comparison, m_parts.preview);
@@ -75,18 +81,29 @@ MainWindow::MainWindow(QWidget* parent)
   connectDocument();
   connectMessages();
   connectRequests();
+  connectStartPage();
+  connectKinds();
   new WindowKeys(this, [this](bool held) { m_parts.preview.setFlickering(held); });
-  new DropTarget(m_parts.preview, {[this](const QString& path) { m_files.open(path); },
-                                   [this](const QString& path) { m_parts.comparison.openReference(path); },
-                                   [this](const QString& path) { m_parts.environment.open(path); },
-                                   [this](const QString& path) { m_parts.scene.open(path); },
-                                   [this](const QString& path) { m_parts.match.open(path); }});
+  const DropTarget::Actions drops{[this](const QString& path) { m_files.open(path); },
+                                  [this](const QString& path) { m_parts.comparison.openReference(path); },
+                                  [this](const QString& path) { m_parts.environment.open(path); },
+                                  [this](const QString& path) { m_parts.scene.open(path); },
+                                  [this](const QString& path) { m_parts.match.open(path); },
+                                  [this](const QString& folder) { showFolder(folder); },
+                                  [this](const QStringList& paths) {
+                                    showFolder(QFileInfo(paths.front()).absolutePath());
+                                    m_files.open(paths.front());
+                                  }};
+  new DropTarget(m_parts.preview, drops);
+  new DropTarget(*this, drops, DropTarget::Sources::otherPrograms);
   m_docks->setDefault();
   m_docks->restore(m_parts.settings);
   applyPreferences(m_parts.settings, m_parts.document.history());
   m_parts.restoreSettings();
   connectNotes();
   showTitle();
+  // Keys work at once, without a click first.
+  m_start->openButton()->setFocus(Qt::OtherFocusReason);
 }
 
 MainWindow::~MainWindow() {
@@ -127,7 +144,7 @@ void MainWindow::addDocks() {
       {tr("Plots"), "plots", m_parts.plots},
       {tr("Comparison"), "comparison", m_parts.comparisonPanel},
       {tr("Factor curves"), "factors", m_parts.factors},
-      {tr("Interpolation"), "interpolation", m_parts.interpolation},
+      {tr("Blend"), "interpolation", m_parts.interpolation},
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
@@ -146,16 +163,23 @@ void MainWindow::addMenus() {
     dialog->show();
   };
   m_actions = new ActionTable(
-      *this, {EditorActions::file(
-                  m_files, p.exporter, p.library, *m_docks, [] { (new MainWindow)->show(); }, &MainWindow::quit, this),
-              EditorActions::edit(p.document, p.controller, p.inspector, p.preview, p.settings,
-                                  m_docks->dock("history")->toggleViewAction(), this),
-              EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.match, p.settings, this),
-              EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.study, p.interpolation,
-                                      p.acquisition),
-              EditorActions::analyse(p.figureParts(), p.comparison, p.study, this),
-              EditorActions::help(
-                  search, [this] { return shortcutsPage(m_actions->all()); }, this)});
+      *this,
+      {EditorActions::file(
+           m_files, p.exporter, p.library, *m_docks, [] { (new MainWindow)->show(); }, &MainWindow::quit, this),
+       EditorActions::edit(
+           p.document, p.controller, p.inspector, p.preview, p.settings, m_docks->dock("history")->toggleViewAction(),
+           [this](const QString& notice) { m_status->showNotice(notice); }, this),
+       EditorActions::view(*m_docks, p.comparison, p.preview, p.environment, p.match, p.settings, this),
+       EditorActions::material(m_files, p.controller, p.tasks, p.comparison, *m_docks, p.study, p.interpolation,
+                               p.acquisition),
+       EditorActions::analyse(p.figureParts(), p.comparison, p.study, this),
+       EditorActions::help(
+           search, [this] { return shortcutsPage(m_actions->all()); }, this)});
+  QStringList layouts;
+  for (const QString& name : EditorActions::workspaceNames()) layouts << widgets::withoutKeyMarks(name);
+  m_docks->addTabs(layouts, [this](DockLayout::Workspace workspace) {
+    EditorActions::showWorkspace(*m_docks, m_parts.comparison, workspace);
+  });
   // What the states of the actions depend on.
   const auto follow = [this](auto* sender, auto... signal) {
     (connect(sender, signal, m_actions, &ActionTable::update), ...);
@@ -178,8 +202,11 @@ void MainWindow::showPictureMenu(const QPoint& place) {
   for (const char* id : {"frame", "reset-view", "overlay", "noise", "light"}) menu->addAction(m_actions->action(id));
   menu->addSeparator();
   menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
-  menu->addAction(tr("Copy Image"), this,
-                  [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
+  menu->addAction(tr("Copy Image"), this, [this] {
+    const QImage picture = m_parts.preview.grabPicture();
+    QApplication::clipboard()->setImage(picture);
+    m_status->showNotice(tr("Copied the image, %1 x %2 pixels").arg(picture.width()).arg(picture.height()));
+  });
   menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
       ->setEnabled(m_parts.document.material() != nullptr);
   menu->popup(place);
@@ -255,6 +282,11 @@ void MainWindow::comparePair(const QString& first, const QString& second) {
   m_files.open(first);
 }
 
+void MainWindow::showFolder(const QString& folder) {
+  m_parts.library.showFolder(folder);
+  m_docks->show(QStringLiteral("library"));
+}
+
 /// What a part wants of the window: another file, a dock, a dialog.
 void MainWindow::connectRequests() {
   connect(&m_parts.preview.input(), &widgets::PreviewInput::menuRequested, this, &MainWindow::showPictureMenu);
@@ -291,6 +323,57 @@ void MainWindow::connectRequests() {
   connect(&m_parts.acquisition, &AcquisitionPanel::measuredMaterialRequested, this, [this] {
     chooseMaterial(tr("Material to Measure"), [this](const QString& path) { m_parts.acquisition.measure(path); });
   });
+}
+
+/// The page shows while there is nothing else to show.
+void MainWindow::connectStartPage() {
+  const auto show = [this] {
+    m_start->setWanted(!m_parts.document.material() && !m_parts.comparison.standIn());
+    m_start->setOpening(m_parts.controller.opening().section('/', -1));
+  };
+  connect(&m_parts.document, &Document::materialChanged, m_start, show);
+  connect(&m_parts.comparison, &ComparisonController::subjectsChanged, m_start, show);
+  connect(&m_parts.tasks, &BackgroundTasks::changed, m_start, show);
+  connect(m_start, &StartPage::openRequested, &m_files, &DocumentFiles::open);
+  connect(m_start, &StartPage::fileRequested, &m_files, &DocumentFiles::askAndOpen);
+  connect(m_start, &StartPage::kindRequested, this, [this](EditingKind kind) {
+    const QStringList materials = StartPage::materials();
+    if (kind == EditingKind::blend)
+      m_parts.interpolation.useMaterials(materials.mid(0, 2));
+    else
+      m_files.open(materials.front());
+    showKind(kind);
+  });
+  show();
+}
+
+/// The row of the inspector marks the kind of editing whose panel is in view.
+void MainWindow::connectKinds() {
+  const auto mark = [this] {
+    const auto isInView = [this](const char* name) { return !m_docks->dock(name)->visibleRegion().isEmpty(); };
+    m_parts.inspector.setKind(isInView("interpolation") ? EditingKind::blend
+                              : isInView("factors")     ? EditingKind::curves
+                                                        : EditingKind::sliders);
+  };
+  for (const char* name : {"interpolation", "factors"})
+    connect(m_docks->dock(name), &QDockWidget::visibilityChanged, &m_parts.inspector, mark, Qt::QueuedConnection);
+  connect(&m_parts.inspector, &Inspector::kindChosen, this, &MainWindow::showKind);
+}
+
+void MainWindow::showKind(EditingKind kind) {
+  m_docks->show(QStringLiteral("inspector"));
+  switch (kind) {
+    case EditingKind::sliders:
+      for (const auto& other : {QStringLiteral("interpolation"), QStringLiteral("factors")})
+        m_docks->show(other, false);
+      break;
+    case EditingKind::curves:
+      m_docks->show(QStringLiteral("factors"));
+      break;
+    case EditingKind::blend:
+      m_docks->show(QStringLiteral("interpolation"));
+      if (m_parts.document.material()) m_parts.interpolation.begin();
+  }
 }
 
 void MainWindow::chooseMaterial(const QString& title, const std::function<void(const QString&)>& chosen) {

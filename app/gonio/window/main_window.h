@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 
+#include "app/gonio/inspector/inspector.h"
 #include "app/gonio/window/document_files.h"
 #include "app/gonio/window/editor_parts.h"
 
@@ -15,6 +16,7 @@ namespace gonio::app {
 
 class ActionTable;
 class DockLayout;
+class StartPage;
 class StatusLine;
 
 /// The editor's window: library left, preview in the middle, inspector right. It arranges the parts of the editor and
@@ -31,6 +33,7 @@ class MainWindow : public QMainWindow {
   DocumentFiles& files() { return m_files; }
   DockLayout& docks() { return *m_docks; }
   ActionTable& actionTable() { return *m_actions; }
+  StartPage& startPage() { return *m_start; }
 
   /// Closes all windows, after one question that names every document with unsaved changes. Nothing is closed if the
   /// user cancels, or if a document could not be saved.
@@ -48,6 +51,10 @@ class MainWindow : public QMainWindow {
   void showLostNotes();
   void connectMessages();
   void connectRequests();
+  void connectStartPage();
+  void connectKinds();
+  void showKind(EditingKind kind);
+  void showFolder(const QString& folder);
   void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();
@@ -60,6 +67,7 @@ class MainWindow : public QMainWindow {
   StatusLine* m_status = nullptr;
   ActionTable* m_actions = nullptr;
   widgets::MessageBar* m_messages;
+  StartPage* m_start;
   QString m_lostNotes;  ///< last message about notes that cannot be read or saved
 };
 

@@ -100,7 +100,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
       m_threads(new QSpinBox),
       m_thumbnails(new QLabel) {
   setWindowTitle(tr("Preferences"));
-  m_theme->addItems({tr("System"), tr("Light"), tr("Dark")});
+  m_theme->addItems({tr("Follow the system"), tr("Light"), tr("Dark")});
   m_theme->setCurrentIndex(int(preferences.theme));
   m_roughness->addItems({tr("α, as in the models"), tr("√α, as in Blender and Unreal")});
   m_roughness->setCurrentIndex(int(preferences.roughness));

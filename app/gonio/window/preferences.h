@@ -18,7 +18,7 @@ class History;
 
 /// Settings for all documents.
 struct Preferences {
-  Theme theme = Theme::system;
+  Theme theme = Theme::dark;
   int historyMegabytes = 0;  ///< limit of the undo history, per window
   int threads = 0;           ///< for computations; 0: all cores
   widgets::RoughnessDisplay roughness = widgets::RoughnessDisplay::alpha;

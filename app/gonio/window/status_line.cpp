@@ -39,7 +39,7 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   QLabel* representation =
       addPermanent(bar, tr("What the preview shows. Native form: evaluated as stored, not resampled to a table."));
   const auto showRepresentation = [this, representation, explanation = representation->toolTip()] {
-    const QString text = representationText(), toolTip = text + '\n' + explanation;
+    const QString text = representationText(), toolTip = text + '\n' + formText() + explanation;
     if (toolTip == representation->toolTip()) return;
     representation->setText(text);
     representation->setToolTip(toolTip);
@@ -47,8 +47,8 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
     connect(&m_comparison, signal, this, showRepresentation);
   showRepresentation();
-  QLabel* samples = addPermanent(bar, tr("Samples per pixel so far"));
-  QLabel* frameTime = addPermanent(bar, tr("Time of the last frame"));
+  QLabel* samples = addPermanent(bar, tr("Samples per pixel so far"), widgets::samplesText(9999));
+  QLabel* frameTime = addPermanent(bar, tr("Time of the last frame"), tr("%1 ms").arg(QStringLiteral("9999.9")));
   connect(&m_preview, &widgets::PreviewWidget::frameRendered, this,
           [samples, frameTime](double milliseconds, int count) {
             frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
@@ -56,10 +56,13 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
           });
 }
 
-QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip) {
+/// @param widest a text for which there is always room, however long the others are; empty: none
+QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip, const QString& widest) {
   auto* label = new widgets::ElidedLabel;
   label->setToolTip(toolTip);
-  label->setContentsMargins(8, 0, 8, 0);
+  constexpr int margin = 8;
+  label->setContentsMargins(margin, 0, margin, 0);
+  if (!widest.isEmpty()) label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 2 * margin);
   bar.addPermanentWidget(label);
   return label;
 }
@@ -82,6 +85,15 @@ void StatusLine::showProgress() {
 
 void StatusLine::showNotice(const QString& text) { m_progress->showNotice(text, noticeMilliseconds); }
 
+/// How the open material is evaluated, as a line of a tooltip.
+QString StatusLine::formText() const {
+  const LoadedMaterialPtr& material = m_document.material();
+  if (!material || m_comparison.standIn()) return {};
+  return (material->isTable() ? tr("%1 table") : tr("%1, native form"))
+             .arg(QString::fromStdString(material->material.source.format)) +
+         '\n';
+}
+
 QString StatusLine::representationText() const {
   const LoadedMaterialPtr& material = m_document.material();
   const auto standIn = m_comparison.standIn();
@@ -93,9 +105,7 @@ QString StatusLine::representationText() const {
   if (standIn == StandIn::blend) return tr("Blend: %1").arg(m_comparison.standInName());
   if (standIn) return tr("Showing %1 instead of the material; edits hidden").arg(m_comparison.standInName());
   const MaterialCode* code = m_comparison.code();
-  QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
-                         : (material->isTable() ? tr("%1 table") : tr("%1, native form"))
-                               .arg(QString::fromStdString(material->material.source.format))};
+  QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients()) : tr("Original")};
   const editing::EditList& edits = m_document.edits();
   for (int i = 0; i < int(edits.size()); ++i)
     if (!edits[std::size_t(i)].isIdentity()) parts << editName(edits, i);

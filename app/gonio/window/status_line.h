@@ -31,9 +31,10 @@ class StatusLine : public QObject {
   widgets::ProgressStrip& progress() { return *m_progress; }
 
  private:
-  QLabel* addPermanent(QStatusBar& bar, const QString& toolTip);
+  QLabel* addPermanent(QStatusBar& bar, const QString& toolTip, const QString& widest = {});
   void showProgress();
   QString representationText() const;
+  QString formText() const;
 
   const Document& m_document;
   BackgroundTasks& m_tasks;

@@ -94,6 +94,10 @@ bool systemIsDark() {
 constexpr const char* styleSheet = R"(
 QToolButton#sectionHeader { padding: 0.5ex 0.5ex; border: none; border-radius: 3px; background: palette(alternate-base); }
 QToolButton#sectionHeader:focus { border: 2px solid palette(highlight); }
+QToolButton#kind { padding: 0.9ex 1ex; border: 1px solid palette(mid); border-radius: 4px; background: palette(button); }
+QToolButton#kind:hover { background: palette(mid); }
+QToolButton#kind:checked { border-color: palette(highlight); border-bottom: 3px solid palette(highlight); background: palette(mid); }
+QToolButton#kind:focus { border-color: palette(highlight); }
 QDockWidget::title { padding: 0.7ex 1ex; background: palette(window); text-align: left; }
 QMainWindow::separator { width: 5px; height: 5px; background: palette(window); }
 QLabel#groupTitle { margin-top: 0.8ex; }
@@ -111,7 +115,7 @@ QString themeName(Theme theme) {
 }
 
 Theme themeByName(const QString& name) {
-  return name == "light" ? Theme::light : name == "dark" ? Theme::dark : Theme::system;
+  return name == "light" ? Theme::light : name == "system" ? Theme::system : Theme::dark;
 }
 
 void applyTheme(QApplication& application, Theme theme) {

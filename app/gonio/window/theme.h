@@ -39,6 +39,7 @@ class SharedPaletteStyle : public widgets::PlainTextStyle {
 enum class Theme { system, light, dark };
 
 QString themeName(Theme theme);
+/// Dark for any other name: the viewport of an editor of materials is never a hole in a light window.
 Theme themeByName(const QString& name);
 
 /// Neutral greys, which do not bias the perception of colours, and one accent; text has a contrast of at least 4.5:1.

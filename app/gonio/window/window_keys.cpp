@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/window_keys.h"
 
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <algorithm>
 #include <vector>
 
@@ -79,6 +81,8 @@ bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::ShortcutOverride:
       return passOn(watched, static_cast<QKeyEvent&>(*event));
+    case QEvent::Wheel:
+      return ignoresWheel(watched, *event);
     case QEvent::KeyPress:
       orderTabs(watched, static_cast<const QKeyEvent&>(*event));
       [[fallthrough]];
@@ -89,6 +93,18 @@ bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
     default:
       return false;
   }
+}
+
+/// The wheel scrolls. It changes a value only in a field for numbers or a slider that has the focus, and never the
+/// choice of a list box. @return whether the receiver does not get the wheel, which goes to its parent then.
+bool WindowKeys::ignoresWheel(const QObject* watched, QEvent& event) const {
+  const auto* widget = qobject_cast<const QWidget*>(watched);
+  if (!widget || qobject_cast<const QScrollBar*>(widget)) return false;
+  const bool isList = qobject_cast<const QComboBox*>(widget);
+  const bool isNumber = qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QAbstractSlider*>(widget);
+  if (!isList && !(isNumber && !widget->hasFocus())) return false;
+  event.ignore();
+  return true;
 }
 
 /// Undo, redo and Ctrl+E in a text field. @return whether the field does not get the key.

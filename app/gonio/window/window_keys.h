@@ -10,7 +10,7 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Keys of a window that shortcuts cannot express.
+/// Keys of a window that shortcuts cannot express, and its wheel.
 ///
 /// - Undo and redo: text fields consume these keys even if they have nothing to undo. In that case they are passed on
 ///   and undo and redo steps of the document. Ctrl+E is always passed on: text fields use it to move to the end
@@ -18,6 +18,7 @@ namespace gonio::app {
 /// - Tab follows the reading order: along a row, then to the row below, and to the next panel after the whole panel.
 ///   Because panels recreate rows, collapse and move, the order is computed from the positions at each key press. This
 ///   applies to the window and all windows that it opens.
+/// - The wheel scrolls: it changes a value only in a field or slider that has the focus, and never a list box.
 /// - The key \ with any focus except a text field: reported when it is pressed and when it is released.
 class WindowKeys : public QObject {
   Q_OBJECT
@@ -30,6 +31,7 @@ class WindowKeys : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  bool ignoresWheel(const QObject* watched, QEvent& event) const;
   bool passOn(const QObject* watched, QKeyEvent& key) const;
   void orderTabs(const QObject* watched, const QKeyEvent& key) const;
   bool flicker(const QWidget* widget, const QKeyEvent& key);

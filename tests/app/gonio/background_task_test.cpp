@@ -42,6 +42,19 @@ class BackgroundTaskTest : public QObject {
     QVERIFY(tasks.isIdle());
   }
 
+  /// Long tasks, however many, do not keep a short one waiting.
+  void shortTasksDoNotWait() {
+    BackgroundTasks tasks;
+    for (const char* key : {"a", "b", "c"})
+      tasks.run<int>({.title = key, .key = key, .isLong = true}, untilStopped, [](int) { QFAIL("it does not end"); });
+    int result = 0;
+    tasks.run<int>(
+        {"Open", "open"}, [](const TaskControl&) { return 7; }, [&](int value) { result = value; });
+    QTRY_COMPARE(result, 7);
+    QCOMPARE(tasks.shown().size(), std::size_t(3));
+    tasks.stopAll();
+  }
+
   void errorsArriveAsText() {
     BackgroundTasks tasks;
     QString error;

@@ -14,6 +14,8 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "app/gonio/document/edit_steps.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
 
@@ -48,7 +50,11 @@ class ExportDialogTest : public QObject {
   void listsTheTargets() {
     Editor editor;
     ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
-    QCOMPARE(dialog.findChild<QTreeWidget*>()->topLevelItemCount(), int(exports::exportTargets().size()));
+    const auto& tree = *dialog.findChild<QTreeWidget*>();
+    int rows = 0;
+    for (int group = 0; group < tree.topLevelItemCount(); ++group) rows += tree.topLevelItem(group)->childCount();
+    QCOMPARE(rows, int(exports::exportTargets().size()));
+    QCOMPARE(tree.topLevelItemCount(), 3);
     QCOMPARE(dialog.target().id, std::string_view("blender"));
     QCOMPARE(dialog.name(), editor.path("glossy"));
     dialog.chooseTarget("pbrt");
@@ -62,7 +68,8 @@ class ExportDialogTest : public QObject {
     ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
     QVERIFY(wait([&] { return dialog.trial() != nullptr; }));
     const QTreeWidgetItem& row = *dialog.findChild<QTreeWidget*>()->currentItem();
-    QVERIFY(row.text(1).endsWith(" dB") && !row.text(2).isEmpty());
+    QVERIFY(QStringList({"indistinguishable", "close", "approximate"}).contains(row.text(1)) && !row.text(2).isEmpty());
+    QVERIFY(row.toolTip(1).endsWith(" dB"));
     QVERIFY(!dialog.trial()->original.isNull() && !dialog.trial()->exported.isNull());
     QVERIFY(QDir(editor.folder.path()).entryList({"*.py"}).isEmpty());
     const auto bytes = dialog.trial()->made.parts.front().bytes;
@@ -90,6 +97,27 @@ class ExportDialogTest : public QObject {
     QVERIFY(wait([&] { return exported.count() == 1; }));
     QCOMPARE(QDir(editor.folder.path()).entryList({"glossy*"}),
              QStringList({"glossy_environment.exr", "glossy_rgb.bsdf", "glossy_scene.xml", "glossy_spec.bsdf"}));
+  }
+
+  /// The files follow the edits once these have rested, until another material is opened.
+  void keepsUpToDate() {
+    Editor editor;
+    QSignalSpy exported(&editor.controller, &ExportController::exported);
+    const exports::ExportTarget* target = exports::findExportTarget("blender");
+    editor.controller.write(editor.document.edited(), {target, {.snr = 10}, editor.path("kept")}, nullptr);
+    QVERIFY(wait([&] { return exported.count() == 1; }));
+    const auto content = [&] {
+      QFile file(editor.path("kept_blender.py"));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray before = content();
+    editor.controller.setKeptUpToDate(true);
+    adoptDefaultFit(editor.document);
+    setParameter(editor.document, int(*defaultModel().spec().find("roughness")), Rgb(0.9));
+    QVERIFY(wait([&] { return exported.count() == 2; }));
+    QVERIFY(content() != before);
+    editor.document.setMaterial(glossyMaterial(0.5, HalfDifferenceGrid{20, 20, 20}));
+    QVERIFY(!editor.controller.isKeptUpToDate());
   }
 
   /// The same files once more, of the document as it is; not of another material.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -144,6 +145,8 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
 
   /// Under each curve: what that many terms leave unexplained at its nodes.
   void whatIsUnexplainedIsShown() {
+    QVERIFY(!termsView().isVisible() && !m_panel->column(FactorAxis::theta).residuals().isVisible());
+    m_panel->details().setChecked(true);
     for (const int terms : {1, 6}) {
       termsView().findChild<QSlider*>()->setValue(terms);
       const auto found = factorization::factorizePdv(*m_document.material()->table(),
@@ -153,7 +156,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
         const auto& strip = m_panel->column(axis).residuals();
         QVERIFY(strip.fractions() == along[std::size_t(terms - 1)][std::size_t(axis)]);
         QVERIFY(strip.scale() >= *std::max_element(strip.fractions().begin(), strip.fractions().end()));
-        QCOMPARE(strip.width(), editor(axis).width());
+        QTRY_COMPARE(strip.width(), editor(axis).width());
       }
     }
   }

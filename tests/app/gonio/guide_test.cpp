@@ -43,10 +43,10 @@ std::set<QString> anchorsOf(const QString& file) {
 class GuideTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Every page has one title, which comes first; the editor's page is the first of all.
+  /// Every page has one title, which comes first; Getting started is the first of all.
   void everyPageHasATitle() {
     const auto& pages = guidePages();
-    QCOMPARE(pages.front().file, QString("editor.md"));
+    QCOMPARE(pages.front().file, QString("getting-started.md"));
     std::set<QString> files;
     for (const GuidePage& page : pages) {
       QVERIFY(!page.title.isEmpty());

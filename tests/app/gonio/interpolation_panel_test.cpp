@@ -35,7 +35,7 @@ widgets::ParameterSlider& slider(const Editor& editor) { return *editor.panel.fi
 widgets::NumberField& number(const Editor& editor) { return *editor.panel.findChild<widgets::NumberField*>(); }
 widgets::BlendPad& pad(const Editor& editor) { return *editor.panel.findChild<widgets::BlendPad*>(); }
 widgets::BlendStrip& strip(const Editor& editor) { return *editor.panel.findChild<widgets::BlendStrip*>(); }
-QComboBox& spaceBox(const Editor& editor) { return *test::child<QComboBox>(editor.panel, "Interpolation space"); }
+QComboBox& spaceBox(const Editor& editor) { return *test::child<QComboBox>(editor.panel, "Method of blending"); }
 widgets::ModelBox& modelBox(const Editor& editor) { return *editor.panel.findChild<widgets::ModelBox*>(); }
 QPushButton& drawButton(const Editor& editor) { return *test::child<QPushButton>(editor.panel, "Resume Rendering"); }
 

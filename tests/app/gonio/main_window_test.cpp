@@ -4,18 +4,24 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QStandardPaths>
+#include <QTabBar>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/window/action_table.h"
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/help.h"
+#include "app/gonio/window/start_page.h"
+#include "core/materials/bundled_library.h"
 #include "core/models/model.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
@@ -24,6 +30,7 @@
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/library/library_view.h"
+#include "widgets/panels/edit_stack.h"
 #include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/formula_text.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -172,7 +179,11 @@ class MainWindowTest : public QObject {
     adoptDefaultFit(window->parts().document);
     QVERIFY(window->windowTitle().contains("grey"));
     auto* panel = window->parts().inspector.parameters();
+    // The edit of the automatic fit is listed once it changes something.
+    const auto* edits = window->parts().inspector.edits()->findChild<QListWidget*>();
+    QCOMPARE(edits->count(), 0);
     Q_EMIT panel->valueEdited(0, Rgb(0.75));
+    QCOMPARE(edits->count(), 1);
     QVERIFY(window->isWindowModified());
     QVERIFY(modelEdit(window->parts().document)->edited.values[0] == Rgb(0.75));
     window->parts().document.history().undo();
@@ -259,6 +270,8 @@ class MainWindowTest : public QObject {
     QVERIFY(found(*window, "shader ball").contains("Scene > Shader ball"));
     QVERIFY(found(*window, "hdri").contains("Light > Sunset"));
     QCOMPARE(found(*window, "model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
+    QVERIFY(found(*window, "exr").contains("Light > Sunset") &&
+            found(*window, "carpaint").contains("Model > Car paint"));
     QVERIFY(found(*window, "undo").first().startsWith("Edit > "));
     // Words begin words: "red" is no part of "near-measured" here.
     QVERIFY(found(*window, "red metallic").first().startsWith("Library > red-metallic-paint"));
@@ -274,6 +287,64 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// The start page covers an empty viewport, offers materials that the library has, and goes when there is something
+  /// to show.
+  void startPage() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    StartPage& page = window->startPage();
+    QVERIFY(page.isVisible());
+    QCOMPARE(page.geometry(), window->parts().preview.rect());
+    QCOMPARE(StartPage::materials().size(), qsizetype(6));
+    for (const QString& id : StartPage::materials()) {
+      QVERIFY2(!materials::librarySha256(id.toStdString()).empty(), qPrintable(id));
+      QVERIFY2(QFile::exists(":/start/" + materialName(id) + ".jpg"), qPrintable(id));
+    }
+    QCOMPARE(page.findChildren<StartTile*>().size(), qsizetype(9));
+    window->parts().document.setMaterial(greyMaterial());
+    QVERIFY(!page.isVisible());
+    delete window;
+  }
+
+  /// The row of the inspector opens the panel of a kind of editing, and marks the one that is in view.
+  void kindsOfEditing() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    Inspector& inspector = window->parts().inspector;
+    const auto isShown = [&](const char* name) { return !window->docks().dock(name)->isHidden(); };
+    QCOMPARE(inspector.kind(), EditingKind::sliders);
+    Q_EMIT inspector.kindChosen(EditingKind::curves);
+    QVERIFY(isShown("factors"));
+    QTRY_COMPARE(inspector.kind(), EditingKind::curves);
+    Q_EMIT inspector.kindChosen(EditingKind::blend);
+    QVERIFY(isShown("interpolation"));
+    QTRY_COMPARE(inspector.kind(), EditingKind::blend);
+    // Also when the panel is shown or hidden by other means.
+    window->docks().show("interpolation", false);
+    window->docks().show("factors", false);
+    QTRY_COMPARE(inspector.kind(), EditingKind::sliders);
+    delete window;
+  }
+
+  /// The wheel over a list box scrolls, and chooses nothing.
+  void theWheelChoosesNothing() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    for (QComboBox* box : window->findChildren<QComboBox*>()) {
+      if (!box->isVisible() || box->count() < 2) continue;
+      const int before = box->currentIndex();
+      QWheelEvent wheel(QPointF(5, 5), box->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton, {},
+                        Qt::NoScrollPhase, false);
+      box->setFocus();
+      QApplication::sendEvent(box, &wheel);
+      QCOMPARE(box->currentIndex(), before);
+    }
+    delete window;
+  }
+
   /// The four layouts show what their work needs; the first is the usual one.
   void layouts() {
     auto* window = new MainWindow;
@@ -284,11 +355,22 @@ class MainWindowTest : public QObject {
     QVERIFY(window->parts().comparison.comparison().mode != widgets::CompareMode::off);
     run(*window, "View > Layouts > Analyse");
     QVERIFY(isShown("plots") && isShown("library"));
-    run(*window, "View > Layouts > Acquire");
+    QCOMPARE(window->docks().tabs()->currentIndex(), 2);
+    run(*window, "View > Layouts > Measure");
     QVERIFY(isShown("acquisition") && !isShown("library") && !isShown("inspector") && !isShown("plots"));
     run(*window, "View > Layouts > Edit");
     QVERIFY(!isShown("acquisition"));
     QVERIFY(isShown("library") && isShown("inspector") && !isShown("plots") && !isShown("comparison"));
+    // The same by the tabs; a press on the current one brings its panels back.
+    QTabBar& tabs = *window->docks().tabs();
+    QCOMPARE(tabs.currentIndex(), 0);
+    QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(3).center());
+    QVERIFY(isShown("acquisition") && !isShown("library"));
+    window->docks().show("library");
+    QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(3).center());
+    QVERIFY(!isShown("library"));
+    QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(0).center());
+    QVERIFY(isShown("library") && !isShown("acquisition"));
     delete window;
   }
 

@@ -31,7 +31,7 @@ class PreferencesTest : public QObject {
     const QTemporaryDir folder;
     QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
     const Preferences first = Preferences::read(settings);
-    QVERIFY(first.threads == 0 && first.historyMegabytes > 1 && first.theme == Theme::system);
+    QVERIFY(first.threads == 0 && first.historyMegabytes > 1 && first.theme == Theme::dark);
     const Preferences chosen{Theme::dark, 77, 1, widgets::RoughnessDisplay::squareRoot};
     chosen.write(settings);
     QVERIFY(Preferences::read(settings) == chosen);

@@ -239,6 +239,7 @@ class ShownNamesTest : public QObject {
     openMaterial(name);
     showScene(name);
     m_parts->preview.overlay()->setBanner(name, "Hide");
+    m_parts->inspector.unfoldRepresentation();  // and Details, with the models
     int plain = 0, rich = 0;
     for (QWidget* part : m_window->findChildren<QWidget*>()) {
       if (part->toolTip().isEmpty() || !part->isVisible()) continue;

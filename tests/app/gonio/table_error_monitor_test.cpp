@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/source_facts.h"
 #include "core/rendering/render_picture.h"
@@ -92,7 +93,7 @@ class TableErrorMonitorTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);
     QVERIFY(!monitor.costs().fitSnr && monitor.costs().fitBytes == 0);
     QCOMPARE(monitor.costs().edited->frameMilliseconds, monitor.costs().measured->frameMilliseconds);
-    QVERIFY(costLine(monitor.costs()).startsWith("Frame: "));
+    QVERIFY(costLine(monitor.costs()).endsWith(" a frame"));
     test_support::adoptDefaultFit(document);
     QVERIFY(!monitor.costs().edited && monitor.costs().measured && monitor.costs().fitBytes > 0);
     QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);
@@ -100,7 +101,9 @@ class TableErrorMonitorTest : public QObject {
     const RenderedComparison comparison(*material->base, smallComparisonPicture());
     const double snr = comparison.signalToNoiseRatio(comparison.render(*fit));
     QCOMPARE(*monitor.costs().fitSnr, snr);
-    QVERIFY(costLine(monitor.costs()).contains(QString::number(snr, 'f', 1) + " dB"));
+    // The word in the line, the number behind it.
+    QVERIFY(costLine(monitor.costs()).startsWith("Match: " + matchWord(snr) + "; "));
+    QVERIFY(costDetails(monitor.costs(), nullptr).contains(QString::number(snr, 'f', 1) + " dB"));
     setParameter(document, int(*defaultModel().spec().find("roughness")), Rgb(0.6));
     QVERIFY(!monitor.costs().edited && monitor.costs().fitSnr == snr);
     QTRY_VERIFY_WITH_TIMEOUT(monitor.costs().edited, patience);

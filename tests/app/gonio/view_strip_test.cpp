@@ -61,7 +61,7 @@ class ViewStripTest : public QObject {
     choose(box("Light"), "From scene");
     QCOMPARE(environment_->name(), QString("studio"));
     scene_->open("sphere-distant-light");
-    QTRY_COMPARE(box("Scene").currentText(), QString("Sphere distant light"));
+    QTRY_COMPARE(box("Scene").currentText(), QString("Sphere, distant light"));
   }
 
   /// A picture that was opened is named, is ticked, and can be chosen again.

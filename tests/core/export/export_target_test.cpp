@@ -88,6 +88,9 @@ class ExportTargetTest : public QObject {
 
   void proposedNamesSayWhatIsInTheFiles() {
     QCOMPARE(exports::proposedName("red car/paint", {}), std::string("red_car_paint"));
+    // The targets add such an ending again.
+    QCOMPARE(exports::proposedName("satin_purple_rgb", {}), std::string("satin_purple"));
+    QCOMPARE(exports::proposedName("satin_purple_spec", {}), std::string("satin_purple"));
     const models::Model& model = models::findModel("lambert");
     const models::ParameterValues from{{Rgb(0.2)}}, to{{Rgb(0.4)}};
     const editing::EditList edits{{.content = editing::DifferentialEdit{&model, from, to}}};

@@ -132,7 +132,7 @@ class DictionaryFileTest : public QObject {
     QVERIFY(size > 2 * numbers - 40 && size <= 2 * numbers);
     QVERIFY(contains(errorWith(path, std::uint32_t(std::filesystem::file_size(path) - 2), std::uint16_t(0x7e00),
                                [](const std::filesystem::path& changed) { materials::readDictionary(changed); }),
-                     "not orthonormal"));
+                     "not finite"));
   }
 
   void codeRoundTrip() {
