@@ -64,9 +64,9 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
                   {"out", request.out}};
   print(tool, json,
         request.out + ": from " + std::to_string(plan.samples.size()) + " samples, dictionary " +
-            std::to_string(found.dictionary) + " (from 0) of " + std::to_string(dictionary->ensemble.dictionaries.size()) +
-            ", " + number(seconds) + " s after " + number(trainingSeconds) + " s of learning\n" + assumptionText() +
-            written.text);
+            std::to_string(found.dictionary) + " (from 0) of " +
+            std::to_string(dictionary->ensemble.dictionaries.size()) + ", " + number(seconds) + " s after " +
+            number(trainingSeconds) + " s of learning\n" + assumptionText() + written.text);
   return 0;
 }
 

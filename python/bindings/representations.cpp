@@ -318,8 +318,7 @@ void bindRepresentations(py::module_& module) {
       .def_readonly("rendered_snr", &PyCode::renderedSnr)
       .def_property_readonly("warnings", [](const PyCode& c) { return toTexts(c.warnings); })
       .def_property_readonly(
-          "dictionary",
-          [](const PyCode& c) { return std::const_pointer_cast<materials::NamedEnsemble>(c.dictionary); })
+          "dictionary", [](const PyCode& c) { return std::const_pointer_cast<materials::NamedEnsemble>(c.dictionary); })
       .def_property_readonly("channels", coefficientsOf)
       .def("material", decodeCode, py::call_guard<py::gil_scoped_release>())
       .def("save", [](const PyCode& c, const std::string& path) {
