@@ -414,7 +414,7 @@ RepresentationKind rowOf(const models::Model& model) {
 constexpr PointStyle baselineStyles[] = {
     {Marker::circle, true},       {Marker::saltire, false}, {Marker::triangleDown, false}, {Marker::diamond, true},
     {Marker::triangleDown, true}, {Marker::cross, true},    {Marker::star, true},          {Marker::threeStar, true},
-    {Marker::saltire, true},      {Marker::fourStar, true}};
+    {Marker::saltire, true},      {Marker::fourStar, true}, {Marker::arrowhead, true}};
 
 RepresentationKind rowOf(const baselines::Baseline& baseline, std::size_t index) {
   const bool hasBudget = baseline.maxBytes > 0;
