@@ -17,9 +17,8 @@ namespace gonio::dictionary {
 
 /// How the coefficients of a code are chosen.
 enum class CodingMethod {
-  /// The largest projections, which over an orthonormal dictionary are the least-squares fit, again after each update
-  /// of
-  /// the invalid cells (Blumensath and Davies 2009, "Iterative Hard Thresholding for Compressed Sensing").
+  /// The largest projections, which over an orthonormal dictionary are the least-squares fit, chosen again after each
+  /// update of the invalid cells (Blumensath and Davies 2009, "Iterative Hard Thresholding for Compressed Sensing").
   iterativeHardThresholding,
   basisPursuit  ///< by the smallest sum of absolute values (core/dictionary/alternatives/basis_pursuit.h), then least
                 ///< squares

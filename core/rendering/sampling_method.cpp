@@ -72,10 +72,7 @@ std::shared_ptr<const Brdf> samplerOf(std::string_view method, const TabulatedBr
   if (method == "pdv") return pdvSampler<PdvSampler>(table, {.terms = 1}, control);
   if (method == "published")
     return pdvSampler<PublishedPdvSampler>(table, publishedPdvOptions(PdvForm::threeFactors, 1), control);
-  if (method == "ggx") {
-    fitting::FitOptions options;
-    return models::ggx().instantiate(fitting::fit(table, models::ggx(), options, control).parameters);
-  }
+  if (method == "ggx") return models::ggx().instantiate(fitting::fit(table, models::ggx(), {}, control).parameters);
   constexpr std::size_t bytes[] = {44'680};
   return baselines::findBaseline(method).build(table, std::span(bytes), control).front().brdf;
 }

@@ -27,8 +27,8 @@ struct Filled {
 };
 
 Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& up,
-            const std::string& environment, double rotation, const std::string& sampling = {},
-            const TaskControl& control = {}) {
+            const std::string& environment, double rotation,
+            std::string_view sampling = rendering::samplingMethods().front().id, const TaskControl& control = {}) {
   Filled filled{.scene = rendering::openScene(name, int(given.size()), rendering::upAxisOf(up)), .materials = {}};
   if (!environment.empty()) filled.scene.environment = rendering::openEnvironment(environment);
   filled.scene.environmentRotation += rotation;
@@ -37,8 +37,9 @@ Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, co
     throw Error("materials: found " + std::to_string(given.size()) + ", expected at most " + std::to_string(places) +
                 ", as many as the scene '" + filled.scene.name + "' shows");
   for (const PyMaterialPtr& material : given)
-    filled.materials.push_back(sampling.empty() ? material->rendered()
-                                                : rendering::sampledBy(sampling, material->brdf(), control));
+    filled.materials.push_back(sampling == rendering::samplingMethods().front().id
+                                   ? material->rendered()
+                                   : rendering::sampledBy(sampling, material->brdf(), control));
   filled.materials = rendering::bindMaterials(filled.scene, filled.materials);
   return filled;
 }

@@ -58,7 +58,7 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
     """
     width, height = (size, size) if isinstance(size, int) else size
     picture, coverage = _core.render(_handles(materials), os.fsencode(scene), up, os.fsencode(environment), rotation, width,
-                                     height, samples, "" if sampling == "auto" else sampling, seed, progress)
+                                     height, samples, sampling, seed, progress)
     return np.dstack((picture, coverage)) if alpha else picture
 
 
