@@ -78,6 +78,15 @@ inline double inverseTransformed(DataTransform transform, double y, double weigh
   }
 }
 
+/// Both continued to negative values as odd functions. Measurements have such values for colours outside sRGB
+/// (RglBrdf).
+inline double transformedSigned(DataTransform transform, double rho, double weight) {
+  return rho < 0 ? -transformed(transform, -rho, weight) : transformed(transform, rho, weight);
+}
+inline double inverseTransformedSigned(DataTransform transform, double y, double weight) {
+  return y < 0 ? -inverseTransformed(transform, -y, weight) : inverseTransformed(transform, y, weight);
+}
+
 /// y = rho^(1/gamma), gamma in [1, 3] (eq. 2.31 with the factor 1), in which reconstructions are compared. Negative
 /// values, which a reconstruction may contain, count as 0.
 inline double gammaTransformed(double rho, double gamma) {

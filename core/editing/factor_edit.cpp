@@ -33,13 +33,15 @@ nlohmann::json factorsToJson(const PdvFactors& f) {
       terms.push_back({{"f1", numbersToJson(term.f1)}, {"f2", numbersToJson(term.f2)}, {"f3", numbersToJson(term.f3)}});
     channels.push_back(std::move(terms));
   }
-  return {{"form", f.form == PdvForm::twoFactors ? "2d" : "3d"},
-          {"transform", dataTransformNames[std::size_t(f.transform)]},
-          {"highest", numbersToJson({f.highest})[0]},
-          {"thetaNodes", numbersToJson(f.thetaNodes)},
-          {"deviationNodes", numbersToJson(f.deviationNodes)},
-          {"phiNodes", numbersToJson(f.phiNodes)},
-          {"channels", std::move(channels)}};
+  nlohmann::json json{{"form", f.form == PdvForm::twoFactors ? "2d" : "3d"},
+                      {"transform", dataTransformNames[std::size_t(f.transform)]},
+                      {"highest", numbersToJson({f.highest})[0]},
+                      {"thetaNodes", numbersToJson(f.thetaNodes)},
+                      {"deviationNodes", numbersToJson(f.deviationNodes)},
+                      {"phiNodes", numbersToJson(f.phiNodes)},
+                      {"channels", std::move(channels)}};
+  if (f.lowest < 0) json["lowest"] = numbersToJson({f.lowest})[0];
+  return json;
 }
 
 std::vector<double> numbersFromJson(const JsonObject& object, const char* key, std::size_t fewest, std::size_t most) {
@@ -90,6 +92,7 @@ PdvFactors factorsFromJson(const JsonObject& object) {
   f.form = flat ? PdvForm::twoFactors : PdvForm::threeFactors;
   f.transform = transformFromJson(object);
   f.highest = object.number("highest", 0, maxBrdfValue);
+  if (object.contains("lowest")) f.lowest = object.number("lowest", -maxBrdfValue, 0);
   f.thetaNodes = nodesFromJson(object, "thetaNodes", 2, maxCurveNodes);
   f.deviationNodes = nodesFromJson(object, "deviationNodes", 2, maxCurveNodes);
   f.phiNodes = nodesFromJson(object, "phiNodes", flat ? 1 : 2, flat ? 1 : maxCurveNodes);

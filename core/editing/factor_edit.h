@@ -40,8 +40,9 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 /// {"type": "factors", "original": F, "edited": F, "keepDetail": true}, where F is
 ///   {"form": "2d", "transform": "log-plus", "highest": y, "thetaNodes": [..], "deviationNodes": [..],
 ///    "phiNodes": [..], "channels": [[{"f1": [..], "f2": [..], "f3": [..]}, one per term], one per channel]}.
-/// "form" is "2d" (two factors, F1 and F2) or "3d" (three factors, F1, F2 and F3). Both sets of curves are stored
-/// (about ten kB per term), so that a document does not depend on how later versions factorise the measurement.
+/// "lowest" (PdvFactors::lowest) is present only if it is negative. "form" is "2d" (two factors, F1 and F2) or "3d"
+/// (three factors, F1, F2 and F3). Both sets of curves are stored (about ten kB per term), so that a document does not
+/// depend on how later versions factorise the measurement.
 /// @throws Error if a set of curves is missing or contains a number that is not finite.
 nlohmann::json toJson(const FactorEdit& edit);
 /// @param where the object's path in its document, for errors, e.g. "edits[0]". @throws Error that states the key, what

@@ -28,9 +28,10 @@ std::vector<std::size_t> rowEnds(const MaskedTensor& t) {
 /// The data of the tensor that a sweep needs: sums over the last mode for all (i, j), then sums over the first two.
 class Sweep {
  public:
-  Sweep(const MaskedTensor& tensor, RankOne& term)
+  Sweep(const MaskedTensor& tensor, RankOne& term, bool nonnegative)
       : t_(tensor),
         term_(term),
+        nonnegative_(nonnegative),
         m_(std::size_t(tensor.sizes[0])),
         n_(std::size_t(tensor.sizes[1])),
         p_(std::size_t(tensor.sizes[2])),
@@ -51,6 +52,9 @@ class Sweep {
   }
 
  private:
+  /// The minimum of a parabola; under the bound 0 where it would lie below.
+  double entry(double above, double below) const { return nonnegative_ && above < 0 ? 0 : ratio(above, below); }
+
   void contractLast() {
     for (std::size_t k = 0; k < p_; ++k) c_[k] = float(term_.c[k]);
     parallelForBlocks(m_, rowsOfABlock, [&](std::size_t begin, std::size_t end) {
@@ -87,7 +91,7 @@ class Sweep {
         sum += above_[i * n_ + j] * term_.b[j];
         square += below_[i * n_ + j] * term_.b[j] * term_.b[j];
       }
-      term_.a[i] = ratio(sum, square);
+      term_.a[i] = entry(sum, square);
     }
   }
 
@@ -98,7 +102,7 @@ class Sweep {
         sum[j] += above_[i * n_ + j] * term_.a[i];
         square[j] += below_[i * n_ + j] * term_.a[i] * term_.a[i];
       }
-    for (std::size_t j = 0; j < n_; ++j) term_.b[j] = ratio(sum[j], square[j]);
+    for (std::size_t j = 0; j < n_; ++j) term_.b[j] = entry(sum[j], square[j]);
   }
 
   double updateC() {
@@ -131,7 +135,7 @@ class Sweep {
         sum += sums[block * p_ + k];
         square += squares[block * p_ + k];
       }
-      term_.c[k] = ratio(sum, square);
+      term_.c[k] = entry(sum, square);
       explained += sum * term_.c[k];
     }
     return explained;
@@ -139,13 +143,14 @@ class Sweep {
 
   const MaskedTensor& t_;
   RankOne& term_;
+  bool nonnegative_;
   std::size_t m_, n_, p_;
   std::vector<double> above_, below_;
   std::vector<float> c_;
   std::vector<std::size_t> ends_;
 };
 
-/// Means over the cells that count, for a start inside of the positive factors.
+/// Means over the cells that count, at least 0, for a start inside of the positive factors.
 RankOne marginalMeans(const MaskedTensor& t) {
   RankOne start;
   std::vector<double>* factors[] = {&start.a, &start.b, &start.c};
@@ -159,7 +164,7 @@ RankOne marginalMeans(const MaskedTensor& t) {
           sum[std::size_t(index[mode])] += double(t.weights[at]) * double(t.values[at]);
           count[std::size_t(index[mode])] += double(t.weights[at]);
         }
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = ratio(sum[i], count[i]);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = std::max(0.0, ratio(sum[i], count[i]));
     *factors[mode] = sum;
   }
   return start;
@@ -232,7 +237,7 @@ RankOne bestRankOne(const MaskedTensor& tensor, const RankOneOptions& options) {
   RankOne term = options.nonnegative ? marginalMeans(tensor) : crossOfLargest(tensor);
   const double squaredNorm = tensor.squaredNorm();
   term.residuals.push_back(squaredNorm);
-  Sweep sweep(tensor, term);
+  Sweep sweep(tensor, term, options.nonnegative);
   for (int n = 0; n < options.maxSweeps && squaredNorm > 0; ++n) {
     const double before = term.residuals.back();
     // Single precision inside of the sums: a rise of its size is none.

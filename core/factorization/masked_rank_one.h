@@ -28,7 +28,8 @@ struct RankOne {
 };
 
 struct RankOneOptions {
-  bool nonnegative = false;  ///< for values >= 0: all factors remain >= 0, at no extra cost
+  /// All factors are >= 0: each update of an entry is the exact minimum under this bound.
+  bool nonnegative = false;
   int maxSweeps = 60;
   double tolerance = 1e-6;  ///< stops when a sweep lowers the residual by less than this fraction
 };

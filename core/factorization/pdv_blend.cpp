@@ -170,8 +170,11 @@ PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const doub
   checkBlendable(ends);
   if (const auto whole = indexOfFullWeight(weights)) return *ends[*whole];
   PdvFactors result = *ends[0];
-  result.highest = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) result.highest += weights[i] * ends[i]->highest;
+  result.lowest = result.highest = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    result.lowest += weights[i] * ends[i]->lowest;
+    result.highest += weights[i] * ends[i]->highest;
+  }
   const std::vector<FurtherTerm> further = furtherTerms(ends, weights, form);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     result.channels[channel] = {blendedFirstTerm(ends, weights, channel, form)};

@@ -98,7 +98,7 @@ void DeviationRows::fillRow(const Brdf& brdf, std::size_t index, Ring ring) {
   brdf.evaluate(pairs, values);
   double* fractions = cumulative_.data() + index * edges_.size();
   for (std::size_t n = 0; n < pairs.size(); ++n)
-    fractions[bins[n] + 1] += weights[n] * (values[n].x + values[n].y + values[n].z);
+    fractions[bins[n] + 1] += weights[n] * std::max(0.0, values[n].x + values[n].y + values[n].z);
   for (std::size_t j = 0; j < this->bins(); ++j) fractions[j + 1] += fractions[j];
   const double total = fractions[this->bins()];
   const bool black = !(total > 0) || !std::isfinite(total);
@@ -258,21 +258,23 @@ void computeCoordinates(std::span<const DirectionPair> pairs, Coordinates& at) {
 }
 
 template <DataTransform transform>
-void invertTransform(std::span<double> sums, double highest, const Block& weights) {
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    sums[i] = inverseTransformed(transform, std::min(sums[i], highest), weights[i]);
+void invertTransform(std::span<double> sums, const Range& limits, const Block& weights) {
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double y = std::max(limits.low, std::min(sums[i], limits.high));
+    sums[i] = std::copysign(inverseTransformed(transform, std::abs(y), weights[i]), y);
+  }
 }
 
-void invertTransform(DataTransform transform, std::span<double> sums, double highest, const Block& weights) {
+void invertTransform(DataTransform transform, std::span<double> sums, const Range& limits, const Block& weights) {
   switch (transform) {
     case DataTransform::logPlus:
-      return invertTransform<DataTransform::logPlus>(sums, highest, weights);
+      return invertTransform<DataTransform::logPlus>(sums, limits, weights);
     case DataTransform::cosineLog:
-      return invertTransform<DataTransform::cosineLog>(sums, highest, weights);
+      return invertTransform<DataTransform::cosineLog>(sums, limits, weights);
     case DataTransform::root:
-      return invertTransform<DataTransform::root>(sums, highest, weights);
+      return invertTransform<DataTransform::root>(sums, limits, weights);
     case DataTransform::none:
-      return invertTransform<DataTransform::none>(sums, highest, weights);
+      return invertTransform<DataTransform::none>(sums, limits, weights);
   }
 }
 
@@ -401,7 +403,7 @@ class PdvBound final : public ValueBound {
  public:
   explicit PdvBound(const PdvFactors& f)
       : transform_(f.transform),
-        highest_(f.highest),
+        limits_(f.lowest, f.highest),
         terms_(std::size_t(f.terms())),
         f1_(f.thetaNodes, 3 * terms_),
         f2_(f.deviationNodes, 3 * terms_),
@@ -422,15 +424,17 @@ class PdvBound final : public ValueBound {
       Range sum = 0;
       for (std::size_t term = 0; term < terms_; ++term) sum += used[channel * terms_ + term];
       const auto c = int(channel);
-      result.low[c] = inverseTransformed(transform_, std::min(sum.low, highest_), most);
-      result.high[c] = inverseTransformed(transform_, std::min(sum.high, highest_), weight);
+      const double low = std::clamp(sum.low, limits_.low, limits_.high);
+      const double high = std::clamp(sum.high, limits_.low, limits_.high);
+      result.low[c] = inverseTransformedSigned(transform_, low, low < 0 ? weight : most);
+      result.high[c] = inverseTransformedSigned(transform_, high, high < 0 ? most : weight);
     }
     return result;
   }
 
  private:
   DataTransform transform_;
-  double highest_;
+  Range limits_;  ///< of y
   std::size_t terms_;
   CurveExtrema f1_, f2_, f3_;
 };
@@ -440,7 +444,7 @@ class PdvBrdf final : public Brdf {
   explicit PdvBrdf(const PdvFactors& f)
       : factors_(std::make_shared<const PdvFactors>(f)),
         transform_(f.transform),
-        highest_(f.highest),
+        limits_(f.lowest, f.highest),
         terms_(std::size_t(f.terms())),
         f1_(f.thetaNodes, 3 * terms_),
         f2_(f.deviationNodes, 3 * terms_),
@@ -472,7 +476,7 @@ class PdvBrdf final : public Brdf {
     computeCoordinates(pairs, at);
     std::array<Block, 3> sums;
     for (std::size_t i = 0; i < pairs.size(); ++i) addTerms(at.thetaR[i], at.deviation[i], at.phi[i], sums, i);
-    for (Block& sum : sums) invertTransform(transform_, {sum.data(), pairs.size()}, highest_, at.weight);
+    for (Block& sum : sums) invertTransform(transform_, {sum.data(), pairs.size()}, limits_, at.weight);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       values[i] =
           isBelowHorizon(pairs[i].wi) || isBelowHorizon(pairs[i].wo) ? Rgb(0) : Rgb(sums[0][i], sums[1][i], sums[2][i]);
@@ -504,7 +508,7 @@ class PdvBrdf final : public Brdf {
 
   std::shared_ptr<const PdvFactors> factors_;
   DataTransform transform_;
-  double highest_;
+  Range limits_;  ///< of y
   std::size_t terms_;
   CurveBundle f1_, f2_, f3_;
   mutable std::once_flag samplerOnce_;

@@ -128,7 +128,9 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
   double total = 0;
   for (const MaskedTensor& channel : channels) {
     total += channel.squaredNorm();
-    for (const float y : channel.values) result.factors.highest = std::max(result.factors.highest, double(y));
+    const auto [least, most] = std::minmax_element(channel.values.begin(), channel.values.end());
+    result.factors.lowest = std::min(result.factors.lowest, double(*least));
+    result.factors.highest = std::max(result.factors.highest, double(*most));
   }
   result.residuals.push_back(total > 0 ? 1 : 0);
   const MeasuredNodes measured{measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),

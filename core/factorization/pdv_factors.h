@@ -27,7 +27,8 @@ struct PdvTerm {
 };
 
 /// A BRDF as sums of products of curves, in a transformed domain:
-///   y(theta_R, |Dp|, |phi|) = sum_l F1_l(theta_R) F2_l(|Dp|) F3_l(|phi|), rho = the inverse transform of max(0, y).
+///   y(theta_R, |Dp|, |phi|) = sum_l F1_l(theta_R) F2_l(|Dp|) F3_l(|phi|), rho = the inverse transform of y,
+/// limited to [lowest, highest]; for y < 0 the transform is continued as an odd function.
 /// The largest absolute value of F2, and that of F3, is 1 in each term; F1 contains the scale. The first term is not
 /// negative. Symmetric about the plane of incidence; not reciprocal, because theta_R is the viewer's angle.
 struct PdvFactors {
@@ -40,6 +41,8 @@ struct PdvFactors {
   /// Upper bound of y: the largest y of the measurement. Sums of products can overshoot it, which an inverse logarithm
   /// would amplify.
   double highest = 0;
+  /// Lower bound of y, <= 0: the smallest y of the measurement; 0 where no value is negative.
+  double lowest = 0;
 
   int terms() const { return int(channels[0].size()); }
   /// The model of the first `terms` terms.

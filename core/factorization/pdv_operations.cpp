@@ -112,6 +112,7 @@ PdvFactors withRoomForEdits(const PdvFactors& factors) {
     for (const PdvTerm& term : channel) reach += largestSize(term.f1) * largestSize(term.f2) * largestSize(term.f3);
     result.highest = std::max(result.highest, std::min(reach, maxCurveValue));
   }
+  if (factors.highest > 0) result.lowest *= result.highest / factors.highest;
   return result;
 }
 

@@ -54,8 +54,8 @@ inline constexpr double maxCurveValue = 1e30;
 /// A clause for the user if values of curves are larger than maxCurveValue; empty otherwise.
 std::string curveLimitWarning(const PdvFactors& factors);
 
-/// The model with the upper bound `highest` raised to the maximum that its terms can reach, at most maxCurveValue. Call
-/// it after edits that raise curves.
+/// The model with the upper bound `highest` raised to the maximum that its terms can reach, at most maxCurveValue, and
+/// `lowest` lowered in the same ratio. Call it after edits that raise curves.
 PdvFactors withRoomForEdits(const PdvFactors& factors);
 
 }  // namespace gonio::factorization

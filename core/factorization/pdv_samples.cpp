@@ -102,13 +102,13 @@ class Sampler {
       double y = 0, rho = 0;
       for (std::size_t side = 2 * n; side < 2 * n + 2; ++side) {
         if (!row.measured[side]) continue;
-        const double value = std::max(0.0, row.values[side][int(channel)]);
+        const double value = row.values[side][int(channel)];
         rho += value / count;
-        y += transformed(axes_.transform, value, cosines) / count;
+        y += transformedSigned(axes_.transform, value, cosines) / count;
       }
       double weight = 1;
       if (weights_ == PdvWeights::projectedSolidAngle)
-        weight = measure * std::sqrt(inverseSlope(axes_.transform, rho, cosines));
+        weight = measure * std::sqrt(inverseSlope(axes_.transform, std::abs(rho), cosines));
       MaskedTensor& t = channels[channel];
       t.values[at] = flat() ? t.values[at] + float(weight * y) : float(y);
       t.weights[at] += float(weight);

@@ -23,11 +23,14 @@ using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
-constexpr io::ContainerFormat pdvContainer{.name = "PDV", .signature = "GONIOPDV"};
+constexpr io::ContainerFormat containerOf(bool hasNegativeValues) {
+  return {.name = "PDV", .signature = "GONIOPDV", .version = hasNegativeValues ? 2u : 1u, .readVersion = 1};
+}
+constexpr io::ContainerFormat pdvContainer = containerOf(true);
 constexpr std::uint32_t maxFactorNodes = factorization::maxPdvNodes;
 enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
 using Header = std::array<std::uint32_t, headerNumbers>;
-/// Signature, version, header and highest y.
+/// Signature, version, header and highest y; version 2 also has the lowest y.
 constexpr std::size_t headerBytes = 8 + sizeof(std::uint32_t) + sizeof(Header) + sizeof(float);
 
 /// The numbers behind the header: those of the axes, and of one term in all channels.
@@ -59,21 +62,22 @@ void checkNodes(const io::ContainerReader& file, const std::vector<double>& node
            "more than " + numberText(nodes[i - 1]));
 }
 
-PdvFactors emptyFactors(const Header& header, float highest) {
+PdvFactors emptyFactors(const Header& header, float highest, float lowest) {
   PdvFactors f{.form = header[formAt] == 0 ? PdvForm::twoFactors : PdvForm::threeFactors,
                .transform = static_cast<DataTransform>(header[transformAt]),
                .thetaNodes = std::vector<double>(header[thetaAt]),
                .deviationNodes = std::vector<double>(header[deviationAt]),
                .phiNodes = std::vector<double>(header[phiAt]),
                .channels = {},
-               .highest = double(highest)};
+               .highest = double(highest),
+               .lowest = double(lowest)};
   for (std::vector<PdvTerm>& channel : f.channels)
     channel.assign(header[termsAt], {std::vector<double>(header[thetaAt]), std::vector<double>(header[deviationAt]),
                                      std::vector<double>(header[phiAt])});
   return f;
 }
 
-void checkHeader(const io::ContainerReader& file, const Header& header, float highest) {
+void checkHeader(const io::ContainerReader& file, const Header& header, float highest, float lowest) {
   const auto check = [&](const char* what, HeaderAt at, std::uint32_t low, std::uint32_t high) {
     if (header[at] < low || header[at] > high)
       fail(file, what, std::to_string(header[at]),
@@ -87,6 +91,8 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
   check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : maxFactorNodes);
   check("the count of terms", termsAt, 1, std::uint32_t(maxPdvTerms));
   if (!std::isfinite(highest)) fail(file, "the maximum transformed BRDF value", "not finite", "a finite number");
+  if (!std::isfinite(lowest) || lowest > 0)
+    fail(file, "the minimum transformed BRDF value", numberText(double(lowest)), "0 or a negative number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
   file.expectRemaining(sizeof(float) * floatCount(nodes, header[termsAt]));
 }
@@ -94,8 +100,9 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
 }  // namespace
 
 std::size_t pdvFileBytes(const PdvFactors& f) {
-  return headerBytes + sizeof(float) * floatCount(f.thetaNodes.size() + f.deviationNodes.size() + f.phiNodes.size(),
-                                                  std::size_t(f.terms()));
+  return headerBytes + (f.lowest < 0 ? sizeof(float) : 0) +
+         sizeof(float) *
+             floatCount(f.thetaNodes.size() + f.deviationNodes.size() + f.phiNodes.size(), std::size_t(f.terms()));
 }
 
 std::size_t pdvFileBytes(factorization::PdvForm form, int terms) {
@@ -106,11 +113,12 @@ std::size_t pdvFileBytes(factorization::PdvForm form, int terms) {
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
   PdvFactors f = factors;
-  io::ContainerWriter file(pdvContainer);
+  io::ContainerWriter file(containerOf(f.lowest < 0));
   file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
                      std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
                      std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
   file.number(float(std::min(f.highest, maxBrdfValue)));
+  if (f.lowest < 0) file.number(float(std::max(f.lowest, -maxBrdfValue)));
   visitCurves(f, [&](const std::vector<double>& curve) {
     for (const double value : curve) file.number(float(std::clamp(value, -maxCurveValue, maxCurveValue)));
   });
@@ -122,8 +130,9 @@ PdvFactors readPdv(const io::ByteSource& source) {
   Header header;
   file.values(header, "header");
   const auto highest = file.number<float>();
-  checkHeader(file, header, highest);
-  PdvFactors f = emptyFactors(header, highest);
+  const float lowest = file.version() > 1 ? file.number<float>() : 0;
+  checkHeader(file, header, highest, lowest);
+  PdvFactors f = emptyFactors(header, highest, lowest);
   std::size_t at = 0;
   visitCurves(f, [&](std::vector<double>& curve) {
     for (double& value : curve) {

@@ -8,10 +8,11 @@
 #include "core/factorization/pdv_factors.h"
 #include "core/io/byte_source.h"
 
-/// Gonio's file format of PDV factors, `.pdv`: a container (core/io/container.h) "GONIOPDV", version 1; uint32 form (0
-/// two factors, 1 three), transform (in the order of dataTransformNames), numbers of nodes of theta_R, |Dp| and |phi|
-/// (1 in the two-factor form), number of terms; float32 PdvFactors::highest; the nodes of the three axes; then for red,
-/// green and blue, for each term, F1, F2, F3, all float32. 45 kB for ten terms of three factors.
+/// Gonio's file format of PDV factors, `.pdv`: a container (core/io/container.h) "GONIOPDV", version 1, or 2 with
+/// negative values; uint32 form (0 two factors, 1 three), transform (in the order of dataTransformNames), numbers of
+/// nodes of theta_R, |Dp| and |phi| (1 in the two-factor form), number of terms; float32 PdvFactors::highest and, in
+/// version 2, lowest; the nodes of the three axes; then for red, green and blue, for each term, F1, F2, F3, all
+/// float32. 45 kB for ten terms of three factors.
 namespace gonio::formats {
 
 /// Size of the file in bytes.

@@ -11,7 +11,7 @@ uniform samplerBuffer factorCurves;
 uniform int factorPlaceCount;
 uniform int factorFirst[FACTOR_EDITS];          // texel of each edit
 uniform vec3 factorEnds[FACTOR_EDITS];          // of theta_R, |Dp|, |phi|
-uniform float factorHighest[2 * FACTOR_EDITS];  // edited, original
+uniform vec2 factorLimits[2 * FACTOR_EDITS];    // lowest and highest y; edited, original
 uniform int factorTransform[2 * FACTOR_EDITS];  // DataTransform
 
 // The places are even in theta_R, in the root of |Dp| and in |phi|.
@@ -48,7 +48,8 @@ vec3 evaluateFactors(vec3 places, float cosines, int edit, int set, int terms, i
     sum += product;
   }
   int curves = 2 * edit + set;
-  return inverseTransformed(factorTransform[curves], clamp(sum, vec3(0.0), vec3(factorHighest[curves])), cosines);
+  vec3 y = clamp(sum, vec3(factorLimits[curves].x), vec3(factorLimits[curves].y));
+  return sign(y) * inverseTransformed(factorTransform[curves], abs(y), cosines);
 }
 
 // BRDF values with an edit of the curves: by their difference (the detail kept), or the curves in their place.

@@ -63,6 +63,10 @@ class ModelPreviewTest : public test::SphereTest {
       const factorization::PdvFactors own = factorsOf(form);
       const auto base = factorization::makePdvBrdf(own);
       verify(base, {});
+      factorization::PdvFactors negative = own;
+      negative.lowest = -0.2;
+      for (double& value : negative.channels[0][0].f2) value -= 0.4;
+      verify(factorization::makePdvBrdf(negative), {});
       const auto original = std::make_shared<const factorization::PdvFactors>(own.truncated(1));
       const auto wider = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(*original, 1.5));
       const editing::Edit curves{editing::FactorEdit{.original = original, .edited = wider}};

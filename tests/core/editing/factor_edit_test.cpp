@@ -133,7 +133,11 @@ class FactorEditTest : public QObject {
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
     Edit odd{edit(1.0 / 3, 0.1 + 0.2, PdvForm::threeFactors), "caf\xC3\xA9"};
-    std::get<FactorEdit>(odd.content).preserveDetail = false;
+    auto& factors = std::get<FactorEdit>(odd.content);
+    factors.preserveDetail = false;
+    PdvFactors negative = *factors.edited;
+    negative.lowest = -1.0 / 3;
+    factors.edited = std::make_shared<const PdvFactors>(negative);
     odd.enabled = false;
     odd.strength = 1.0 / 7;
     document.edits = {{edit(1, 1e-17)}, odd};

@@ -68,6 +68,26 @@ class PdvFactorsTest : public QObject {
     }
   }
 
+  /// Below 0 the transforms are continued as odd functions, down to the lower bound of y.
+  void negativeValuesWrittenOut() {
+    PdvFactors f = someFactors();
+    f.lowest = -0.5;
+    for (PdvTerm& term : f.channels[0]) term.f1 = {-0.2, -0.3, -1, 2};
+    const double ys[] = {-0.2 * 3, -0.3 * 3, -1 * 3};
+    for (const DataTransform transform :
+         {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
+      f.transform = transform;
+      const auto brdf = makePdvBrdf(f);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = fromProjectedDeviation({f.thetaNodes[i], 0, 0});
+        const double weight = cosineWeight(at.pair.wi.z, at.pair.wo.z);
+        const double expected = -inverseTransformed(transform, std::min(0.5, -ys[i]), weight);
+        const double found = brdf->evaluate(at.pair.wi, at.pair.wo).x;
+        QVERIFY2(std::abs(found - expected) < 1e-5 * std::max(1.0, -expected), QByteArray::number(found));
+      }
+    }
+  }
+
   /// An edited curve of 1e300: values reach the bound of the factors, and samples have finite densities.
   void hardCase56HugeCurve() {
     PdvFactors f = someFactors();
@@ -195,6 +215,42 @@ class PdvFactorsTest : public QObject {
         QVERIFY2(glm::length(difference) < 0.02, QByteArray::number(glm::length(difference)));
       }
     }
+  }
+
+  /// Colours outside sRGB: a channel that is negative everywhere, and one that is so beside the highlight. The first
+  /// term stays positive, as its importance sampling needs.
+  void negativeValuesOfTheTableAreKept() {
+    class OutsideOfSrgb final : public Brdf {
+     public:
+      using Brdf::evaluate;
+      void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          const double dp = toProjectedDeviation(pairs[i].wi, pairs[i].wo).deviation, y = 1 / (1 + 4 * dp * dp);
+          values[i] = {-std::expm1(0.3 * y), std::expm1(y), std::copysign(std::expm1(std::abs(y - 0.4)), y - 0.4)};
+        }
+      }
+    };
+    const OutsideOfSrgb truth;
+    const auto table = bakeTable(truth, {.reciprocal = false}, {}, 16, NegativeValues::stay);
+    for (const bool joint : {false, true}) {
+      const PdvFactorization f = factorizePdv(*table, {.terms = 3, .joint = joint});
+      for (std::size_t l = 1; l < f.residuals.size(); ++l) QVERIFY(f.residuals[l] <= f.residuals[l - 1]);
+      QVERIFY(std::abs(f.factors.lowest + 0.3) < 1e-3 && std::abs(f.factors.highest - 1) < 1e-3);
+      for (const auto& channel : f.factors.channels)
+        for (const auto* curve : {&channel[0].f1, &channel[0].f2, &channel[0].f3})
+          for (const double value : *curve) QVERIFY(value >= 0);
+      const auto brdf = makePdvBrdf(f.factors);
+      std::mt19937_64 random(1);
+      for (int n = 0; n < 1000; ++n) {
+        const Direction wi = randomUpper(random), wo = randomUpper(random);
+        if (wi.z < 0.1 || wo.z < 0.1) continue;
+        const double error = glm::length(brdf->evaluate(wi, wo) - truth.Brdf::evaluate(wi, wo));
+        QVERIFY2(error < 0.02, QByteArray::number(error));
+      }
+    }
+    // The first term of the wholly negative channel is 0.
+    const PdvFactorization one = factorizePdv(*table, {.terms = 1});
+    QVERIFY(std::ranges::all_of(one.factors.channels[0][0].f1, [](double value) { return value == 0; }));
   }
 
   void hardCase14ConstantNeedsOneTerm() {

@@ -69,15 +69,19 @@ class PdvFileTest : public QObject {
     QCOMPARE(withEdits(base, edits).source.notes, std::vector{"warning: " + warning});
   }
 
+  /// Version 2 has the bound of negative values; without them files are those of version 1.
   void roundTrip() {
-    for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors}) {
-      const PdvFactors f = someFactors(form);
-      const auto path = test::outputPath("pdv/round_trip.pdv");
-      writePdv(f, path);
-      QVERIFY(isPdv(path));
-      QVERIFY(readPdv(path) == f);
-      QCOMPARE(std::filesystem::file_size(path), pdvFileBytes(f));
-    }
+    for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors})
+      for (const double lowest : {0.0, -0.75}) {
+        PdvFactors f = someFactors(form);
+        f.lowest = lowest;
+        const auto path = test::outputPath("pdv/round_trip.pdv");
+        writePdv(f, path);
+        QVERIFY(isPdv(path));
+        QVERIFY(readPdv(path) == f);
+        QCOMPARE(std::filesystem::file_size(path), pdvFileBytes(f));
+        QCOMPARE(test::readFile(path)[8], std::byte(lowest < 0 ? 2 : 1));
+      }
   }
 
   /// Ten terms of three factors in RGB over 90, 90 and 180 nodes: the dissertation's 87 KB in half the precision.
@@ -93,8 +97,10 @@ class PdvFileTest : public QObject {
     const auto contains = [](const std::string& text, const char* part) {
       return text.find(part) != std::string::npos;
     };
-    QVERIFY(contains(errorWith(0, 2u), "the version is 2, expected 1"));
-    QVERIFY(contains(errorWith(0, 2u), "changed.pdv"));
+    QVERIFY(contains(errorWith(0, 3u), "the version is 3, expected 1 to 2"));
+    QVERIFY(contains(errorWith(0, 3u), "changed.pdv"));
+    // The number behind the highest value is then the first node of theta_R, which is 0: the file is too short.
+    QVERIFY(contains(errorWith(0, 2u), "the size of the file"));
     QVERIFY(contains(errorWith(1, 7u), "the form is 7, expected 0 (two curves) or 1"));
     QVERIFY(contains(errorWith(2, 99u), "the transform is 99"));
     QVERIFY(contains(errorWith(3, 0xffffffffu), "nodes of theta_R is 4294967295"));
@@ -102,6 +108,11 @@ class PdvFileTest : public QObject {
     QVERIFY(contains(errorWith(6, 3u), "the size of the file"));
     QVERIFY(contains(errorWith(7, std::numeric_limits<float>::infinity()),
                      "the maximum transformed BRDF value is not finite"));
+    PdvFactors negative = someFactors(PdvForm::threeFactors);
+    negative.lowest = 0.5;  // written in version 1, without this bound
+    const auto path = test::outputPath("pdv/positive_bound.pdv");
+    writePdv(negative, path);
+    QCOMPARE(readPdv(path).lowest, 0.0);
     QVERIFY(contains(errorWith(8, 0.5f), "the first node of theta_R"));
     QVERIFY(contains(errorWith(9, -1.0f), "node 1 of theta_R"));
     QVERIFY(contains(errorWith(30, std::nanf("")), "number 22 is not finite"));

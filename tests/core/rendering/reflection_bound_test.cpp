@@ -71,6 +71,18 @@ factorization::PdvFactors raisedFactors(double low, double high, double value) {
   return factors;
 }
 
+/// The second term makes all values beside the highlight negative.
+Form factorsWithNegativeValues(DataTransform transform) {
+  factorization::PdvFactors factors = raisedFactors(10, 60, 3);
+  factors.transform = transform;
+  factors.lowest = -2;
+  for (auto& channel : factors.channels) {
+    channel.push_back(channel[0]);
+    channel[1].f2 = {0.2, -1, -0.5};
+  }
+  return factorization::makePdvBrdf(factors);
+}
+
 Form factorised(int terms, DataTransform transform) {
   factorization::PdvOptions options;
   options.terms = terms;
@@ -234,8 +246,10 @@ std::vector<std::pair<std::string, Form>> forms() {
   all.emplace_back("retroreflector", retroreflector(35.5, 39.5, 2, 300));
   all.emplace_back("raised F1", factorization::makePdvBrdf(raisedFactors(34.4, 39.6, 2)));
   for (const DataTransform transform :
-       {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none})
+       {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
     for (const int terms : {1, 4}) all.emplace_back("factors", factorised(terms, transform));
+    all.emplace_back("factors with negative values", factorsWithNegativeValues(transform));
+  }
   all.emplace_back("factors of many terms", factorsOfManyTerms());
   for (const IncidentDirection incident : allIncidentDirections) {
     all.emplace_back("UTIA", utia(incident));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/edit_chain.h"
 
+#include <QVector2D>
 #include <QVector3D>
 #include <algorithm>
 #include <glm/vec4.hpp>
@@ -121,18 +122,18 @@ void FactorTexture::setUniforms(QOpenGLShaderProgram& program, int unit) const {
   program.setUniformValue("factorPlaceCount", places_);
   program.setUniformValueArray("factorFirst", firstTexels_.data(), int(firstTexels_.size()));
   std::vector<QVector3D> ends;
-  std::vector<float> highest;
+  std::vector<QVector2D> limits;
   std::vector<int> transforms;
   for (const FactorEdit& edit : edits_) {
     const auto end = [&](int axis) { return float(endOf(edit, axis)); };
     ends.emplace_back(end(0), end(deviationAxis), end(phiAxis));
     for (const PdvFactors* set : {edit.edited.get(), edit.original.get()}) {
-      highest.push_back(float(set->highest));
+      limits.emplace_back(float(set->lowest), float(set->highest));
       transforms.push_back(int(set->transform));
     }
   }
   program.setUniformValueArray("factorEnds", ends.data(), int(ends.size()));
-  program.setUniformValueArray("factorHighest", highest.data(), int(highest.size()), 1);
+  program.setUniformValueArray("factorLimits", limits.data(), int(limits.size()));
   program.setUniformValueArray("factorTransform", transforms.data(), int(transforms.size()));
 }
 
