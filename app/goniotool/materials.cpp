@@ -13,18 +13,11 @@
 
 namespace gonio::tool {
 
-std::shared_ptr<const materials::BasisFile> basisOfSources(const std::vector<std::string>& sources,
-                                                           const std::vector<std::string>& excluded, int maxComponents,
-                                                           const Tool& tool, double& seconds) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto materials = study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded));
-  auto basis = std::make_shared<materials::BasisFile>();
-  basis->components = dictionary::learnPrincipalComponents(
-      materials.names.size(), materials.load, {.maxComponents = maxComponents},
-      tool.control("learning from " + std::to_string(materials.names.size()) + " materials"));
-  basis->learnedFrom = materials.names;
-  seconds = secondsSince(start);
-  return basis;
+study::LearnedBasis basisOfSources(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
+                                   int components, const Tool& tool, materials::BasisPrecision precision) {
+  const std::vector<std::string> files = study::trainingFilesOrLibrary(sources, excluded);
+  return study::learnedBasis(files, components, precision,
+                             tool.control("learning from " + std::to_string(files.size()) + " materials"));
 }
 
 std::string trainingSetHelp(const std::string& title) {

@@ -10,16 +10,14 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/documents/open_material.h"
-#include "core/materials/basis_file.h"
 #include "core/materials/encode.h"
+#include "core/study/learned_basis.h"
 
 namespace gonio::tool {
 
-/// The principal components of the materials of study::trainingFilesOrLibrary(). @param seconds receives the time of
-/// reading and learning.
-std::shared_ptr<const materials::BasisFile> basisOfSources(const std::vector<std::string>& sources,
-                                                           const std::vector<std::string>& excluded, int maxComponents,
-                                                           const Tool& tool, double& seconds);
+/// study::learnedBasis() of the materials of study::trainingFilesOrLibrary().
+study::LearnedBasis basisOfSources(const std::vector<std::string>& sources, const std::vector<std::string>& excluded,
+                                   int components, const Tool& tool, materials::BasisPrecision precision);
 
 /// The help of an option that names training materials, e.g. "Training set: .binary, .bsdf or .bin files, or folders of
 /// them"; `title` is the part before the colon.

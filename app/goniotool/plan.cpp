@@ -74,6 +74,22 @@ double travelDegrees(const SamplingPlan& plan) {
   return degrees(sum);
 }
 
+/// The kept file gets a second name beside the plan, which costs neither time nor space; where it holds other
+/// components, or the file system has no hard links, a file is written.
+void placeBasis(const study::LearnedBasis& learned, int components, materials::BasisPrecision precision,
+                const std::filesystem::path& path) {
+  const materials::BasisFile& basis = *learned.basis;
+  if (!learned.file.empty() && components >= basis.components.count()) {
+    const std::filesystem::path temporary = path.string() + ".link";
+    std::error_code failed;
+    std::filesystem::remove(temporary, failed);
+    std::filesystem::create_hard_link(learned.file, temporary, failed);
+    if (!failed) std::filesystem::rename(temporary, path, failed);
+    if (!failed) return;
+  }
+  materials::writeBasis(basis.components, components, basis.learnedFrom, path, precision);
+}
+
 void report(const PlanArguments& options, const SamplingPlan& plan, const SampleSelection& selection,
             const materials::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
   const std::string basisPath = basisBeside(options.out).string();
@@ -94,7 +110,8 @@ void report(const PlanArguments& options, const SamplingPlan& plan, const Sample
         options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
             number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
             number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
-            std::to_string(basis.learnedFrom.size()) + " materials, learned in " + number(trainingSeconds) + " s\n" +
+            std::to_string(basis.learnedFrom.size()) + " materials, " +
+            (trainingSeconds > 0 ? "learned in " + number(trainingSeconds) + " s" : "learned before") + "\n" +
             (selection.warning.empty() ? "" : selection.warning + "\n"));
 }
 
@@ -106,25 +123,27 @@ int plan(const PlanArguments& options, const Tool& tool) {
   // Learning takes minutes: what cannot be written is reported before.
   io::checkWritable(basisPath);
   io::checkWritable(options.out);
-  double trainingSeconds = 0;
-  const int components = std::max({chosen.samples, usedComponents(chosen), options.basisComponents});
-  const auto basis = basisOfSources(options.train, options.excluded, components, tool, trainingSeconds);
+  const int used = std::max(chosen.samples, usedComponents(chosen));
+  const int wanted =
+      options.basisComponents > 0 ? options.basisComponents : std::max(study::defaultBasisComponents, used);
+  const auto precision = options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half;
+  const study::LearnedBasis learned =
+      basisOfSources(options.train, options.excluded, std::max(wanted, used), tool, precision);
+  const materials::BasisFile& basis = *learned.basis;
   const auto start = std::chrono::steady_clock::now();
-  const SampleSelection selection = selectSamples(basis->components, chosen, tool.control("choosing directions"));
+  const SampleSelection selection = selectSamples(basis.components, chosen, tool.control("choosing directions"));
   const double seconds = secondsSince(start);
-  SamplingPlan plan = planFor(basis->components.mapping.grid, selection.cells);
+  SamplingPlan plan = planFor(basis.components.mapping.grid, selection.cells);
   plan.method = options.method;
-  const int learned = basis->components.count();
-  const int kept = options.basisComponents > 0 ? std::min(options.basisComponents, learned) : learned;
+  const int components = std::min(wanted, basis.components.count());
   // A plan names its basis: without the one the other is not written.
-  materials::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
-                        options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half);
+  placeBasis(learned, components, precision, basisPath);
   plan.basisDigest = basisDigest(basisPath);
   acquisition::writePlan(
       plan, options.out,
-      {"training set: " + std::to_string(basis->learnedFrom.size()) + " materials",
+      {"training set: " + std::to_string(basis.learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; for isotropic materials only phi_o - phi_i matters"});
-  report(options, plan, selection, *basis, kept, trainingSeconds, seconds, tool);
+  report(options, plan, selection, basis, components, learned.seconds, seconds, tool);
   return 0;
 }
 
@@ -164,7 +183,8 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--basis-components", options->basisComponents,
-                   "Number of components in the basis file (as many as the selection uses, at least --samples)")
+                   "Number of components in the basis file (" + std::to_string(study::defaultBasisComponents) +
+                       ", at least --samples and as many as the selection uses)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--max-polar", options->maxPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));

@@ -129,8 +129,12 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
     const int components = options.reconstruction.components;
-    return basisOfSources(options.train, options.excluded, components > 0 ? components : int(plan.samples.size()), tool,
-                          trainingSeconds);
+    const study::LearnedBasis learned =
+        basisOfSources(options.train, options.excluded,
+                       components > 0 ? components : std::max(study::defaultBasisComponents, int(plan.samples.size())),
+                       tool, materials::BasisPrecision::half);
+    trainingSeconds = learned.seconds;
+    return learned.basis;
   }
   if (!std::filesystem::exists(beside))
     throw Error(beside.string() +

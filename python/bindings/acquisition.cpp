@@ -10,6 +10,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/materials/basis_file.h"
+#include "core/study/learned_basis.h"
 #include "core/study/training_files.h"
 #include "python/bindings/materials.h"
 #include "python/bindings/representations.h"
@@ -123,10 +124,10 @@ PyBasis readBasis(const std::string& path) {
 PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded, int components,
                    const py::object& progress) {
   return resultOf(progress, [&](const TaskControl& control) {
-    const auto training = study::trainingMaterials(study::trainingFilesOrLibrary(sources, excluded));
-    return PyBasis{std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
-                       training.names.size(), training.load, {.maxComponents = components}, control)),
-                   training.names};
+    const auto basis = study::learnedBasis(study::trainingFilesOrLibrary(sources, excluded), components,
+                                           materials::BasisPrecision::half, control)
+                           .basis;
+    return PyBasis{{basis, &basis->components}, basis->learnedFrom};
   });
 }
 

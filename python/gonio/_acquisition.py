@@ -104,10 +104,11 @@ def bundled_basis(progress: Progress = None) -> Basis:
     return Basis(_core.bundled_basis(progress))
 
 
-def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 1024,
+def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 128,
                 progress: Progress = None) -> Basis:
     """Computes the principal components of a training set, on the grid of MERL tables. Takes up to 1 s and about 14 MB of
-    memory per material; training sets that need more than 6 GB are stored in a temporary file instead.
+    memory per material; training sets that need more than 6 GB are stored in a temporary file instead. The result is kept in
+    half precision in the user's cache folder (docs/acquisition.md), from which it is read in about a second the next time.
 
     Args:
         sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
@@ -120,6 +121,17 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
         Error: A file cannot be read, its table has another grid, or a name in `excluded` matches no material.
     """
     return Basis(_core.learn_basis([os.fsencode(source) for source in sources], list(excluded), components, progress))
+
+
+_learned_library: Optional[Basis] = None
+
+
+def _library_basis(progress: Progress) -> Basis:
+    """gonio.learn_basis(), kept for the next call."""
+    global _learned_library
+    if _learned_library is None:
+        _learned_library = learn_basis(progress=progress)
+    return _learned_library
 
 
 def separate(material: Material, progress: Progress = None) -> tuple[Material, Material]:
@@ -296,7 +308,7 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
     Args:
         samples: Number of pairs of directions.
-        basis: Principal components of the training set; None: gonio.bundled_basis().
+        basis: Principal components of the training set; None: gonio.learn_basis().
         method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Data-Driven Approaches for
             Sparse Reflectance Modeling and Acquisition, Algorithm 4), "somp-first-columns" (the same over the first
             training signals alone, as in the authors' code), "condition-number" (Nielsen et al. 2015), "random",
@@ -321,7 +333,7 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
         Error: An argument is out of its range, or no direction can be measured.
     """
     boxes = [[float(number) for limits in box for number in limits] for box in forbidden]
-    known = basis or bundled_basis(progress)
+    known = basis or _library_basis(progress)
     return Plan.__new__(Plan)._set(*_core.plan(known._handle, samples, method, components, max_polar_angle, min_separation,
                                                boxes, seed, restarts, progress))
 
@@ -383,7 +395,7 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
     Args:
         plan: The measured directions, by gonio.plan() or gonio.Plan(wi, wo).
         readings: The measured values, by gonio.measure() or gonio.Readings(values).
-        basis: Principal components of the training set; None: gonio.bundled_basis(). It should be the one that the directions
+        basis: Principal components of the training set; None: gonio.learn_basis(). It should be the one that the directions
             were planned with, and should not contain the material itself if you report the error.
         method: "local-ridge" (ridge regression over the training materials that agree with the readings), "ridge" (over all
             training materials) or "sparse" (few components, by orthogonal matching pursuit); None: "ridge" if `ridge` or
@@ -401,7 +413,7 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
             lies where a training material has no value (the message states its number, from 1), or an argument is out of its
             range.
     """
-    known = basis or bundled_basis(progress)
+    known = basis or _library_basis(progress)
     if method is None:
         method = "ridge" if ridge is not None or equal_noise else "local-ridge"
     row = _core.reconstruct(known._handle, plan._handle, np.asarray(readings.values, dtype=np.float64), readings.noise, method,

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "app/gonio/acquisition/acquisition_session.h"
+#include "core/study/learned_basis.h"
 #include "widgets/acquisition/forbidden_regions_editor.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
@@ -351,10 +352,10 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   const std::pair<QString, QString> methods[] = {
       {tr("Local ridge"), tr("Ridge regression over up to %1 components; each training material is weighted by how "
                              "well it agrees with the measured values")
-                              .arg(maxComponents)},
+                              .arg(study::defaultBasisComponents)},
       {tr("Ridge, automatic η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
                                     "sample best from all others (leave-one-out)")
-                                     .arg(maxComponents)},
+                                     .arg(study::defaultBasisComponents)},
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
        tr("Ridge with the published η, over as many components as with automatic η. The published η suits about "
           "400 training signals; with fewer, it smooths too much.")},
@@ -410,7 +411,7 @@ acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   if (index == localRidge) options.method = acquisition::ReconstructionMethod::localRidge;
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
   if (index == publishedRidge) options.ridge = acquisition::publishedRidge;
-  options.components = maxComponents;
+  options.components = study::defaultBasisComponents;
   return options;
 }
 

@@ -11,6 +11,7 @@
 #include "core/materials/bundled_library.h"
 #include "core/materials/material.h"
 #include "core/materials/material_formats.h"
+#include "core/study/learned_basis.h"
 
 namespace gonio::app {
 
@@ -74,12 +75,10 @@ std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(co
   if (ids.size() < 2)
     throw Error("The training set has " + std::to_string(ids.size()) + (ids.size() == 1 ? " material" : " materials") +
                 "; it needs at least 2.");
-  const auto load = [&](std::size_t material) {
-    const std::string id = ids[qsizetype(material)].toStdString();
-    return meanOfOrders(materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}}));
-  };
-  return std::make_shared<const dictionary::PrincipalComponents>(
-      dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {.maxComponents = components}, control));
+  std::vector<std::string> files;
+  for (const QString& id : ids) files.push_back(id.toStdString());
+  const auto basis = study::learnedBasis(files, components, materials::BasisPrecision::half, control).basis;
+  return {basis, &basis->components};
 }
 
 AcquisitionPlanner::AcquisitionPlanner(BackgroundTasks& tasks, QString taskKey, QObject* parent)
@@ -115,7 +114,7 @@ void AcquisitionPlanner::plan(const PlanSettings& settings, const QString& measu
   const QStringList ids =
       settings.leaveOutReference ? without(settings.training.ids, measuredId) : settings.training.ids;
   // The published equation takes as many components as samples.
-  const int components = std::max(maxComponents, m_settings.samples);
+  const int components = std::max(study::defaultBasisComponents, m_settings.samples);
   if (m_basis && ids == m_learned && components <= m_learnedComponents)
     choose();
   else

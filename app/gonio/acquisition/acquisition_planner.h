@@ -41,19 +41,13 @@ QString baseName(const QString& id);
 /// The ids without this material and copies of it, which have the same baseName().
 QStringList without(const QStringList& ids, const QString& id);
 
-/// Maximum number of components with a fixed ridge, which permits more components than samples. The time for the
-/// uncertainty grows with the square of their number, and a component takes about 4 MB.
-inline constexpr int maxComponents = 100;
-
-/// Reads the materials one after another and learns their first principal components. About a second per material that
-/// is not a table. Memory: see learnPrincipalComponents().
-/// @throws Error that names the file, or if there are fewer than two materials; Cancelled.
+/// study::learnedBasis() of library materials and files. @throws Error also if there are fewer than two materials.
 std::shared_ptr<const dictionary::PrincipalComponents> learnLibraryComponents(const QStringList& ids, int components,
                                                                               const TaskControl& control = {});
 
 /// Settings for the selection of directions.
 struct PlanSettings {
-  TrainingSet training = measuredTraining();
+  TrainingSet training = libraryTraining();
   bool leaveOutReference = true;  ///< excludes the measured material from the training set
   acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
   int samples = 20;
